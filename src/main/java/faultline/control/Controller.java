@@ -1,0 +1,14 @@
+package faultline.control;
+
+/** Something that drives the robot. Called once a tick, in order, by one thread at a time. */
+@FunctionalInterface
+public interface Controller {
+
+    /**
+     * Decides on the voltages.
+     *
+     * @param observation the newest observation
+     * @return the decision, which acts at the next tick
+     */
+    Decision decide(Observation observation);
+}

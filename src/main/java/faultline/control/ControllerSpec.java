@@ -1,0 +1,63 @@
+package faultline.control;
+
+/** Which controller drives the robot, and how it is set: what a scenario's {@code controller} element says. */
+public sealed interface ControllerSpec {
+
+    /**
+     * Makes a fresh controller.
+     *
+     * @return a controller in its first state
+     */
+    Controller create();
+
+    /** The robot stays where it is: file type {@code none}. */
+    record None() implements ControllerSpec {
+        @Override
+        public Controller create() {
+            Decision stay = new Decision(0, 0, Telemetry.named("NONE"));
+            return observation -> stay;
+        }
+    }
+
+    /**
+     * Constant voltages: file type {@code drive}.
+     *
+     * @param leftVolts on the left motors, finite
+     * @param rightVolts on the right motors, finite
+     */
+    record Drive(double leftVolts, double rightVolts) implements ControllerSpec {
+        @Override
+        public Controller create() {
+            Decision drive = new Decision(leftVolts, rightVolts, Telemetry.named("DRIVE"));
+            return observation -> drive;
+        }
+    }
+
+    /**
+     * The paper's six-state wall follower: file type {@code wall-follower}.
+     *
+     * @param distance the wanted reading of the sensor that faces the wall, metres, positive
+     * @param hand the side that the wall is kept on
+     * @param period how often it decides, seconds; 0 for every tick; rounded to whole ticks
+     */
+    record WallFollowing(double distance, Hand hand, double period) implements ControllerSpec {
+
+        /** The follower that is used where a file gives no values. */
+        public static final WallFollowing DEFAULT = new WallFollowing(0.25, Hand.LEFT, 0);
+
+        /** Checks the values. */
+        public WallFollowing {
+            if (!(distance > 0 && Double.isFinite(distance))) {
+                throw new IllegalArgumentException("the distance must be positive: " + distance);
+            }
+            if (!(period >= 0 && Double.isFinite(period))) {
+                throw new IllegalArgumentException("the period must not be negative: " + period);
+            }
+        }
+
+        @Override
+        public Controller create() {
+            return new Periodic(new WallFollower(this), period);
+        }
+    }
+}

@@ -1,0 +1,17 @@
+package faultline.control;
+
+/** The six states of the wall follower. The paper's Fig. 8 survives as a caption only; this reading of it is decision 0002. */
+public enum FollowerState {
+    /** Drive on until a wall is seen. */
+    SEARCH,
+    /** Spin right until the left sensor comes to the wall: frame F3. */
+    TURN,
+    /** Spin on until the left sensor leaves the wall: frame F4. */
+    MEASURE,
+    /** Turn back for t_p = t_D / 2, eq. (4), and let the spin die out. */
+    ALIGN,
+    /** PD distance control along the wall. */
+    FOLLOW,
+    /** The wall ended: arc around the outer corner until it is seen again. */
+    ROUND
+}

@@ -1,0 +1,85 @@
+package faultline.engine;
+
+import faultline.control.ControllerSpec;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.world.Command;
+import faultline.world.WorldSpec;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * All that determines a run: same setup, same trajectory, to the bit.
+ *
+ * @param world before anything moves
+ * @param robot as built
+ * @param start the robot's pose at time 0
+ * @param controller what drives it
+ * @param timeline what is done to the world and when, in the file's order
+ * @param dt the length of a tick, seconds, positive
+ * @param seed of all random numbers
+ * @param duration how long a run lasts if nobody says otherwise, seconds, not negative
+ */
+public record Setup(WorldSpec world, RobotSpec robot, Pose start, ControllerSpec controller, List<Timed> timeline, double dt, long seed,
+        double duration) {
+
+    /** Checks the values and copies the list. */
+    public Setup {
+        Objects.requireNonNull(world, "world");
+        Objects.requireNonNull(robot, "robot");
+        Objects.requireNonNull(start, "start");
+        Objects.requireNonNull(controller, "controller");
+        timeline = List.copyOf(timeline);
+        if (!(dt > 0 && Double.isFinite(dt))) {
+            throw new IllegalArgumentException("a tick must be positive: " + dt);
+        }
+        if (!(duration >= 0 && Double.isFinite(duration))) {
+            throw new IllegalArgumentException("the duration must not be negative: " + duration);
+        }
+    }
+
+    /**
+     * A command of the timeline.
+     *
+     * @param at seconds, not negative
+     * @param command what is done
+     */
+    public record Timed(double at, Command command) {
+        /** Checks the values. */
+        public Timed {
+            if (!(at >= 0 && Double.isFinite(at))) {
+                throw new IllegalArgumentException("a time must not be negative: " + at);
+            }
+            Objects.requireNonNull(command, "command");
+        }
+    }
+
+    /**
+     * The first tick whose time is not before a time; rounding noise of a millionth of a tick is forgiven.
+     *
+     * @param seconds not negative
+     * @return the tick
+     */
+    public long tickAt(double seconds) {
+        return (long) Math.ceil(seconds / dt - 1e-6);
+    }
+
+    /**
+     * How many ticks a run to {@link #duration} has.
+     *
+     * @return not negative
+     */
+    public long ticks() {
+        return tickAt(duration);
+    }
+
+    /**
+     * This setup with another seed.
+     *
+     * @param newSeed the seed
+     * @return the same setup otherwise
+     */
+    public Setup withSeed(long newSeed) {
+        return new Setup(world, robot, start, controller, timeline, dt, newSeed, duration);
+    }
+}

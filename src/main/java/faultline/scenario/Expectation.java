@@ -1,0 +1,24 @@
+package faultline.scenario;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * What a scenario's run is expected to give; what is empty is not asked.
+ *
+ * @param collision whether the robot collides
+ * @param minCoverage the least coverage, in [0, 1]
+ * @param maxDistanceRms the greatest distance error on straight walls, metres, root mean square
+ * @param states states that the controller must pass through, in any order
+ */
+public record Expectation(Optional<Boolean> collision, OptionalDouble minCoverage, OptionalDouble maxDistanceRms, List<String> states) {
+
+    /** Expects nothing. */
+    public static final Expectation NONE = new Expectation(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), List.of());
+
+    /** Copies the list. */
+    public Expectation {
+        states = List.copyOf(states);
+    }
+}

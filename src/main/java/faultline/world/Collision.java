@@ -1,0 +1,25 @@
+package faultline.world;
+
+import faultline.geometry.Vec;
+import faultline.sensor.Fault;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The robot's first contact with an obstacle.
+ *
+ * @param point the contact point, metres; the middle where a side lies flush along an obstacle
+ * @param time seconds, exact within the tick
+ * @param tick the tick in which it happened
+ * @param obstacle the id of the obstacle, or {@link WorldSpec#ENCLOSURE}
+ * @param faults the faults active then, by sensor id, sorted; sensors without faults are left out
+ * @param off the ids of the sensors that were switched off then, in the robot's order
+ */
+public record Collision(Vec point, double time, long tick, String obstacle, Map<String, List<Fault>> faults, List<String> off) {
+
+    /** Copies the collections, keeping their order. */
+    public Collision {
+        faults = java.util.Collections.unmodifiableMap(new java.util.TreeMap<>(faults));
+        off = List.copyOf(off);
+    }
+}

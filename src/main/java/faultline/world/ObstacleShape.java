@@ -1,0 +1,88 @@
+package faultline.world;
+
+import faultline.geometry.Vec;
+import java.util.List;
+
+/** The shape of an obstacle in its own frame, before its pose is applied. All but the wall are solid: their inside belongs to them. */
+public sealed interface ObstacleShape {
+
+    /**
+     * A rectangle about the origin.
+     *
+     * @param width along x, metres, positive
+     * @param height along y, metres, positive
+     */
+    record Rectangle(double width, double height) implements ObstacleShape {
+        /** Checks the sizes. */
+        public Rectangle {
+            positive("width", width);
+            positive("height", height);
+        }
+    }
+
+    /**
+     * A circle about the origin.
+     *
+     * @param radius metres, positive
+     */
+    record Circle(double radius) implements ObstacleShape {
+        /** Checks the size. */
+        public Circle {
+            positive("radius", radius);
+        }
+    }
+
+    /**
+     * An ellipse about the origin.
+     *
+     * @param rx half axis along x, metres, positive
+     * @param ry half axis along y, metres, positive
+     */
+    record Ellipse(double rx, double ry) implements ObstacleShape {
+        /** Checks the sizes. */
+        public Ellipse {
+            positive("rx", rx);
+            positive("ry", ry);
+        }
+    }
+
+    /**
+     * A closed polygon, convex or not; a point is inside by the even-odd rule.
+     *
+     * @param points at least three, in order; the last is joined to the first
+     */
+    record Polygon(List<Vec> points) implements ObstacleShape {
+        /** Checks and copies the points. */
+        public Polygon {
+            points = checked("polygon", points, 3);
+        }
+    }
+
+    /**
+     * An open polyline without thickness.
+     *
+     * @param points at least two, in order
+     */
+    record Wall(List<Vec> points) implements ObstacleShape {
+        /** Checks and copies the points. */
+        public Wall {
+            points = checked("wall", points, 2);
+        }
+    }
+
+    private static void positive(String name, double value) {
+        if (!(value > 0 && Double.isFinite(value))) {
+            throw new IllegalArgumentException(name + " must be positive: " + value);
+        }
+    }
+
+    private static List<Vec> checked(String name, List<Vec> points, int least) {
+        if (points.size() < least) {
+            throw new IllegalArgumentException("a " + name + " needs at least " + least + " points: " + points.size());
+        }
+        if (!points.stream().allMatch(Vec::isFinite)) {
+            throw new IllegalArgumentException("the points of a " + name + " must be finite: " + points);
+        }
+        return List.copyOf(points);
+    }
+}

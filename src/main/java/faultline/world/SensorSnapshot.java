@@ -1,0 +1,27 @@
+package faultline.world;
+
+import faultline.geometry.Sector;
+import faultline.geometry.Vec;
+import faultline.sensor.Fault;
+import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
+import java.util.List;
+
+/**
+ * One sensor at one moment.
+ *
+ * @param spec how it is mounted and set now
+ * @param sector its cone in the world
+ * @param truth what is really there, whether it is on or not
+ * @param reported what it gives the controller
+ * @param hits where the cone's outline meets obstacles' outlines, metres; empty where it is off
+ * @param faults its active faults, oldest first
+ */
+public record SensorSnapshot(SensorSpec spec, Sector sector, Reading truth, Reading reported, List<Vec> hits, List<Fault> faults) {
+
+    /** Copies the lists. */
+    public SensorSnapshot {
+        hits = List.copyOf(hits);
+        faults = List.copyOf(faults);
+    }
+}
