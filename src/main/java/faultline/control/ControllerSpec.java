@@ -45,7 +45,6 @@ public sealed interface ControllerSpec {
         /** The follower that is used where a file gives no values. */
         public static final WallFollowing DEFAULT = new WallFollowing(0.25, Hand.LEFT, 0);
 
-        /** Checks the values. */
         public WallFollowing {
             if (!(distance > 0 && Double.isFinite(distance))) {
                 throw new IllegalArgumentException("the distance must be positive: " + distance);

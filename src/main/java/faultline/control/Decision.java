@@ -9,11 +9,6 @@ package faultline.control;
  */
 public record Decision(double leftVolts, double rightVolts, Telemetry telemetry) {
 
-    /**
-     * Checks the voltages.
-     *
-     * @throws IllegalArgumentException if one is not finite
-     */
     public Decision {
         if (!(Double.isFinite(leftVolts) && Double.isFinite(rightVolts))) {
             throw new IllegalArgumentException("voltages must be finite: " + leftVolts + ", " + rightVolts);

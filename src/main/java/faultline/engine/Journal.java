@@ -12,7 +12,6 @@ import java.util.List;
  */
 public record Journal(Setup setup, List<Entry> entries, long ticks) {
 
-    /** Copies the list. */
     public Journal {
         entries = List.copyOf(entries);
     }

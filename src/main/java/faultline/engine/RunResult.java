@@ -25,7 +25,6 @@ public record RunResult(long ticks, double simulatedSeconds, double realTimeFact
         Optional<Collision> collision, OptionalDouble coverage, OptionalDouble distanceRms, long trajectoryHash, long seed,
         Snapshot last) {
 
-    /** Copies the list. */
     public RunResult {
         states = List.copyOf(states);
     }

@@ -23,7 +23,6 @@ import java.util.Objects;
 public record Setup(WorldSpec world, RobotSpec robot, Pose start, ControllerSpec controller, List<Timed> timeline, double dt, long seed,
         double duration) {
 
-    /** Checks the values and copies the list. */
     public Setup {
         Objects.requireNonNull(world, "world");
         Objects.requireNonNull(robot, "robot");
@@ -45,7 +44,6 @@ public record Setup(WorldSpec world, RobotSpec robot, Pose start, ControllerSpec
      * @param command what is done
      */
     public record Timed(double at, Command command) {
-        /** Checks the values. */
         public Timed {
             if (!(at >= 0 && Double.isFinite(at))) {
                 throw new IllegalArgumentException("a time must not be negative: " + at);

@@ -12,11 +12,6 @@ public record Pose(double x, double y, double heading) {
     /** At the origin, heading along the x axis. */
     public static final Pose ORIGIN = new Pose(0, 0, 0);
 
-    /**
-     * Checks the components.
-     *
-     * @throws IllegalArgumentException if one is not finite
-     */
     public Pose {
         if (!(Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(heading))) {
             throw new IllegalArgumentException("a pose must be finite: x " + x + ", y " + y + ", heading " + heading);

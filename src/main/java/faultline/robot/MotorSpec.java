@@ -12,11 +12,6 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
     /** The motor of a robot that is given none: 50 ms, 0.1 m/s per volt, 6 V. */
     public static final MotorSpec DEFAULT = new MotorSpec(0.05, 0.1, 6);
 
-    /**
-     * Checks the values.
-     *
-     * @throws IllegalArgumentException if a value is outside what its parameter allows
-     */
     public MotorSpec {
         if (!(timeConstant >= 0 && Double.isFinite(timeConstant))) {
             throw new IllegalArgumentException("the motor's time constant must not be negative: " + timeConstant);

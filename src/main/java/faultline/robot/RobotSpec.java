@@ -27,11 +27,6 @@ public record RobotSpec(double length, double width, double track, double speed,
     public static final RobotSpec DEFAULT = new RobotSpec(
             0.25, 0.20, 0.18, 0.3, Degrees.toRadians(60), MotorSpec.DEFAULT, standardSensors(0.25, 0.20));
 
-    /**
-     * Checks the values and copies the list.
-     *
-     * @throws IllegalArgumentException if a value is outside what its parameter allows, or two sensors share an id
-     */
     public RobotSpec {
         positive("length", length);
         positive("width", width);

@@ -17,7 +17,6 @@ public record Expectation(Optional<Boolean> collision, OptionalDouble minCoverag
     /** Expects nothing. */
     public static final Expectation NONE = new Expectation(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), List.of());
 
-    /** Copies the list. */
     public Expectation {
         states = List.copyOf(states);
     }

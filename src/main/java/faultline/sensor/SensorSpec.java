@@ -22,11 +22,6 @@ public record SensorSpec(String id, Vec seat, double bearing, double range, doub
     /** The cone of a sensor that is given none, 20 degrees. */
     public static final double DEFAULT_CONE = Degrees.toRadians(20);
 
-    /**
-     * Checks the values.
-     *
-     * @throws IllegalArgumentException if a value is outside what its parameter allows
-     */
     public SensorSpec {
         require(!id.isEmpty(), "a sensor needs an id");
         require(seat.isFinite() && Double.isFinite(bearing), id + ": seat and bearing must be finite");

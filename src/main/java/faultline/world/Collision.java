@@ -17,7 +17,6 @@ import java.util.Map;
  */
 public record Collision(Vec point, double time, long tick, String obstacle, Map<String, List<Fault>> faults, List<String> off) {
 
-    /** Copies the collections, keeping their order. */
     public Collision {
         faults = java.util.Collections.unmodifiableMap(new java.util.TreeMap<>(faults));
         off = List.copyOf(off);

@@ -89,7 +89,6 @@ public sealed interface Command {
      * @param speed metres per second
      */
     record SetPlatform(double length, double width, double speed) implements Command {
-        /** Checks the values. */
         public SetPlatform {
             RobotSpec.DEFAULT.withPlatform(length, width, speed);
         }

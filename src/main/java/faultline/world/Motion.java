@@ -12,7 +12,6 @@ import java.util.List;
  */
 public record Motion(double speed, boolean loop, List<Vec> points) {
 
-    /** Checks and copies the values. */
     public Motion {
         if (!(speed >= 0 && Double.isFinite(speed))) {
             throw new IllegalArgumentException("an obstacle's speed must not be negative: " + speed);

@@ -14,7 +14,6 @@ import java.util.Optional;
  */
 public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motion> motion) {
 
-    /** Checks the values. */
     public Obstacle {
         if (id.isEmpty()) {
             throw new IllegalArgumentException("an obstacle needs an id");

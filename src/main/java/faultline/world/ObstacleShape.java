@@ -13,7 +13,6 @@ public sealed interface ObstacleShape {
      * @param height along y, metres, positive
      */
     record Rectangle(double width, double height) implements ObstacleShape {
-        /** Checks the sizes. */
         public Rectangle {
             positive("width", width);
             positive("height", height);
@@ -26,7 +25,6 @@ public sealed interface ObstacleShape {
      * @param radius metres, positive
      */
     record Circle(double radius) implements ObstacleShape {
-        /** Checks the size. */
         public Circle {
             positive("radius", radius);
         }
@@ -39,7 +37,6 @@ public sealed interface ObstacleShape {
      * @param ry half axis along y, metres, positive
      */
     record Ellipse(double rx, double ry) implements ObstacleShape {
-        /** Checks the sizes. */
         public Ellipse {
             positive("rx", rx);
             positive("ry", ry);
@@ -52,7 +49,6 @@ public sealed interface ObstacleShape {
      * @param points at least three, in order; the last is joined to the first
      */
     record Polygon(List<Vec> points) implements ObstacleShape {
-        /** Checks and copies the points. */
         public Polygon {
             points = checked("polygon", points, 3);
         }
@@ -64,7 +60,6 @@ public sealed interface ObstacleShape {
      * @param points at least two, in order
      */
     record Wall(List<Vec> points) implements ObstacleShape {
-        /** Checks and copies the points. */
         public Wall {
             points = checked("wall", points, 2);
         }

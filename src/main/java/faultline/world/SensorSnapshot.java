@@ -19,7 +19,6 @@ import java.util.List;
  */
 public record SensorSnapshot(SensorSpec spec, Sector sector, Reading truth, Reading reported, List<Vec> hits, List<Fault> faults) {
 
-    /** Copies the lists. */
     public SensorSnapshot {
         hits = List.copyOf(hits);
         faults = List.copyOf(faults);

@@ -27,7 +27,6 @@ public record Snapshot(long tick, double time, double width, double height, bool
         double leftSpeed, double rightSpeed, List<SensorSnapshot> sensors, List<Obstacle> obstacles, List<Vec> contacts,
         Optional<Collision> collision) {
 
-    /** Copies the lists. */
     public Snapshot {
         sensors = List.copyOf(sensors);
         obstacles = List.copyOf(obstacles);

@@ -21,7 +21,6 @@ public record WorldSpec(double width, double height, boolean enclosed, int maxMo
     /** The id that contacts with the enclosing wall are reported under; no obstacle may have it. */
     public static final String ENCLOSURE = "enclosure";
 
-    /** Checks the values and copies the list. */
     public WorldSpec {
         if (!(width > 0 && height > 0 && Double.isFinite(width) && Double.isFinite(height))) {
             throw new IllegalArgumentException("a world's width and height must be positive: " + width + ", " + height);
