@@ -1,0 +1,63 @@
+package faultline.geometry;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.geom.AffineTransform;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** Eq. (1) against the three steps that it is made of, done one after the other on a point. */
+class RigidMotionTest {
+
+    @Test
+    void equationOneIsTranslateRotateTranslateBack() {
+        SplittableRandom random = new SplittableRandom(3);
+        for (int i = 0; i < 1000; i++) {
+            Vec centre = new Vec(random.nextDouble(-10, 10), random.nextDouble(-10, 10));
+            Vec point = new Vec(random.nextDouble(-10, 10), random.nextDouble(-10, 10));
+            double theta = random.nextDouble(-10, 10);
+            Vec moved = point.minus(centre);
+            Vec turned = new Vec(moved.x() * Math.cos(theta) - moved.y() * Math.sin(theta),
+                    moved.x() * Math.sin(theta) + moved.y() * Math.cos(theta));
+            near(turned.plus(centre), RigidMotion.apply(RigidMotion.rotationAbout(centre, theta), point), 1e-13);
+        }
+    }
+
+    @Test
+    void equationOneIsTheProductOfItsThreeMatrices() {
+        Vec centre = new Vec(2, -3);
+        AffineTransform product = AffineTransform.getTranslateInstance(2, -3);
+        product.concatenate(AffineTransform.getRotateInstance(0.7));
+        product.concatenate(AffineTransform.getTranslateInstance(-2, 3));
+        double[] expected = new double[6];
+        double[] actual = new double[6];
+        product.getMatrix(expected);
+        RigidMotion.rotationAbout(centre, 0.7).getMatrix(actual);
+        for (int i = 0; i < 6; i++) {
+            assertEquals(expected[i], actual[i], 1e-15);
+        }
+    }
+
+    @Test
+    void theCentreStaysWhereItIs() {
+        Vec centre = new Vec(5, 7);
+        near(centre, RigidMotion.apply(RigidMotion.rotationAbout(centre, 1.2), centre), 1e-14);
+    }
+
+    @Test
+    void aQuarterTurnIsCounterClockwise() {
+        near(new Vec(1, 2), RigidMotion.apply(RigidMotion.rotationAbout(new Vec(1, 1), Math.PI / 2), new Vec(2, 1)), 1e-15);
+    }
+
+    @Test
+    void aPoseCarriesItsFrameAsAPoseDoes() {
+        Pose pose = new Pose(1, 2, 0.6);
+        Vec local = new Vec(0.3, -0.4);
+        near(pose.toOuter(local), RigidMotion.apply(RigidMotion.to(pose), local), 1e-15);
+        near(local, pose.toLocal(pose.toOuter(local)), 1e-15);
+    }
+
+    private static void near(Vec expected, Vec actual, double tolerance) {
+        assertEquals(0, expected.distanceTo(actual), tolerance, () -> expected + " " + actual);
+    }
+}
