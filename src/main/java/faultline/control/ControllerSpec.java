@@ -10,12 +10,24 @@ public sealed interface ControllerSpec {
      */
     Controller create();
 
+    /**
+     * The name of the state that the controller starts in.
+     *
+     * @return as in {@link Telemetry#state()}
+     */
+    String firstState();
+
     /** The robot stays where it is: file type {@code none}. */
     record None() implements ControllerSpec {
         @Override
         public Controller create() {
-            Decision stay = new Decision(0, 0, Telemetry.named("NONE"));
+            Decision stay = new Decision(0, 0, Telemetry.named(firstState()));
             return observation -> stay;
+        }
+
+        @Override
+        public String firstState() {
+            return "NONE";
         }
     }
 
@@ -28,8 +40,13 @@ public sealed interface ControllerSpec {
     record Drive(double leftVolts, double rightVolts) implements ControllerSpec {
         @Override
         public Controller create() {
-            Decision drive = new Decision(leftVolts, rightVolts, Telemetry.named("DRIVE"));
+            Decision drive = new Decision(leftVolts, rightVolts, Telemetry.named(firstState()));
             return observation -> drive;
+        }
+
+        @Override
+        public String firstState() {
+            return "DRIVE";
         }
     }
 
@@ -57,6 +74,11 @@ public sealed interface ControllerSpec {
         @Override
         public Controller create() {
             return new Periodic(new WallFollower(this), period);
+        }
+
+        @Override
+        public String firstState() {
+            return FollowerState.SEARCH.name();
         }
     }
 }

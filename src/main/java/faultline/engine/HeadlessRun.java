@@ -1,9 +1,15 @@
 package faultline.engine;
 
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.OptionalDouble;
+import java.util.Set;
 
 /** Runs a setup to its end without a window. */
 public final class HeadlessRun {
+
+    private static final double NANOS = 1e9;
 
     private HeadlessRun() {
     }
@@ -13,11 +19,35 @@ public final class HeadlessRun {
      *
      * @param setup what to run
      * @param mode where the controller runs
-     * @param observers called after every tick, in order
+     * @param observers called at tick 0 and after every tick, in order
      * @return what it came to
      * @throws RunFailedException if the run broke
      */
     public static RunResult run(Setup setup, ControllerMode mode, List<TickObserver> observers) {
-        throw new UnsupportedOperationException();
+        WallRecord wall = new WallRecord(setup);
+        Set<String> states = new LinkedHashSet<>();
+        List<TickObserver> all = new ArrayList<>(observers);
+        all.add(wall);
+        all.add(simulation -> states.add(simulation.telemetry().state()));
+        long start = System.nanoTime();
+        try (Simulation simulation = new Simulation(setup, mode)) {
+            long ticks = setup.ticks();
+            all.forEach(observer -> observer.observe(simulation));
+            while (simulation.ticks() < ticks) {
+                simulation.tick();
+                for (TickObserver observer : all) {
+                    observer.observe(simulation);
+                }
+            }
+            double seconds = (System.nanoTime() - start) / NANOS;
+            return result(simulation, wall, states, seconds);
+        }
+    }
+
+    private static RunResult result(Simulation simulation, WallRecord wall, Set<String> states, double seconds) {
+        OptionalDouble coverage = wall.coverage();
+        return new RunResult(simulation.ticks(), simulation.time(), simulation.time() / seconds, simulation.telemetry().state(),
+                List.copyOf(states), simulation.collision(), coverage, wall.distanceRms(), simulation.trajectoryHash(),
+                simulation.setup().seed(), simulation.snapshot());
     }
 }

@@ -2,7 +2,12 @@ package faultline.engine;
 
 import faultline.world.Command;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 
 /**
  * An interactive run: owns the world thread and the controller's, takes commands and orders from any thread without ever blocking the caller, and
@@ -10,7 +15,26 @@ import java.util.concurrent.CompletableFuture;
  */
 public final class Session implements AutoCloseable {
 
-    private Session() {
+    private final Queue<Consumer<Simulation>> orders = new ConcurrentLinkedQueue<>();
+    private final AtomicReference<Frame> newest = new AtomicReference<>();
+    private final AtomicReference<Status> status;
+    private final Thread thread;
+    private final Pacer pacer = new Pacer();
+    private volatile boolean frameWanted;
+    private volatile boolean closed;
+
+    // The world thread's own.
+    private boolean running;
+    private boolean changed;
+    private int refusals;
+    private Optional<String> lastRefusal = Optional.empty();
+    private Optional<String> failure = Optional.empty();
+
+    private Session(Simulation simulation) {
+        newest.set(simulation.frame());
+        status = new AtomicReference<>(describe());
+        thread = new Thread(() -> live(simulation), "faultline-world");
+        thread.setDaemon(true);
     }
 
     /**
@@ -20,7 +44,9 @@ public final class Session implements AutoCloseable {
      * @return the session, its first frame published
      */
     public static Session start(Setup setup) {
-        throw new UnsupportedOperationException();
+        Session session = new Session(new Simulation(setup, ControllerMode.OWN_THREAD));
+        session.thread.start();
+        return session;
     }
 
     /**
@@ -29,7 +55,8 @@ public final class Session implements AutoCloseable {
      * @return the frame
      */
     public Frame frame() {
-        throw new UnsupportedOperationException();
+        frameWanted = true;
+        return newest.get();
     }
 
     /**
@@ -38,27 +65,50 @@ public final class Session implements AutoCloseable {
      * @param command what is to be done
      */
     public void send(Command command) {
-        throw new UnsupportedOperationException();
+        order(simulation -> {
+            Optional<String> refusal = simulation.apply(command);
+            if (refusal.isPresent()) {
+                refusals++;
+                lastRefusal = refusal;
+            }
+            changed = true;
+        });
     }
 
     /** Lets time run. */
     public void run() {
+        order(simulation -> {
+            running = failure.isEmpty();
+            pacer.restart();
+        });
     }
 
     /** Holds time. */
     public void pause() {
+        order(simulation -> running = false);
     }
 
     /** Makes one tick and holds. */
     public void step() {
+        order(simulation -> {
+            running = false;
+            if (failure.isEmpty()) {
+                tick(simulation);
+            }
+        });
     }
 
     /**
      * Sets the pace.
      *
      * @param factor times real time, positive; positive infinity for as fast as possible
+     * @throws IllegalArgumentException if it is not positive
      */
     public void setSpeed(double factor) {
+        if (!(factor > 0)) {
+            throw new IllegalArgumentException("the speed must be positive: " + factor);
+        }
+        order(simulation -> pacer.setSpeed(factor));
     }
 
     /**
@@ -67,21 +117,99 @@ public final class Session implements AutoCloseable {
      * @return a value of this moment
      */
     public Status status() {
-        throw new UnsupportedOperationException();
+        return status.get();
     }
 
     /**
      * What was done so far, taken between two ticks.
      *
-     * @return completed on the world thread, soon
+     * @return completed on the world thread, soon; exceptionally if the session is closed before
      */
     public CompletableFuture<Journal> journal() {
-        throw new UnsupportedOperationException();
+        CompletableFuture<Journal> journal = new CompletableFuture<>();
+        order(simulation -> journal.complete(simulation.journal()));
+        if (closed) {
+            journal.completeExceptionally(new IllegalStateException("the session is closed"));
+        }
+        return journal;
     }
 
     /** Ends the session and its threads; frames already taken stay good. */
     @Override
     public void close() {
+        closed = true;
+        LockSupport.unpark(thread);
+    }
+
+    private void order(Consumer<Simulation> order) {
+        orders.add(order);
+        LockSupport.unpark(thread);
+    }
+
+    private void live(Simulation simulation) {
+        try (simulation) {
+            while (!closed) {
+                obey(simulation);
+                if (running) {
+                    tick(simulation);
+                }
+                publish(simulation);
+                rest();
+            }
+        }
+    }
+
+    private void obey(Simulation simulation) {
+        Consumer<Simulation> order = orders.poll();
+        while (order != null) {
+            order.accept(simulation);
+            order = orders.poll();
+        }
+    }
+
+    private void tick(Simulation simulation) {
+        try {
+            simulation.tick();
+            pacer.ticked(simulation.setup().dt());
+            changed = true;
+        } catch (RunFailedException broken) {
+            running = false;
+            failure = Optional.of(broken.getMessage());
+        }
+    }
+
+    private void publish(Simulation simulation) {
+        if (changed && (frameWanted || !running)) {
+            frameWanted = false;
+            changed = false;
+            if (!running) {
+                simulation.look();
+            }
+            newest.set(simulation.frame());
+        }
+        Status now = describe();
+        if (!now.equals(status.get())) {
+            status.set(now);
+        }
+    }
+
+    private Status describe() {
+        return new Status(running, pacer.speed(), running ? pacer.achieved() : 0, refusals, lastRefusal, failure);
+    }
+
+    /** Waits for the next tick's moment, or for an order. */
+    private void rest() {
+        if (!orders.isEmpty() || closed) {
+            return;
+        }
+        if (!running) {
+            LockSupport.park(this);
+        } else {
+            long wait = pacer.nanosToWait();
+            if (wait > 0) {
+                LockSupport.parkNanos(this, wait);
+            }
+        }
     }
 
     /**

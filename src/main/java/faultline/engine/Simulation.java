@@ -1,23 +1,117 @@
 package faultline.engine;
 
+import faultline.control.Decision;
+import faultline.control.Observation;
+import faultline.control.Telemetry;
 import faultline.geometry.Pose;
+import faultline.robot.DifferentialDrive;
+import faultline.robot.RobotSpec;
+import faultline.world.Collision;
+import faultline.world.Command;
 import faultline.world.Snapshot;
+import faultline.world.World;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 
-/** One run, tick by tick; belongs to one thread and holds no clock. */
+/**
+ * One run, tick by tick. It belongs to one thread, and holds no clock, sleep or thread of its own making but the controller's link.
+ *
+ * <p>The decision on observation k-1 acts at tick k, by rule, wherever the controller runs; that, and nothing else, is why both modes give the same bits.
+ */
 public final class Simulation implements AutoCloseable {
 
+    private final Setup setup;
+    private final World world;
+    private final ControllerLink controller;
+    private final Timeline timeline;
+    private final TrajectoryHash hash = new TrajectoryHash();
+    private final PathRecorder path = new PathRecorder();
+    private final List<Journal.Entry> journal = new ArrayList<>();
+    private Decision acting;
+    private boolean opened;
+
     /**
-     * A run at tick 0.
+     * A run at tick 0: its timeline's first commands applied, its sensors read, its controller asked.
      *
      * @param setup what to run
      * @param mode where the controller runs
      */
     public Simulation(Setup setup, ControllerMode mode) {
+        this.setup = setup;
+        this.world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
+        this.controller = ControllerLink.connect(setup.controller().create(), mode);
+        this.timeline = new Timeline(setup);
+        this.acting = new Decision(0, 0, Telemetry.named(setup.controller().firstState()));
+        applyDue(0);
+        observe();
     }
 
-    /** Makes one tick. */
+    /**
+     * Makes one tick, in the one order that the whole program agrees on.
+     *
+     * @throws RunFailedException if the controller threw or does not answer
+     */
     public void tick() {
-        throw new UnsupportedOperationException();
+        openTick();
+        acting = controller.await();
+        world.move(acting.leftVolts(), acting.rightVolts());
+        observe();
+        opened = false;
+    }
+
+    /** Step 1: what the timeline holds for the coming tick comes before anything given from outside. */
+    private void openTick() {
+        if (!opened) {
+            applyDue(ticks() + 1);
+            opened = true;
+        }
+    }
+
+    private void applyDue(long tick) {
+        while (timeline.isDue(tick)) {
+            world.apply(timeline.take());
+        }
+    }
+
+    /** Steps 6 and 7: sense, record, and ask the controller. */
+    private void observe() {
+        world.sense();
+        record();
+        controller.submit(new Observation(world.tick(), setup.dt(), world.robot(), world.reportedReadings()));
+    }
+
+    private void record() {
+        Pose pose = world.pose();
+        hash.add(pose.x());
+        hash.add(pose.y());
+        hash.add(pose.heading());
+        hash.add(world.leftSpeed());
+        hash.add(world.rightSpeed());
+        for (int i = 0; i < world.robot().sensors().size(); i++) {
+            hash.add(world.reportedReading(i));
+        }
+        path.record(pose.x(), pose.y());
+    }
+
+    /**
+     * Applies a command from outside at the start of the coming tick, and journals it unless it is refused.
+     *
+     * @param command what is to be done
+     * @return why it was refused, empty where it was done
+     */
+    public Optional<String> apply(Command command) {
+        openTick();
+        Optional<String> refusal = world.apply(command);
+        if (refusal.isEmpty()) {
+            journal.add(new Journal.Entry(ticks() + 1, command));
+        }
+        return refusal;
+    }
+
+    /** Reads the sensors again, so that a frame taken between two ticks shows what commands have changed. The run itself does not notice. */
+    void look() {
+        world.sense();
     }
 
     /**
@@ -26,16 +120,126 @@ public final class Simulation implements AutoCloseable {
      * @return from 0
      */
     public long ticks() {
-        throw new UnsupportedOperationException();
+        return world.tick();
+    }
+
+    /**
+     * The time that has passed.
+     *
+     * @return ticks times dt, seconds
+     */
+    public double time() {
+        return world.tick() * setup.dt();
+    }
+
+    /**
+     * What is run.
+     *
+     * @return the setup
+     */
+    public Setup setup() {
+        return setup;
     }
 
     /**
      * The robot's pose.
      *
-     * @return now
+     * @return its heading is not normalised
      */
     public Pose pose() {
-        throw new UnsupportedOperationException();
+        return world.pose();
+    }
+
+    /**
+     * The robot as it is built and set now.
+     *
+     * @return a value
+     */
+    public RobotSpec robot() {
+        return world.robot();
+    }
+
+    /**
+     * The speed of the left wheels.
+     *
+     * @return metres per second
+     */
+    public double leftSpeed() {
+        return world.leftSpeed();
+    }
+
+    /**
+     * The speed of the right wheels.
+     *
+     * @return metres per second
+     */
+    public double rightSpeed() {
+        return world.rightSpeed();
+    }
+
+    /**
+     * The robot's linear velocity.
+     *
+     * @return metres per second, positive ahead
+     */
+    public double v() {
+        return DifferentialDrive.linearVelocity(world.leftSpeed(), world.rightSpeed());
+    }
+
+    /**
+     * The robot's angular velocity.
+     *
+     * @return radians per second, positive to the left
+     */
+    public double omega() {
+        return DifferentialDrive.angularVelocity(world.leftSpeed(), world.rightSpeed(), world.robot().track());
+    }
+
+    /**
+     * What a sensor would read without noise and faults, switched on or not.
+     *
+     * @param sensor its place in the robot's list
+     * @return encoded as in {@link faultline.sensor.Reading}
+     */
+    public double trueReading(int sensor) {
+        return world.trueReading(sensor);
+    }
+
+    /**
+     * What a sensor reports.
+     *
+     * @param sensor its place in the robot's list
+     * @return encoded as in {@link faultline.sensor.Reading}
+     */
+    public double reportedReading(int sensor) {
+        return world.reportedReading(sensor);
+    }
+
+    /**
+     * What the controller showed with the decision that acted in the last tick.
+     *
+     * @return at tick 0 its first state
+     */
+    public Telemetry telemetry() {
+        return acting.telemetry();
+    }
+
+    /**
+     * The robot's first contact.
+     *
+     * @return empty before it
+     */
+    public Optional<Collision> collision() {
+        return world.collision();
+    }
+
+    /**
+     * The hash over all ticks so far.
+     *
+     * @return of poses, wheel speeds and reported readings
+     */
+    public long trajectoryHash() {
+        return hash.value();
     }
 
     /**
@@ -44,10 +248,29 @@ public final class Simulation implements AutoCloseable {
      * @return an immutable value
      */
     public Snapshot snapshot() {
-        throw new UnsupportedOperationException();
+        return world.snapshot();
+    }
+
+    /**
+     * All that is shown of this moment.
+     *
+     * @return an immutable value
+     */
+    public Frame frame() {
+        return new Frame(world.snapshot(), telemetry(), acting.leftVolts(), acting.rightVolts(), path.view(), trajectoryHash());
+    }
+
+    /**
+     * What was done from outside so far.
+     *
+     * @return an immutable value
+     */
+    public Journal journal() {
+        return new Journal(setup, journal, ticks());
     }
 
     @Override
     public void close() {
+        controller.close();
     }
 }

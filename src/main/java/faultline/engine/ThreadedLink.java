@@ -1,0 +1,60 @@
+package faultline.engine;
+
+import faultline.control.Controller;
+import faultline.control.Decision;
+import faultline.control.Observation;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+
+/**
+ * Runs the controller on its own single-thread executor. The executor's queue hands the observation over and the future hands the decision back, each with the memory
+ * visibility that that implies; at most one of them is under way.
+ */
+final class ThreadedLink implements ControllerLink {
+
+    /** A controller that has not answered for this long never will, seconds. No command is put in its place: the run has failed. */
+    private static final long PATIENCE = 10;
+
+    private final Controller controller;
+    private final ExecutorService executor;
+    private Future<Decision> decision;
+    private long tick;
+
+    ThreadedLink(Controller controller) {
+        this.controller = controller;
+        this.executor = Executors.newSingleThreadExecutor(task -> {
+            Thread thread = new Thread(task, "faultline-controller");
+            thread.setDaemon(true);
+            return thread;
+        });
+    }
+
+    @Override
+    public void submit(Observation observation) {
+        tick = observation.tick();
+        decision = executor.submit(() -> controller.decide(observation));
+    }
+
+    @Override
+    public Decision await() {
+        try {
+            return decision.get(PATIENCE, TimeUnit.SECONDS);
+        } catch (ExecutionException broken) {
+            throw new RunFailedException("the controller broke at tick " + tick + ": " + broken.getCause(), broken.getCause());
+        } catch (TimeoutException silent) {
+            throw new RunFailedException("the controller has not answered for " + PATIENCE + " s at tick " + tick, silent);
+        } catch (InterruptedException ended) {
+            Thread.currentThread().interrupt();
+            throw new RunFailedException("the run was interrupted at tick " + tick, ended);
+        }
+    }
+
+    @Override
+    public void close() {
+        executor.shutdownNow();
+    }
+}

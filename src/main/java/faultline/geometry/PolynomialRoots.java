@@ -1,0 +1,72 @@
+package faultline.geometry;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The real roots of a polynomial in an interval, each found to the last bit between the roots of its derivative. */
+final class PolynomialRoots {
+
+    private PolynomialRoots() {
+    }
+
+    /**
+     * All roots in an interval at which the polynomial changes its sign.
+     *
+     * @param coefficients the constant first
+     * @param low the interval's lower end
+     * @param high the interval's upper end
+     * @return the roots in rising order
+     */
+    static List<Double> between(double[] coefficients, double low, double high) {
+        List<Double> roots = new ArrayList<>();
+        if (coefficients.length < 2) {
+            return roots;
+        }
+        List<Double> borders = between(derivative(coefficients), low, high);
+        borders.add(high);
+        double from = low;
+        for (double to : borders) {
+            addRoot(coefficients, from, to, roots);
+            from = to;
+        }
+        return roots;
+    }
+
+    private static double[] derivative(double[] coefficients) {
+        double[] result = new double[coefficients.length - 1];
+        for (int i = 0; i < result.length; i++) {
+            result[i] = (i + 1) * coefficients[i + 1];
+        }
+        return result;
+    }
+
+    /** The polynomial is monotone between the borders: it has one root there or none. */
+    private static void addRoot(double[] coefficients, double from, double to, List<Double> roots) {
+        boolean rising = value(coefficients, from) < 0;
+        if (rising == value(coefficients, to) < 0) {
+            return;
+        }
+        double low = from;
+        double high = to;
+        while (true) {
+            double middle = low + (high - low) / 2;
+            if (middle <= low || middle >= high) {
+                roots.add(middle);
+                return;
+            }
+            if (value(coefficients, middle) < 0 == rising) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+    }
+
+    private static double value(double[] coefficients, double x) {
+        double sum = 0;
+        for (int i = coefficients.length - 1; i >= 0; i--) {
+            sum = sum * x + coefficients[i];
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,15 @@
+package faultline.world;
+
+/** Finds the static figures near a point. */
+interface FigureIndex {
+
+    /**
+     * Adds every figure that comes within a distance of a point, and perhaps some that do not, always in the same order.
+     *
+     * @param x metres
+     * @param y metres
+     * @param distance metres
+     * @param found where they are added
+     */
+    void near(double x, double y, double distance, Candidates found);
+}

@@ -1,0 +1,118 @@
+package faultline.world;
+
+import faultline.geometry.Box;
+import faultline.geometry.BoxGap;
+import faultline.geometry.Convex;
+import faultline.geometry.Gap;
+import faultline.geometry.Pose;
+import faultline.geometry.Segment;
+import faultline.geometry.Vec;
+import faultline.robot.DifferentialDrive;
+import faultline.robot.RobotSpec;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The robot as it stands and rolls; mutable, on the world's thread. */
+final class RobotBody {
+
+    /** Points of a contact are looked for within this distance, metres: ten times the touching gap. */
+    private static final double CONTACT = 1e-9;
+
+    private RobotSpec spec;
+    private Pose pose;
+    private double leftSpeed;
+    private double rightSpeed;
+
+    RobotBody(RobotSpec spec, Pose pose) {
+        this.spec = spec;
+        this.pose = pose;
+    }
+
+    RobotSpec spec() {
+        return spec;
+    }
+
+    void rebuild(RobotSpec newSpec) {
+        spec = newSpec;
+    }
+
+    Pose pose() {
+        return pose;
+    }
+
+    double leftSpeed() {
+        return leftSpeed;
+    }
+
+    double rightSpeed() {
+        return rightSpeed;
+    }
+
+    double v() {
+        return DifferentialDrive.linearVelocity(leftSpeed, rightSpeed);
+    }
+
+    double omega() {
+        return DifferentialDrive.angularVelocity(leftSpeed, rightSpeed, spec.track());
+    }
+
+    /** Voltage to wheel speed, once a tick: the new speeds hold for the whole tick. */
+    void driveMotors(double leftVolts, double rightVolts, double decay) {
+        leftSpeed = spec.motor().step(leftSpeed, leftVolts, decay);
+        rightSpeed = spec.motor().step(rightSpeed, rightVolts, decay);
+    }
+
+    /** Rolls on at the present wheel speeds. */
+    void roll(double time) {
+        pose = DifferentialDrive.advance(pose, v(), omega(), time);
+    }
+
+    /** Stands still, at once and for good. */
+    void stop() {
+        leftSpeed = 0;
+        rightSpeed = 0;
+    }
+
+    Box box() {
+        return new Box(pose, spec.length(), spec.width());
+    }
+
+    /** How far any point of the body can come from its centre's present place in a time, metres. */
+    double span(double time) {
+        return spec.reach() + Math.abs(v()) * time;
+    }
+
+    /** A sweep of the body at its present wheel speeds. */
+    Sweep sweep() {
+        return new Sweep(spec.length(), spec.width(), v(), omega());
+    }
+
+    /** Where the body touches a figure: the ends of the common piece if a side lies flush, else one point. */
+    List<Vec> contacts(Convex figure) {
+        Box box = box();
+        List<Vec> points = new ArrayList<>();
+        Gap gap = BoxGap.between(box, figure);
+        if (gap.distance() > CONTACT) {
+            return points;
+        }
+        for (int i = 0; i < 4; i++) {
+            Vec corner = box.corner(i);
+            addIfNew(points, figure.nearestTo(corner), corner);
+        }
+        if (figure instanceof Segment segment) {
+            addIfNew(points, segment.a(), box.nearestTo(segment.a()));
+            addIfNew(points, segment.b(), box.nearestTo(segment.b()));
+        }
+        if (points.isEmpty()) {
+            points.add(gap.onFigure());
+        }
+        return points;
+    }
+
+    private static void addIfNew(List<Vec> points, Vec onFigure, Vec onBox) {
+        boolean touching = onFigure.distanceTo(onBox) <= CONTACT;
+        if (touching && points.stream().noneMatch(point -> point.distanceTo(onFigure) <= 2 * CONTACT)) {
+            points.add(onFigure);
+        }
+    }
+}
