@@ -1,0 +1,163 @@
+package faultline.gui;
+
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.awt.AWTException;
+import java.awt.Component;
+import java.awt.EventQueue;
+import java.awt.Point;
+import java.awt.Robot;
+import java.awt.Window;
+import java.lang.reflect.InvocationTargetException;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Drives real windows with the mouse and the keyboard, for tests. Every read happens on the event dispatch thread, and nothing sleeps: what a
+ * test waits for is a condition with a deadline, and the sentence that names it is the failure.
+ */
+public final class GuiRobot {
+
+    /** How long a condition may take to come true; generous, because only a failing test waits that long. */
+    private static final long DEADLINE_SECONDS = 10;
+
+    /** How many moves a drag is made of, so that components see a hand and not a jump. */
+    private static final int DRAG_STEPS = 10;
+
+    private final Robot robot;
+
+    public GuiRobot() {
+        try {
+            robot = new Robot();
+        } catch (AWTException noDisplay) {
+            throw new IllegalStateException("tests of windows need a display", noDisplay);
+        }
+    }
+
+    /** The value of an expression, taken on the event dispatch thread. */
+    public static <T> T onEdt(Callable<T> expression) {
+        FutureTask<T> task = new FutureTask<>(expression);
+        try {
+            EventQueue.invokeAndWait(task);
+            return task.get();
+        } catch (ExecutionException broken) {
+            throw new AssertionError("broke on the event dispatch thread", broken.getCause());
+        } catch (InterruptedException | InvocationTargetException broken) {
+            throw new AssertionError(broken);
+        }
+    }
+
+    /** Does something on the event dispatch thread, and waits until it is done. */
+    public static void edt(Runnable action) {
+        onEdt(() -> {
+            action.run();
+            return true;
+        });
+    }
+
+    /** Waits until a condition, asked on the event dispatch thread, holds. */
+    public void waitFor(String what, Callable<Boolean> condition) {
+        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_SECONDS);
+        while (!onEdt(condition)) {
+            if (System.nanoTime() > deadline) {
+                fail("waited " + DEADLINE_SECONDS + " s in vain until " + what);
+            }
+            robot.waitForIdle();
+        }
+    }
+
+    /** Shows a window and waits until it has its place and the focus. */
+    public void open(Window window) {
+        edt(() -> window.setVisible(true));
+        waitFor("the window shows", window::isShowing);
+        edt(window::toFront);
+        waitFor("the window is focused", window::isFocused);
+        waitForRest(window);
+    }
+
+    private void waitForRest(Component component) {
+        Point[] last = {new Point(Integer.MIN_VALUE, 0)};
+        waitFor("the window stands still", () -> {
+            Point now = component.getLocationOnScreen();
+            boolean still = now.equals(last[0]);
+            last[0] = now;
+            return still;
+        });
+    }
+
+    /** Closes a window for good. */
+    public void close(Window window) {
+        edt(window::dispose);
+        robot.waitForIdle();
+    }
+
+    /** Moves the mouse to a place of a component. */
+    public void moveTo(Component component, double x, double y) {
+        Point origin = onEdt(component::getLocationOnScreen);
+        robot.mouseMove(origin.x + (int) Math.round(x), origin.y + (int) Math.round(y));
+        robot.waitForIdle();
+    }
+
+    /** Presses and lets go a mouse button, an InputEvent mask, at a place of a component. */
+    public void click(Component component, double x, double y, int button) {
+        moveTo(component, x, y);
+        press(button);
+        release(button);
+    }
+
+    /** Presses a mouse button where the mouse is. */
+    public void press(int button) {
+        robot.mousePress(button);
+        robot.waitForIdle();
+    }
+
+    /** Lets a mouse button go where the mouse is. */
+    public void release(int button) {
+        robot.mouseRelease(button);
+        robot.waitForIdle();
+    }
+
+    /** Moves the mouse in small steps from one place of a component to another; no button changes. */
+    public void glide(Component component, double fromX, double fromY, double toX, double toY) {
+        for (int step = 0; step <= DRAG_STEPS; step++) {
+            double share = (double) step / DRAG_STEPS;
+            moveTo(component, fromX + share * (toX - fromX), fromY + share * (toY - fromY));
+        }
+    }
+
+    /** Drags with a mouse button, an InputEvent mask, from one place of a component to another. */
+    public void drag(Component component, double fromX, double fromY, double toX, double toY, int button) {
+        moveTo(component, fromX, fromY);
+        press(button);
+        glide(component, fromX, fromY, toX, toY);
+        release(button);
+    }
+
+    /** Turns the wheel where the mouse is: negative notches away from the user. */
+    public void wheel(int notches) {
+        robot.mouseWheel(notches);
+        robot.waitForIdle();
+    }
+
+    /** Presses keys, KeyEvent codes, in order and lets them go in reverse: modifiers first. */
+    public void type(int... keys) {
+        for (int key : keys) {
+            robot.keyPress(key);
+        }
+        for (int i = keys.length - 1; i >= 0; i--) {
+            robot.keyRelease(keys[i]);
+        }
+        robot.waitForIdle();
+    }
+
+    /** Holds a key, a KeyEvent code, while something is done. */
+    public void holding(int key, Runnable action) {
+        robot.keyPress(key);
+        robot.waitForIdle();
+        action.run();
+        robot.keyRelease(key);
+        robot.waitForIdle();
+    }
+}
