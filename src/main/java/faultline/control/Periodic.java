@@ -15,10 +15,15 @@ final class Periodic implements Controller {
 
     @Override
     public Decision decide(Observation observation) {
-        long every = Math.max(1, Math.round(period / observation.dt()));
+        long every = ticks(period, observation.dt());
         if (held == null || observation.tick() % every == 0) {
             held = inner.decide(observation);
         }
         return held;
+    }
+
+    /** A period in whole ticks, at least one. */
+    static long ticks(double period, double dt) {
+        return Math.max(1, Math.round(period / dt));
     }
 }

@@ -1,0 +1,46 @@
+package faultline.control;
+
+import faultline.geometry.Vec;
+import faultline.sensor.Reading;
+
+/**
+ * One sensor as the follower sees through it, in a frame in which the wall is kept on the left: where its cone sits, and what it reports now.
+ *
+ * @param seat the apex, metres ahead and to the left of the robot's centre
+ * @param bearing of the axis, radians, counter-clockwise from straight ahead
+ * @param halfCone half the field of view, radians
+ * @param range metres
+ * @param reading the reported distance, metres; positive infinity for nothing, off, or no such sensor
+ * @param present whether there is such a sensor and it answers
+ */
+record Eye(Vec seat, double bearing, double halfCone, double range, double reading, boolean present) {
+
+    /** A sensor that is not there. */
+    static final Eye NONE = new Eye(Vec.ZERO, 0, 0, 0, Reading.NOTHING, false);
+
+    boolean sees() {
+        return reading < Reading.NOTHING;
+    }
+
+    /** What is known of the distance to the nearest thing: the reading, or at least the range. */
+    double atLeast() {
+        return sees() ? reading : range;
+    }
+
+    /**
+     * The distance from the robot's centre of a long straight wall that would give the reading.
+     *
+     * @param normal the bearing at which the robot's centre has the wall's foot, radians
+     * @return metres; where nothing is seen, the least distance that such a wall would have
+     */
+    double wallDistance(double normal) {
+        // The nearest point in the cone is the foot, or lies on the edge next to it: h = R cos(max(0, |phi| - b)) + seat . n
+        double off = Math.max(0, Math.abs(normal - bearing) - halfCone);
+        return atLeast() * StrictMath.cos(off) + seat.x() * StrictMath.cos(normal) + seat.y() * StrictMath.sin(normal);
+    }
+
+    /** The distance from the centre to a wall that the axis meets squarely. */
+    double squareDistance() {
+        return wallDistance(bearing);
+    }
+}

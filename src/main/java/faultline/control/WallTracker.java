@@ -1,0 +1,103 @@
+package faultline.control;
+
+/**
+ * Tracks the wall on the left through one sensor's readings and dead reckoning: its distance r and the robot's heading gamma relative to it, positive towards the wall. A steady-state Kalman
+ * filter of second order (an alpha-beta filter), whose bandwidth goes with the way rolled and not with time.
+ *
+ * <p>Along a wall r' = -v sin gamma and gamma' = omega - v k, where k is the curvature of the way that keeps the distance: 0 along a straight wall, 1 / radius around a
+ * corner. A wall that bends otherwise than assumed shows as an innovation, that is, a reading that is not as predicted.
+ */
+final class WallTracker {
+
+    /** How much way the filter looks back on, as a share of the distance from the centre to the wall. */
+    private static final double MEMORY = 0.086;
+
+    /** A reading that is off by more than this belongs to something else, metres. */
+    private static final double JUMP = 0.05;
+
+    private double distance;
+    private double heading;
+    private double innovation;
+    private double noise;
+    private double previous = Double.NaN;
+    private double beforePrevious = Double.NaN;
+
+    /** Starts anew at a reading, parallel to the wall. */
+    void start(double reading) {
+        distance = reading;
+        heading = 0;
+        innovation = 0;
+        previous = Double.NaN;
+        beforePrevious = Double.NaN;
+    }
+
+    /** Predicts across a piece of way. */
+    void predict(double rolled, double turned, double curvature) {
+        double middle = heading + (turned - curvature * rolled) / 2;
+        heading += turned - curvature * rolled;
+        distance -= rolled * StrictMath.sin(middle);
+        innovation = 0;
+    }
+
+    /** Corrects by a reading after a piece of way. */
+    void correct(double reading, double rolled, double radius) {
+        learnNoise(reading);
+        innovation = reading - distance;
+        if (Math.abs(innovation) > JUMP) {
+            distance = reading;
+            innovation = 0;
+            return;
+        }
+        // Critically damped at the bandwidth 1 / (MEMORY radius) per metre of way.
+        double share = Math.min(0.5, Math.abs(rolled) / (MEMORY * radius));
+        distance += Math.min(1, 1.4 * share) * innovation;
+        if (rolled > 0) {
+            heading -= share * share / rolled * innovation;
+        }
+    }
+
+    /** The second difference of three readings is free of smooth motion: its variance is six times the noise's. */
+    private void learnNoise(double reading) {
+        double second = reading - 2 * previous + beforePrevious;
+        if (Math.abs(second) < JUMP) {
+            noise += 0.01 * (Math.min(second * second / 6, JUMP * JUMP) - noise);
+        }
+        beforePrevious = previous;
+        previous = reading;
+    }
+
+    /** Turns the tracked heading because the wall is seen to go another way. */
+    void bend(double angle) {
+        heading += angle;
+        innovation = 0;
+    }
+
+    /** The distance of the wall, metres. */
+    double distance() {
+        return distance;
+    }
+
+    /** The robot's heading relative to the wall, radians, positive towards it. */
+    double heading() {
+        return heading;
+    }
+
+    /** How much farther than predicted the last reading was, metres. */
+    double innovation() {
+        return innovation;
+    }
+
+    /** The standard deviation of the readings' noise as far as it shows, metres. */
+    double noise() {
+        return Math.sqrt(noise);
+    }
+
+    /**
+     * The innovation that a corner gives in the end if the tracker takes its two sides for one straight wall, metres: (MEMORY radius)^2 / radius.
+     *
+     * @param radius from the corner to the robot's centre, metres
+     */
+    static double cornerInnovation(double radius) {
+        return MEMORY * MEMORY * radius;
+    }
+}
