@@ -50,10 +50,12 @@ public final class SectorOutline {
         if (across == 0) {
             return;
         }
-        double distance = start.cross(along) / across;
+        // The point is taken along the segment and then measured along the edge, so that it lies on both even where they are all but parallel.
         double share = start.cross(edge) / across;
-        if (distance >= 0 && distance <= sector.range() && share >= 0 && share <= 1) {
-            hits.add(sector.apex().plus(edge.times(distance)));
+        Vec point = segment.at(share);
+        double distance = point.minus(sector.apex()).dot(edge);
+        if (share >= 0 && share <= 1 && distance >= 0 && distance <= sector.range()) {
+            hits.add(point);
         }
     }
 
