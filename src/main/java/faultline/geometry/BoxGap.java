@@ -84,8 +84,13 @@ public final class BoxGap {
 
     /** The nearest points of box and ellipse are a corner and its foot, or a point within a side and the ellipse's farthest point towards it. */
     private static Gap toOval(Box box, Oval oval) {
-        if (overlap(box, oval)) {
-            Vec point = box.toWorld(box.clamped(box.toLocal(oval.centre())));
+        Vec centre = box.toLocal(oval.centre());
+        if (box.clamped(centre).equals(centre)) {
+            return new Gap(0, oval.centre(), oval.centre());
+        }
+        Vec deepest = deepestSidePoint(box, oval);
+        if (deepest.length() <= 1) {
+            Vec point = oval.toWorld(new Vec(oval.rx() * deepest.x(), oval.ry() * deepest.y()));
             return new Gap(0, point, point);
         }
         Gap least = fromCorner(box.corner(0), oval);
@@ -100,20 +105,19 @@ public final class BoxGap {
         return least;
     }
 
-    /** With the axes scaled until the ellipse is the unit circle, the box is a parallelogram: they overlap where that comes within 1 of the origin. */
-    private static boolean overlap(Box box, Oval oval) {
-        Vec centre = box.toLocal(oval.centre());
-        if (box.clamped(centre).equals(centre)) {
-            return true;
-        }
+    /**
+     * The point of the box's sides that lies deepest in the ellipse, with the axes scaled until the ellipse is the unit circle: where the box does not
+     * contain the ellipse's centre, the two overlap if that point comes within 1 of the origin.
+     */
+    private static Vec deepestSidePoint(Box box, Oval oval) {
+        Vec deepest = new Vec(Double.POSITIVE_INFINITY, 0);
         for (int i = 0; i < CORNERS; i++) {
             Vec from = oval.toLocal(box.corner(i));
             Vec to = oval.toLocal(box.corner((i + 1) % CORNERS));
             Segment side = new Segment(from.x() / oval.rx(), from.y() / oval.ry(), to.x() / oval.rx(), to.y() / oval.ry());
-            if (side.nearestTo(Vec.ZERO).length() <= 1) {
-                return true;
-            }
+            Vec point = side.nearestTo(Vec.ZERO);
+            deepest = point.length() < deepest.length() ? point : deepest;
         }
-        return false;
+        return deepest;
     }
 }
