@@ -39,6 +39,12 @@ final class ObstacleField {
 
     private void rebuild() {
         Candidates all = new Candidates();
+        allStatic(all);
+        index = new BruteForceIndex(all);
+    }
+
+    /** Adds every static figure. */
+    void allStatic(Candidates all) {
         if (spec.enclosed()) {
             enclosure().forEach(side -> all.add(side, ENCLOSURE));
         }
@@ -49,7 +55,6 @@ final class ObstacleField {
                 }
             }
         }
-        index = new BruteForceIndex(all);
     }
 
     private List<Segment> enclosure() {
