@@ -30,6 +30,11 @@ record Sight(Eye left, Eye front, Eye frontLeft, Eye frontRight, Eye right) {
                 eye(observation, -QUARTER / 2, side), eye(observation, -QUARTER, side));
     }
 
+    /** This sight with another front sensor. */
+    Sight withFront(Eye other) {
+        return new Sight(left, other, frontLeft, frontRight, right);
+    }
+
     private static Eye eye(Observation observation, double bearing, double side) {
         RobotSpec robot = observation.robot();
         int best = -1;

@@ -58,6 +58,7 @@ final class WallFollower implements Controller {
     private final Odometer odometer = new Odometer();
     private final WallTracker tracker = new WallTracker();
     private final SpinTiming timing = new SpinTiming();
+    private final FrontMemory frontMemory = new FrontMemory();
 
     private FollowerState state = SEARCH;
     private String condition = "";
@@ -97,8 +98,8 @@ final class WallFollower implements Controller {
         long ticks = observation.tick() - lastTick;
         lastTick = observation.tick();
         now = observation;
-        sight = Sight.of(observation, spec.hand());
         odometer.advance(observation.robot(), v, omega, observation.dt(), ticks);
+        sight = remembering(Sight.of(observation, spec.hand()));
         law = new PdLaw(observation.robot().speed(), observation.robot().motor().timeConstant() + observation.dt());
         if (state == FOLLOW || state == ROUND) {
             track();
@@ -107,6 +108,11 @@ final class WallFollower implements Controller {
         } else if (state == MEASURE) {
             timing.pass(spinClock(), sight.left().reading());
         }
+    }
+
+    private Sight remembering(Sight fresh) {
+        frontMemory.update(fresh.front(), odometer.rolled(), odometer.turned(), robot().width() / 2);
+        return fresh.withFront(frontMemory.fill(fresh.front()));
     }
 
     private void track() {
@@ -154,6 +160,7 @@ final class WallFollower implements Controller {
 
     private void enterTurn(FollowerState from) {
         spinStart = odometer.heading();
+        frontMemory.forget();
         backingOff = from == SEARCH && sight.left().sees();
         nearestBackingOff = sight.left().reading();
         timing.start(tracker.noise());
