@@ -8,9 +8,15 @@ package faultline.control;
  */
 final class WallAhead {
 
-    /** Walls slanted farther than this are met by the side sensors first: inner corners from 35 to 155 degrees are measured. */
-    private static final double MOST_LEFT = StrictMath.toRadians(65);
-    private static final double MOST_RIGHT = StrictMath.toRadians(55);
+    /**
+     * Along a wall, walls ahead are taken to be slanted by no more than this: inner corners from 35 to 155 degrees are measured. With more, the side walls of a narrow
+     * passage would count as slanted walls ahead.
+     */
+    static final double MOST_LEFT = StrictMath.toRadians(65);
+    static final double MOST_RIGHT = StrictMath.toRadians(55);
+
+    /** In the open any slant is possible that the front sensor can see. */
+    static final double MOST_IN_THE_OPEN = StrictMath.toRadians(78);
 
     private static final int HALVINGS = 12;
 
@@ -21,13 +27,15 @@ final class WallAhead {
      * The distance from the robot's centre to the wall ahead.
      *
      * @param sight the sensors
+     * @param mostLeft how far it may be slanted with its foot to the left, radians
+     * @param mostRight how far it may be slanted with its foot to the right, radians
      * @return metres, positive infinity where the front sensor sees nothing
      */
-    static double distance(Sight sight) {
+    static double distance(Sight sight, double mostLeft, double mostRight) {
         if (!sight.front().sees()) {
             return Double.POSITIVE_INFINITY;
         }
-        return Math.min(nearest(sight.front(), sight.frontLeft(), MOST_LEFT), nearest(sight.front(), sight.frontRight(), -MOST_RIGHT));
+        return Math.min(nearest(sight.front(), sight.frontLeft(), mostLeft), nearest(sight.front(), sight.frontRight(), -mostRight));
     }
 
     /** The foot distance of the most slanted wall, between square and a limit, that the side sensor does not contradict. */

@@ -42,7 +42,7 @@ final class WallFollower implements Controller {
     /** A spin that begins beside a wall first backs off until the reading is this much more than the nearest. */
     private static final double BACKED_OFF = 1.3;
 
-    /** A wall aside is met, and a wall at a far front corner is turned from, when it is this near to the circle that the platform turns in, metres. */
+    /** A wall at the far front corner is turned from when it is this near to the circle that the platform turns in, metres. */
     private static final double GUARD = 0.06;
 
     /** A reading this much beyond the wanted one is not of the wall that is followed, metres. */
@@ -118,8 +118,14 @@ final class WallFollower implements Controller {
     private void track() {
         tracker.predict(odometer.rolled(), odometer.turned(), state == ROUND ? 1 / radius() : 0);
         if (wallInSight()) {
-            tracker.correct(sight.left().reading(), odometer.rolled(), radius());
+            tracker.correct(footDistance(), odometer.rolled(), radius());
         }
+    }
+
+    /** The distance of the wall's foot: with the robot slanted to a straight wall by more than half the cone, the reading is of the cone's edge. */
+    private double footDistance() {
+        double off = state == FOLLOW ? Math.max(0, Math.abs(tracker.heading()) - sight.left().halfCone()) : 0;
+        return sight.left().reading() * StrictMath.cos(off);
     }
 
     private void enter(Transition transition) {
@@ -151,9 +157,15 @@ final class WallFollower implements Controller {
     // SEARCH: drive on until a wall is seen.
 
     private boolean wallMet() {
-        Eye left = sight.left();
-        return wallAhead() || left.sees() && left.squareDistance() <= wantedRadius()
-                || sight.right().sees() && sight.right().squareDistance() <= robot().reach() + GUARD;
+        double near = wantedRadius() + stopping();
+        return WallAhead.distance(sight, WallAhead.MOST_IN_THE_OPEN, WallAhead.MOST_IN_THE_OPEN) <= near
+                || isWithin(near, sight.frontLeft()) || isWithin(near, sight.frontRight())
+                || isWithin(wantedRadius(), sight.left()) || isWithin(wantedRadius(), sight.right());
+    }
+
+    /** Whether a sensor sees a wall that, if the axis meets it squarely, is within a distance of the robot's centre. */
+    private static boolean isWithin(double distance, Eye eye) {
+        return eye.sees() && eye.squareDistance() <= distance;
     }
 
     // TURN: spin right until the left sensor comes to the wall.
@@ -221,10 +233,13 @@ final class WallFollower implements Controller {
     }
 
     private boolean wallAhead() {
-        double stopping = robot().speed() * (Odometer.lag(robot(), now.dt()) + now.dt());
-        Eye corner = sight.frontRight();
-        return WallAhead.distance(sight) - stopping <= wantedRadius()
-                || corner.sees() && corner.squareDistance() <= robot().reach() + GUARD;
+        return WallAhead.distance(sight, WallAhead.MOST_LEFT, WallAhead.MOST_RIGHT) <= wantedRadius() + stopping()
+                || isWithin(robot().reach() + GUARD, sight.frontRight());
+    }
+
+    /** The way that the robot still rolls after it is told to stop, metres. */
+    private double stopping() {
+        return robot().speed() * (Odometer.lag(robot(), now.dt()) + now.dt());
     }
 
     private boolean wallEnded() {
