@@ -1,0 +1,78 @@
+package faultline.paint;
+
+import faultline.engine.Frame;
+import faultline.world.Obstacle;
+import faultline.world.Snapshot;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+
+/** Frames as pictures, made without a display by the painter that the window uses. */
+public final class FrameImage {
+
+    /** What is left free about the world, pixels: room for the band, and below it for the scale bar, above it for the badge. */
+    private static final double MARGIN = 40;
+
+    private FrameImage() {
+    }
+
+    /**
+     * A picture of a whole world with the usual layers.
+     *
+     * @param frame what to paint
+     * @param palette its colours; {@link Palette#LIGHT} for files
+     * @param width pixels, positive
+     * @param height pixels, positive
+     * @return a new opaque picture
+     */
+    public static BufferedImage render(Frame frame, Palette palette, int width, int height) {
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        try {
+            Brush brush = new Brush(graphics, camera(frame.world(), width, height), palette);
+            new ScenePainter(Layer.usual()).paint(brush, frame);
+        } finally {
+            graphics.dispose();
+        }
+        return image;
+    }
+
+    /**
+     * The camera that shows a whole world.
+     *
+     * @param world the world
+     * @param width of the picture, pixels, positive
+     * @param height of the picture, pixels, positive
+     * @return a camera with a margin
+     */
+    public static Camera camera(Snapshot world, int width, int height) {
+        return Camera.fit(bounds(world), MARGIN, width, height);
+    }
+
+    /** The world's rectangle, and whatever stands outside of it. */
+    private static Rectangle2D bounds(Snapshot world) {
+        Rectangle2D bounds = new Rectangle2D.Double(0, 0, world.width(), world.height());
+        for (Obstacle obstacle : world.obstacles()) {
+            bounds = bounds.createUnion(ObstacleOutlines.inWorld(obstacle).getBounds2D());
+        }
+        return bounds;
+    }
+
+    /**
+     * Writes a picture as a PNG file.
+     *
+     * @param image the picture
+     * @param file where to; an existing file is replaced
+     * @throws IOException if it cannot be written
+     */
+    public static void write(BufferedImage image, Path file) throws IOException {
+        try (OutputStream out = Files.newOutputStream(file)) {
+            ImageIO.write(image, "png", out);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package faultline.paint;
+
+import faultline.geometry.Pose;
+import faultline.geometry.RigidMotion;
+import faultline.geometry.Vec;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+
+/** Obstacles as shapes of {@link java.awt.geom}, in metres. */
+public final class ObstacleOutlines {
+
+    private ObstacleOutlines() {
+    }
+
+    /**
+     * A shape in its own frame.
+     *
+     * @param shape the shape
+     * @return its outline; open for a wall, closed for all others
+     */
+    public static Shape local(ObstacleShape shape) {
+        if (shape instanceof ObstacleShape.Rectangle rectangle) {
+            return aboutOrigin(new Rectangle2D.Double(), rectangle.width(), rectangle.height());
+        }
+        if (shape instanceof ObstacleShape.Circle circle) {
+            return aboutOrigin(new Ellipse2D.Double(), 2 * circle.radius(), 2 * circle.radius());
+        }
+        if (shape instanceof ObstacleShape.Ellipse ellipse) {
+            return aboutOrigin(new Ellipse2D.Double(), 2 * ellipse.rx(), 2 * ellipse.ry());
+        }
+        if (shape instanceof ObstacleShape.Polygon polygon) {
+            Path2D path = through(polygon.points());
+            path.closePath();
+            return path;
+        }
+        return through(((ObstacleShape.Wall) shape).points());
+    }
+
+    private static Shape aboutOrigin(java.awt.geom.RectangularShape shape, double width, double height) {
+        shape.setFrame(-width / 2, -height / 2, width, height);
+        return shape;
+    }
+
+    /** An open path; even-odd, as the world fills polygons. */
+    static Path2D through(List<Vec> points) {
+        Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD, points.size() + 1);
+        path.moveTo(points.get(0).x(), points.get(0).y());
+        for (Vec point : points.subList(1, points.size())) {
+            path.lineTo(point.x(), point.y());
+        }
+        return path;
+    }
+
+    /**
+     * An obstacle where it stands.
+     *
+     * @param obstacle the obstacle
+     * @return its outline in the world
+     */
+    public static Shape inWorld(Obstacle obstacle) {
+        return RigidMotion.to(obstacle.pose()).createTransformedShape(local(obstacle.shape()));
+    }
+
+    /**
+     * The middle of an obstacle, which it is turned about by hand. The origin of a polygon's frame may lie far outside of it.
+     *
+     * @param obstacle the obstacle
+     * @return metres, in the world
+     */
+    public static Vec middle(Obstacle obstacle) {
+        return obstacle.pose().toOuter(localMiddle(obstacle));
+    }
+
+    private static Vec localMiddle(Obstacle obstacle) {
+        Rectangle2D bounds = local(obstacle.shape()).getBounds2D();
+        return new Vec(bounds.getCenterX(), bounds.getCenterY());
+    }
+
+    /**
+     * The pose of an obstacle turned about its middle, eq. (1).
+     *
+     * @param obstacle the obstacle as it stands
+     * @param turn radians, counter-clockwise
+     * @return the pose after the turn; the middle stays
+     */
+    public static Pose turned(Obstacle obstacle, double turn) {
+        Pose pose = obstacle.pose();
+        Vec origin = RigidMotion.apply(RigidMotion.rotationAbout(middle(obstacle), turn), pose.position());
+        return new Pose(origin.x(), origin.y(), pose.heading() + turn);
+    }
+}

@@ -1,0 +1,40 @@
+package faultline.paint;
+
+import faultline.geometry.RigidMotion;
+import faultline.geometry.Vec;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.awt.Color;
+import java.awt.Shape;
+import java.awt.Stroke;
+
+/** Paints one obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour and with a heavier outline. */
+final class ObstaclePainter {
+
+    private static final Stroke STILL = Brush.solid(1.4);
+    private static final Stroke MOVING = Brush.solid(2);
+    /** A wall has no thickness in the world; this much makes it seen. */
+    private static final Stroke WALL = Brush.solid(4);
+    private static final int MOVING_ALPHA = 120;
+
+    private ObstaclePainter() {
+    }
+
+    static void paint(Brush brush, Obstacle obstacle) {
+        Palette palette = brush.palette();
+        boolean moves = obstacle.motion().isPresent();
+        Color outline = moves ? palette.movingOutline() : palette.obstacleOutline();
+        Shape shape = brush.onScreen(ObstacleOutlines.local(obstacle.shape()), RigidMotion.to(obstacle.pose()));
+        if (obstacle.shape() instanceof ObstacleShape.Wall) {
+            brush.draw(shape, outline, WALL);
+        } else {
+            brush.fill(shape, moves ? Palette.translucent(palette.moving(), MOVING_ALPHA) : palette.obstacle());
+            brush.draw(shape, outline, moves ? MOVING : STILL);
+        }
+    }
+
+    static void paintName(Brush brush, Obstacle obstacle) {
+        Vec middle = brush.camera().toScreen(ObstacleOutlines.middle(obstacle));
+        brush.label(obstacle.id(), middle.x(), middle.y(), brush.palette().text());
+    }
+}

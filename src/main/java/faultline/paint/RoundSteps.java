@@ -1,0 +1,44 @@
+package faultline.paint;
+
+import java.util.Locale;
+
+/** Lengths that people read easily: 1, 2 or 5 times a power of ten metres. */
+final class RoundSteps {
+
+    private static final double[] LEADING = {1, 2, 5, 10};
+
+    private RoundSteps() {
+    }
+
+    /** The least round length not below a positive one, metres. */
+    static double atLeast(double metres) {
+        double power = Math.pow(10, Math.floor(Math.log10(metres)));
+        for (double leading : LEADING) {
+            if (leading * power >= metres) {
+                return leading * power;
+            }
+        }
+        return 10 * power;
+    }
+
+    /** Into how many parts a round length divides into round lengths: 1 and 5 into five, 2 into four. */
+    static int parts(double round) {
+        double leading = round / Math.pow(10, Math.floor(Math.log10(round) + 1e-9));
+        return Math.round(leading) == 2 ? 4 : 5;
+    }
+
+    /** The name of a round length in the unit that makes it a whole number, kilometres to millimetres. */
+    static String name(double round) {
+        if (round >= 1000) {
+            return whole(round / 1000, "km");
+        }
+        if (round >= 1) {
+            return whole(round, "m");
+        }
+        return round >= 0.01 ? whole(round * 100, "cm") : String.format(Locale.ROOT, "%.3g mm", round * 1000).replace(".00", "");
+    }
+
+    private static String whole(double value, String unit) {
+        return Math.round(value) + " " + unit;
+    }
+}

@@ -1,0 +1,58 @@
+package faultline.paint;
+
+import faultline.geometry.Vec;
+import faultline.world.Motion;
+import java.awt.Color;
+import java.awt.Stroke;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Paints the way-points of a moving obstacle: a broken line through dots, with an arrow in the middle of each leg. */
+final class RoutePainter {
+
+    private static final Stroke LINE = Brush.dashed(1.4, 7, 5);
+    private static final Stroke ARROW = Brush.solid(1.8);
+    private static final double DOT = 2.5;
+    private static final double ARROW_SIZE = 6;
+    /** A leg shorter than this on the screen gets no arrow, pixels. */
+    private static final double LEAST_LEG = 24;
+
+    private RoutePainter() {
+    }
+
+    static void paint(Brush brush, Motion motion) {
+        Color colour = brush.palette().movingOutline();
+        List<Vec> points = onScreen(brush.camera(), motion);
+        brush.draw(ObstacleOutlines.through(points), colour, LINE);
+        for (Vec point : points) {
+            brush.fill(new Ellipse2D.Double(point.x() - DOT, point.y() - DOT, 2 * DOT, 2 * DOT), colour);
+        }
+        for (int i = 1; i < points.size(); i++) {
+            arrow(brush, points.get(i - 1), points.get(i), colour);
+        }
+    }
+
+    /** The way-points in the picture; those of a loop end where they began. */
+    private static List<Vec> onScreen(Camera camera, Motion motion) {
+        List<Vec> points = new ArrayList<>(motion.points().stream().map(camera::toScreen).toList());
+        if (motion.loop()) {
+            points.add(points.get(0));
+        }
+        return points;
+    }
+
+    private static void arrow(Brush brush, Vec from, Vec to, Color colour) {
+        Vec leg = to.minus(from);
+        if (leg.length() < LEAST_LEG) {
+            return;
+        }
+        Vec ahead = leg.times(ARROW_SIZE / leg.length());
+        // Beyond the middle, so that the arrows of a leg that is walked both ways do not cover each other.
+        Vec tip = from.plus(leg.times(0.6));
+        Path2D arrow = ObstacleOutlines.through(List.of(tip.minus(ahead).plus(ahead.perpendicular().times(0.7)), tip,
+                tip.minus(ahead).minus(ahead.perpendicular().times(0.7))));
+        brush.draw(arrow, colour, ARROW);
+    }
+}

@@ -1,0 +1,114 @@
+package faultline.paint;
+
+import faultline.engine.Frame;
+import faultline.world.Obstacle;
+import faultline.world.SensorSnapshot;
+import faultline.world.Snapshot;
+import java.awt.Rectangle;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Predicate;
+
+/**
+ * Paints a frame from three parts, one on top of the other: the ground with the obstacles that stand still, the path, and all that lives.
+ * Whoever paints many frames may keep the first two as pictures.
+ *
+ * @param layers the layers that show
+ */
+public record ScenePainter(Set<Layer> layers) {
+
+    public ScenePainter {
+        layers = Set.copyOf(layers);
+    }
+
+    /**
+     * Paints the whole of a frame.
+     *
+     * @param brush where to
+     * @param frame the frame
+     */
+    public void paint(Brush brush, Frame frame) {
+        Predicate<Obstacle> moves = obstacle -> obstacle.motion().isPresent();
+        List<Obstacle> obstacles = frame.world().obstacles();
+        paintGround(brush, frame.world(), obstacles.stream().filter(moves.negate()).toList());
+        paintLive(brush, frame, obstacles.stream().filter(moves).toList(), 0);
+        paintMargin(brush, frame.world());
+    }
+
+    /**
+     * Paints what seldom changes: the canvas, the grid, the edge of the world and obstacles that stand still.
+     *
+     * @param brush where to
+     * @param world the world
+     * @param obstacles those that belong to the ground
+     */
+    public void paintGround(Brush brush, Snapshot world, List<Obstacle> obstacles) {
+        brush.fill(new Rectangle(brush.camera().width(), brush.camera().height()), brush.palette().canvas());
+        if (layers.contains(Layer.GRID)) {
+            GridPainter.paint(brush);
+        }
+        BoundsPainter.paint(brush, world);
+        obstacles.forEach(obstacle -> paintObstacle(brush, obstacle));
+    }
+
+    /**
+     * Paints what changes from frame to frame.
+     *
+     * @param brush where to
+     * @param frame the frame
+     * @param obstacles those that were not painted with the ground
+     * @param settled how many points of the path were painted already, the one before the last of them being joined
+     */
+    public void paintLive(Brush brush, Frame frame, List<Obstacle> obstacles, int settled) {
+        Snapshot world = frame.world();
+        if (layers.contains(Layer.PATH)) {
+            PathPainter.paintTail(brush, frame.path(), Math.max(0, settled - 1), world.pose().position());
+        }
+        obstacles.forEach(obstacle -> paintMoving(brush, obstacle));
+        paintSensors(brush, world.sensors());
+        RobotPainter.paint(brush, world.robot(), world.pose());
+        if (layers.contains(Layer.HITS)) {
+            world.sensors().forEach(sensor -> HitPainter.paint(brush, sensor.hits()));
+        }
+        CollisionPainter.paint(brush, world);
+    }
+
+    /**
+     * Paints what belongs to the picture and not to the world, on top of all.
+     *
+     * @param brush where to
+     * @param world the world
+     */
+    public void paintMargin(Brush brush, Snapshot world) {
+        if (layers.contains(Layer.SCALE_BAR)) {
+            ScaleBarPainter.paint(brush);
+        }
+        world.collision().ifPresent(collision -> CollisionPainter.paintBadge(brush, collision));
+    }
+
+    private void paintMoving(Brush brush, Obstacle obstacle) {
+        if (layers.contains(Layer.ROUTES)) {
+            obstacle.motion().ifPresent(motion -> RoutePainter.paint(brush, motion));
+        }
+        paintObstacle(brush, obstacle);
+    }
+
+    private void paintObstacle(Brush brush, Obstacle obstacle) {
+        ObstaclePainter.paint(brush, obstacle);
+        if (layers.contains(Layer.LABELS)) {
+            ObstaclePainter.paintName(brush, obstacle);
+        }
+    }
+
+    private void paintSensors(Brush brush, List<SensorSnapshot> sensors) {
+        if (!layers.contains(Layer.CONES)) {
+            return;
+        }
+        for (int i = 0; i < sensors.size(); i++) {
+            SensorPainter.paintCone(brush, i, sensors.get(i));
+        }
+        for (int i = 0; i < sensors.size(); i++) {
+            SensorPainter.paintLabels(brush, i, sensors.get(i));
+        }
+    }
+}

@@ -1,0 +1,91 @@
+package faultline.paint;
+
+import faultline.geometry.Vec;
+import faultline.sensor.Fault;
+import faultline.world.SensorSnapshot;
+import java.awt.Color;
+import java.awt.Stroke;
+import java.awt.geom.Rectangle2D;
+import java.util.stream.Collectors;
+
+/**
+ * Paints one sensor: its cone, hatched where it is faulty and a broken grey outline where it is off; an arc at the distance that it reports and,
+ * where a fault makes that wrong, a broken one at the true distance; and its number with the names of its faults.
+ */
+final class SensorPainter {
+
+    private static final Stroke OUTLINE = Brush.solid(1.2);
+    private static final Stroke OFF_OUTLINE = Brush.dashed(1.2, 5, 4);
+    private static final Stroke READING = Brush.solid(3);
+    private static final Stroke TRUTH = Brush.dashed(1.8, 4, 3);
+    private static final int FILL_ALPHA = 64;
+    private static final int FAULTY_ALPHA = 26;
+    private static final int HATCH_ALPHA = 150;
+    /** Between the arc and the label, pixels. */
+    private static final double LABEL_GAP = 4;
+    /** A cone shorter than this on the screen gets no number, pixels. */
+    private static final double LEAST_NUMBERED = 25;
+    /** A true and a reported distance nearer than this, pixels, are one. */
+    private static final double SAME = 2;
+
+    private SensorPainter() {
+    }
+
+    static void paintCone(Brush brush, int index, SensorSnapshot sensor) {
+        ScreenSector cone = ScreenSector.of(brush.camera(), sensor.sector());
+        if (sensor.reported().isOff()) {
+            paintOff(brush, cone, sensor);
+        } else {
+            paintOn(brush, cone, sensor, brush.palette().sensor(index));
+        }
+    }
+
+    private static void paintOff(Brush brush, ScreenSector cone, SensorSnapshot sensor) {
+        hatch(brush, cone, sensor, brush.palette().muted());
+        brush.draw(cone.outline(), brush.palette().muted(), OFF_OUTLINE);
+    }
+
+    private static void paintOn(Brush brush, ScreenSector cone, SensorSnapshot sensor, SensorColours colours) {
+        int alpha = sensor.faults().isEmpty() ? FILL_ALPHA : FAULTY_ALPHA;
+        brush.fill(cone.outline(), Palette.translucent(colours.fill(), alpha));
+        hatch(brush, cone, sensor, colours.outline());
+        brush.draw(cone.outline(), colours.outline(), OUTLINE);
+        sensor.reported().distance().ifPresent(distance -> brush.draw(cone.arcAt(distance), colours.outline(), READING));
+    }
+
+    private static void hatch(Brush brush, ScreenSector cone, SensorSnapshot sensor, Color colour) {
+        Color pale = Palette.translucent(colour, HATCH_ALPHA);
+        sensor.faults().stream().map(Fault::kind).distinct().forEach(kind -> Hatching.paint(brush, cone, kind, pale));
+    }
+
+    /** Paints what must not be hidden by other cones. */
+    static void paintLabels(Brush brush, int index, SensorSnapshot sensor) {
+        ScreenSector cone = ScreenSector.of(brush.camera(), sensor.sector());
+        if (!sensor.faults().isEmpty()) {
+            sensor.truth().distance().stream().filter(truth -> isHidden(cone, truth, sensor))
+                    .forEach(truth -> brush.draw(cone.arcAt(truth), brush.palette().text(), TRUTH));
+        }
+        if (cone.radius() >= LEAST_NUMBERED) {
+            paintLabel(brush, cone, label(index, sensor), sensor.reported().isOff() ? brush.palette().muted() : brush.palette().text());
+        }
+    }
+
+    /** Paints a text beyond the arc, far enough that its box stays clear of the cone in any direction. */
+    private static void paintLabel(Brush brush, ScreenSector cone, String text, Color colour) {
+        Rectangle2D box = brush.measure(text);
+        Vec axis = cone.at(0.5, 1).minus(cone.apex());
+        double clear = (Math.abs(axis.x()) * box.getWidth() + Math.abs(axis.y()) * box.getHeight()) / 2;
+        Vec place = cone.at(0.5, cone.radius() + LABEL_GAP + clear);
+        brush.label(text, place.x(), place.y(), colour);
+    }
+
+    private static boolean isHidden(ScreenSector cone, double truth, SensorSnapshot sensor) {
+        return !(Math.abs(sensor.reported().encoded() - truth) * cone.scale() < SAME);
+    }
+
+    private static String label(int index, SensorSnapshot sensor) {
+        String faults = sensor.faults().stream().map(fault -> " " + fault.kind().fileName()).distinct().collect(Collectors.joining());
+        boolean switchedOff = !sensor.spec().on() && faults.isEmpty();
+        return (index + 1) + (switchedOff ? " off" : faults);
+    }
+}
