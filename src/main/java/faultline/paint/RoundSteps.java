@@ -1,7 +1,5 @@
 package faultline.paint;
 
-import java.util.Locale;
-
 /** Lengths that people read easily: 1, 2 or 5 times a power of ten metres. */
 final class RoundSteps {
 
@@ -27,7 +25,7 @@ final class RoundSteps {
         return Math.round(leading) == 2 ? 4 : 5;
     }
 
-    /** The name of a round length in the unit that makes it a whole number, kilometres to millimetres. */
+    /** The name of a round length of a millimetre or more, in the unit that makes it a whole number. */
     static String name(double round) {
         if (round >= 1000) {
             return whole(round / 1000, "km");
@@ -35,7 +33,7 @@ final class RoundSteps {
         if (round >= 1) {
             return whole(round, "m");
         }
-        return round >= 0.01 ? whole(round * 100, "cm") : String.format(Locale.ROOT, "%.3g mm", round * 1000).replace(".00", "");
+        return round >= 0.01 ? whole(round * 100, "cm") : whole(round * 1000, "mm");
     }
 
     private static String whole(double value, String unit) {

@@ -2,23 +2,38 @@ package faultline.gui.canvas;
 
 import faultline.engine.Frame;
 import faultline.geometry.Vec;
+import faultline.paint.Brush;
+import faultline.paint.Camera;
 import faultline.paint.Layer;
 import faultline.paint.Palette;
 import faultline.world.Command;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 
-/** The picture of the world in the window. It shows the newest frame it was given, the badge of the first collision included. */
+/**
+ * The picture of the world in the window. It shows the newest frame that it was given, the badge of the first collision included, and sends what
+ * mouse and keys do to obstacles as commands; what they change shows when a frame brings it back.
+ */
 public final class SimulationCanvas extends JComponent {
 
-    private final Consumer<Command> commands;
+    private static final double ZOOM_STEP = 1.25;
+
+    private final Scene scene = new Scene();
+    private final Viewpoint viewpoint = new Viewpoint();
+    private final Picture picture = new Picture();
     private final Set<Layer> layers = Layer.usual();
+    private final ObstacleMover mover;
+    private final Hand hand;
     private Palette palette = Palette.LIGHT;
-    private Optional<Frame> frame = Optional.empty();
-    private boolean following;
 
     /**
      * A canvas without a frame.
@@ -26,7 +41,17 @@ public final class SimulationCanvas extends JComponent {
      * @param commands where moves of obstacles go; called on the event dispatch thread
      */
     public SimulationCanvas(Consumer<Command> commands) {
-        this.commands = Objects.requireNonNull(commands, "commands");
+        mover = new ObstacleMover(Objects.requireNonNull(commands, "commands"));
+        hand = new Hand(scene, viewpoint, mover);
+        new Keys(scene, mover, hand).install(this);
+        addMouseListener(hand);
+        addMouseMotionListener(hand);
+        addMouseWheelListener(hand);
+        scene.selection().listen(selected -> repaint());
+        viewpoint.camera().listen(camera -> repaint());
+        setFocusable(true);
+        setOpaque(true);
+        setPreferredSize(new Dimension(800, 560));
     }
 
     /**
@@ -35,7 +60,11 @@ public final class SimulationCanvas extends JComponent {
      * @param newest the frame
      */
     public void show(Frame newest) {
-        frame = Optional.of(newest);
+        assert EventQueue.isDispatchThread();
+        scene.show(newest);
+        mover.frameShown();
+        hand.frameShown();
+        viewpoint.show(newest.world());
         repaint();
     }
 
@@ -45,7 +74,7 @@ public final class SimulationCanvas extends JComponent {
      * @return empty before the first
      */
     public Optional<Frame> frame() {
-        return frame;
+        return scene.frame();
     }
 
     /**
@@ -54,6 +83,7 @@ public final class SimulationCanvas extends JComponent {
      * @param newPalette the colours
      */
     public void setPalette(Palette newPalette) {
+        assert EventQueue.isDispatchThread();
         palette = newPalette;
         repaint();
     }
@@ -65,6 +95,13 @@ public final class SimulationCanvas extends JComponent {
      * @param on whether it is to show
      */
     public void setLayer(Layer layer, boolean on) {
+        assert EventQueue.isDispatchThread();
+        if (on) {
+            layers.add(layer);
+        } else {
+            layers.remove(layer);
+        }
+        repaint();
     }
 
     /**
@@ -79,23 +116,29 @@ public final class SimulationCanvas extends JComponent {
 
     /** Shows the whole world, and goes on doing so when the canvas is resized, until the hand zooms or pans. */
     public void fit() {
+        assert EventQueue.isDispatchThread();
+        viewpoint.fit();
     }
 
     /** Zooms in on the middle. */
     public void zoomIn() {
+        assert EventQueue.isDispatchThread();
+        viewpoint.zoom(ZOOM_STEP);
     }
 
     /** Zooms out from the middle. */
     public void zoomOut() {
+        assert EventQueue.isDispatchThread();
+        viewpoint.zoom(1 / ZOOM_STEP);
     }
 
     /**
-     * The scale of the picture.
+     * Where the canvas looks.
      *
-     * @return pixels per metre
+     * @return the camera, which says what point of the world is where on the canvas and how many pixels a metre has
      */
-    public double pixelsPerMetre() {
-        return 1;
+    public Camera camera() {
+        return viewpoint.camera().get();
     }
 
     /**
@@ -104,7 +147,8 @@ public final class SimulationCanvas extends JComponent {
      * @param follow whether to follow
      */
     public void setFollowing(boolean follow) {
-        following = follow;
+        assert EventQueue.isDispatchThread();
+        viewpoint.setFollowing(follow);
     }
 
     /**
@@ -113,7 +157,7 @@ public final class SimulationCanvas extends JComponent {
      * @return true where it is
      */
     public boolean isFollowing() {
-        return following;
+        return viewpoint.isFollowing();
     }
 
     /**
@@ -122,14 +166,16 @@ public final class SimulationCanvas extends JComponent {
      * @param listener gets metres, empty where the mouse has left the canvas
      */
     public void addCursorListener(Consumer<Optional<Vec>> listener) {
+        hand.cursor().listen(listener);
     }
 
     /**
-     * Tells a listener, from now on, how large the picture's scale is whenever it changes.
+     * Tells a listener, from now on, where the canvas looks whenever that changes.
      *
-     * @param listener gets pixels per metre
+     * @param listener gets the camera
      */
-    public void addZoomListener(Consumer<Double> listener) {
+    public void addCameraListener(Consumer<Camera> listener) {
+        viewpoint.camera().listen(listener);
     }
 
     /**
@@ -138,7 +184,7 @@ public final class SimulationCanvas extends JComponent {
      * @return its id, empty where none is
      */
     public Optional<String> selectedObstacle() {
-        return Optional.empty();
+        return scene.selection().get();
     }
 
     /**
@@ -147,6 +193,8 @@ public final class SimulationCanvas extends JComponent {
      * @param obstacle its id, empty for none
      */
     public void select(Optional<String> obstacle) {
+        assert EventQueue.isDispatchThread();
+        scene.selection().set(obstacle.filter(id -> scene.obstacle(id).isPresent()));
     }
 
     /**
@@ -155,5 +203,48 @@ public final class SimulationCanvas extends JComponent {
      * @param listener gets the obstacle's id, empty where none is selected
      */
     public void addSelectionListener(Consumer<Optional<String>> listener) {
+        scene.selection().listen(listener);
+    }
+
+    @Override
+    public void setBounds(int x, int y, int width, int height) {
+        super.setBounds(x, y, width, height);
+        viewpoint.resize(width, height);
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D own = (Graphics2D) graphics.create();
+        try {
+            paintScene(own);
+        } finally {
+            own.dispose();
+        }
+    }
+
+    private void paintScene(Graphics2D graphics) {
+        graphics.setColor(palette.canvas());
+        graphics.fillRect(0, 0, getWidth(), getHeight());
+        scene.frame().ifPresent(frame -> {
+            picture.paint(graphics, camera(), palette, layers, frame, scene.selected());
+            hand.paint(new Brush(graphics, camera(), palette));
+        });
+    }
+
+    @Override
+    public AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new Accessibility();
+            accessibleContext.setAccessibleName("Simulation");
+            accessibleContext.setAccessibleDescription("The world with the robot; drag obstacles to move them, turn the wheel to zoom");
+        }
+        return accessibleContext;
+    }
+
+    private final class Accessibility extends AccessibleJComponent {
+        @Override
+        public AccessibleRole getAccessibleRole() {
+            return AccessibleRole.CANVAS;
+        }
     }
 }
