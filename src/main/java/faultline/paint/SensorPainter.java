@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
  */
 final class SensorPainter {
 
-    private static final Stroke OUTLINE = Brush.solid(1.2);
+    private static final Stroke OUTLINE = Brush.solid(1.6);
     private static final Stroke OFF_OUTLINE = Brush.dashed(1.2, 5, 4);
     private static final Stroke READING = Brush.solid(3);
     private static final Stroke TRUTH = Brush.dashed(1.8, 4, 3);
