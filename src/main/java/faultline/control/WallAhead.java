@@ -24,39 +24,47 @@ final class WallAhead {
     }
 
     /**
-     * The distance from the robot's centre to the wall ahead.
+     * The distance from the robot's centre to the wall ahead when it has rolled on.
      *
+     * @param rolled how far, metres
      * @param sight the sensors
      * @param mostLeft how far it may be slanted with its foot to the left, radians
      * @param mostRight how far it may be slanted with its foot to the right, radians
      * @return metres, positive infinity where the front sensor sees nothing
      */
-    static double distance(Sight sight, double mostLeft, double mostRight) {
+    static double distanceAfter(double rolled, Sight sight, double mostLeft, double mostRight) {
         if (!sight.front().sees()) {
             return Double.POSITIVE_INFINITY;
         }
-        return Math.min(nearest(sight.front(), sight.frontLeft(), mostLeft), nearest(sight.front(), sight.frontRight(), -mostRight));
+        double left = slant(sight.front(), sight.frontLeft(), mostLeft);
+        double right = slant(sight.front(), sight.frontRight(), -mostRight);
+        return Math.min(sight.front().wallDistance(left) - rolled * StrictMath.cos(left),
+                sight.front().wallDistance(right) - rolled * StrictMath.cos(right));
     }
 
-    /** The foot distance of the most slanted wall, between square and a limit, that the side sensor does not contradict. */
-    private static double nearest(Eye front, Eye side, double limit) {
-        double square = front.wallDistance(0);
-        if (!side.present() || square < side.wallDistance(0)) {
-            return square;
+    /** The bearing of the foot of the most slanted wall, between square and a limit, that the side sensor does not contradict. */
+    private static double slant(Eye front, Eye side, double limit) {
+        if (!side.present() || contradicts(side, front, 0)) {
+            return 0;
+        }
+        if (!contradicts(side, front, limit)) {
+            return limit;
         }
         double possible = 0;
         double beyond = limit;
-        if (front.wallDistance(limit) >= side.wallDistance(limit)) {
-            return front.wallDistance(limit);
-        }
         for (int i = 0; i < HALVINGS; i++) {
             double middle = (possible + beyond) / 2;
-            if (front.wallDistance(middle) >= side.wallDistance(middle)) {
-                possible = middle;
-            } else {
+            if (contradicts(side, front, middle)) {
                 beyond = middle;
+            } else {
+                possible = middle;
             }
         }
-        return front.wallDistance(possible);
+        return possible;
+    }
+
+    /** A wall at this bearing that gives the front reading would show to the side sensor nearer than anything does. */
+    private static boolean contradicts(Eye side, Eye front, double bearing) {
+        return front.wallDistance(bearing) < side.wallDistance(bearing);
     }
 }

@@ -59,6 +59,8 @@ final class WallFollower implements Controller {
     private final WallTracker tracker = new WallTracker();
     private final SpinTiming timing = new SpinTiming();
     private final FrontMemory frontMemory = new FrontMemory();
+    private final NoiseMeter leftNoise = new NoiseMeter();
+    private final NoiseMeter frontNoise = new NoiseMeter();
 
     private FollowerState state = SEARCH;
     private String condition = "";
@@ -111,6 +113,8 @@ final class WallFollower implements Controller {
     }
 
     private Sight remembering(Sight fresh) {
+        leftNoise.learn(fresh.left().reading());
+        frontNoise.learn(fresh.front().reading());
         frontMemory.update(fresh.front(), odometer.rolled(), odometer.turned(), robot().width() / 2);
         return fresh.withFront(frontMemory.fill(fresh.front()));
     }
@@ -158,7 +162,7 @@ final class WallFollower implements Controller {
 
     private boolean wallMet() {
         double near = wantedRadius() + stopping();
-        return WallAhead.distance(sight, WallAhead.MOST_IN_THE_OPEN, WallAhead.MOST_IN_THE_OPEN) <= near
+        return wallAheadWithin(WallAhead.MOST_IN_THE_OPEN, WallAhead.MOST_IN_THE_OPEN)
                 || isWithin(near, sight.frontLeft()) || isWithin(near, sight.frontRight())
                 || isWithin(wantedRadius(), sight.left()) || isWithin(wantedRadius(), sight.right());
     }
@@ -175,7 +179,7 @@ final class WallFollower implements Controller {
         frontMemory.forget();
         backingOff = from == SEARCH && sight.left().sees();
         nearestBackingOff = sight.left().reading();
-        timing.start(tracker.noise());
+        timing.start(noise());
         if (!backingOff) {
             timing.approach(spinClock(), sight.left().reading());
         }
@@ -233,8 +237,11 @@ final class WallFollower implements Controller {
     }
 
     private boolean wallAhead() {
-        return WallAhead.distance(sight, WallAhead.MOST_LEFT, WallAhead.MOST_RIGHT) <= wantedRadius() + stopping()
-                || isWithin(robot().reach() + GUARD, sight.frontRight());
+        return wallAheadWithin(WallAhead.MOST_LEFT, WallAhead.MOST_RIGHT) || isWithin(robot().reach() + GUARD, sight.frontRight());
+    }
+
+    private boolean wallAheadWithin(double mostLeft, double mostRight) {
+        return WallAhead.distanceAfter(stopping(), sight, mostLeft, mostRight) <= wantedRadius();
     }
 
     /** The way that the robot still rolls after it is told to stop, metres. */
@@ -281,12 +288,16 @@ final class WallFollower implements Controller {
     }
 
     private double bendInnovation() {
-        return Math.max(BEND * WallTracker.cornerInnovation(radius()), 5 * tracker.noise());
+        return Math.max(BEND * WallTracker.cornerInnovation(radius()), 5 * noise());
     }
 
     /** How far the robot has gone round a corner by the time that the corner shows: an innovation e takes a way of sqrt(2 e r) on a circle of radius r. */
     private double bendAngle() {
         return Math.sqrt(2 * Math.abs(tracker.innovation()) / radius());
+    }
+
+    private double noise() {
+        return Math.max(leftNoise.deviation(), frontNoise.deviation());
     }
 
     private double turnedSinceEntry() {

@@ -18,17 +18,12 @@ final class WallTracker {
     private double distance;
     private double heading;
     private double innovation;
-    private double noise;
-    private double previous = Double.NaN;
-    private double beforePrevious = Double.NaN;
 
     /** Starts anew at a reading, parallel to the wall. */
     void start(double reading) {
         distance = reading;
         heading = 0;
         innovation = 0;
-        previous = Double.NaN;
-        beforePrevious = Double.NaN;
     }
 
     /** Predicts across a piece of way. */
@@ -41,7 +36,6 @@ final class WallTracker {
 
     /** Corrects by a reading after a piece of way. */
     void correct(double reading, double rolled, double radius) {
-        learnNoise(reading);
         innovation = reading - distance;
         if (Math.abs(innovation) > JUMP) {
             distance = reading;
@@ -54,16 +48,6 @@ final class WallTracker {
         if (rolled > 0) {
             heading -= share * share / rolled * innovation;
         }
-    }
-
-    /** The second difference of three readings is free of smooth motion: its variance is six times the noise's. */
-    private void learnNoise(double reading) {
-        double second = reading - 2 * previous + beforePrevious;
-        if (Math.abs(second) < JUMP) {
-            noise += 0.01 * (Math.min(second * second / 6, JUMP * JUMP) - noise);
-        }
-        beforePrevious = previous;
-        previous = reading;
     }
 
     /** Turns the tracked heading because the wall is seen to go another way. */
@@ -85,11 +69,6 @@ final class WallTracker {
     /** How much farther than predicted the last reading was, metres. */
     double innovation() {
         return innovation;
-    }
-
-    /** The standard deviation of the readings' noise as far as it shows, metres. */
-    double noise() {
-        return Math.sqrt(noise);
     }
 
     /**
