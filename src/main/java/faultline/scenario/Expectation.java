@@ -1,5 +1,6 @@
 package faultline.scenario;
 
+import faultline.engine.RunResult;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -11,13 +12,26 @@ import java.util.OptionalDouble;
  * @param minCoverage the least coverage, in [0, 1]
  * @param maxDistanceRms the greatest distance error on straight walls, metres, root mean square
  * @param states states that the controller must pass through, in any order
+ * @param finalState the state that the controller must end in
  */
-public record Expectation(Optional<Boolean> collision, OptionalDouble minCoverage, OptionalDouble maxDistanceRms, List<String> states) {
+public record Expectation(Optional<Boolean> collision, OptionalDouble minCoverage, OptionalDouble maxDistanceRms, List<String> states,
+        Optional<String> finalState) {
 
     /** Expects nothing. */
-    public static final Expectation NONE = new Expectation(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), List.of());
+    public static final Expectation NONE =
+            new Expectation(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), List.of(), Optional.empty());
 
     public Expectation {
         states = List.copyOf(states);
+    }
+
+    /**
+     * What a run did not hold.
+     *
+     * @param result what the run came to
+     * @return one sentence each, empty where all was held
+     */
+    public List<String> unmet(RunResult result) {
+        return new Verdict(result).unmet(this);
     }
 }

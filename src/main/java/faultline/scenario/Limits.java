@@ -1,0 +1,20 @@
+package faultline.scenario;
+
+/** How big a scenario file may be: far above any real one, and low enough that a hostile one is turned away at once. */
+final class Limits {
+
+    /** The bytes of a file. */
+    static final long MOST_BYTES = 64L << 20;
+
+    /** Obstacles and points of polygons, walls and motions, all together. */
+    static final int MOST_PARTS = 100_000;
+
+    /** The elements of a file. */
+    static final int MOST_ELEMENTS = 300_000;
+
+    /** How deep elements may stand in each other; the format itself needs five. */
+    static final int DEEPEST = 20;
+
+    private Limits() {
+    }
+}

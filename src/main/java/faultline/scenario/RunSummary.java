@@ -1,0 +1,53 @@
+package faultline.scenario;
+
+import faultline.engine.RunResult;
+import faultline.world.Collision;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+
+/** A run's result as {@code key: value} lines, one value a line, the same in every language. */
+public final class RunSummary {
+
+    private RunSummary() {
+    }
+
+    /**
+     * The lines of a result.
+     *
+     * @param result what a run came to
+     * @return keys in a fixed order; {@code none} where there is no value
+     */
+    public static List<String> lines(RunResult result) {
+        return List.of(
+                "ticks: " + result.ticks(),
+                "simulated_s: " + Numbers.toText(result.simulatedSeconds()),
+                "real_time_factor: " + String.format(Locale.ROOT, "%.1f", result.realTimeFactor()),
+                "state: " + result.state(),
+                "states: " + String.join(" ", result.states()),
+                "collision: " + result.collision().map(RunSummary::place).orElse("none"),
+                "collided_with: " + result.collision().map(Collision::obstacle).orElse("none"),
+                "coverage: " + fixed(result.coverage(), "%.4f"),
+                "distance_rms_m: " + fixed(result.distanceRms(), "%.6f"),
+                "trajectory_hash: " + hash(result),
+                "seed: " + result.seed());
+    }
+
+    /**
+     * A result's trajectory hash in writing.
+     *
+     * @param result what a run came to
+     * @return 16 hexadecimal digits
+     */
+    public static String hash(RunResult result) {
+        return String.format(Locale.ROOT, "%016x", result.trajectoryHash());
+    }
+
+    private static String place(Collision collision) {
+        return String.format(Locale.ROOT, "%.6f,%.6f at %.6f", collision.point().x(), collision.point().y(), collision.time());
+    }
+
+    private static String fixed(OptionalDouble value, String format) {
+        return value.isPresent() ? String.format(Locale.ROOT, format, value.getAsDouble()) : "none";
+    }
+}

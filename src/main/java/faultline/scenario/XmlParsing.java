@@ -1,0 +1,107 @@
+package faultline.scenario;
+
+import java.io.ByteArrayInputStream;
+import java.io.CharConversionException;
+import java.io.IOException;
+import java.io.UnsupportedEncodingException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+import javax.xml.XMLConstants;
+import javax.xml.parsers.ParserConfigurationException;
+import javax.xml.parsers.SAXParser;
+import javax.xml.parsers.SAXParserFactory;
+import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
+
+/**
+ * Parses a file to its tree of elements: no document type, nothing fetched from outside, nothing expanded. The parser's own texts depend on the
+ * language of the machine, so that none of them is shown.
+ */
+final class XmlParsing {
+
+    private static final int EXCERPT = 40;
+
+    private final byte[] bytes;
+    private final Complaints complaints;
+    private final TreeBuilder tree = new TreeBuilder();
+
+    XmlParsing(byte[] bytes, Complaints complaints) {
+        this.bytes = bytes;
+        this.complaints = complaints;
+    }
+
+    /** The root element; empty, with a complaint, where the file is no XML that we take. */
+    Optional<Node> parse() {
+        try {
+            parser().parse(new ByteArrayInputStream(bytes), tree);
+            return tree.root();
+        } catch (TreeBuilder.TooMuch e) {
+            complaints.add(tree.openElements().isEmpty() ? Place.NONE : tree.openElements().get(0).place(), e.getMessage());
+        } catch (SAXParseException e) {
+            complaints.add(new Place(e.getLineNumber(), e.getColumnNumber()), sentence(e));
+        } catch (CharConversionException | UnsupportedEncodingException e) {
+            complaints.add(Place.NONE, "the bytes are not text in the encoding that the file names, allowed is UTF-8");
+        } catch (SAXException | IOException e) {
+            complaints.add(Place.NONE, "the file cannot be read as XML");
+        }
+        return Optional.empty();
+    }
+
+    /** What the schema still minds in a file that we found nothing wrong with. */
+    void complainOfOffence() {
+        tree.offence().ifPresent(offence -> complaints.add(new Place(offence.getLineNumber(), offence.getColumnNumber()),
+                "this is not as the schema scenario-1.xsd has it (rule " + rule(offence) + ")"));
+    }
+
+    /** The rule of the XML Schema standard that was broken; the parser puts it before its text in every language. */
+    private static String rule(SAXParseException offence) {
+        return offence.getMessage().split(":", 2)[0];
+    }
+
+    private static SAXParser parser() {
+        try {
+            SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
+            factory.setNamespaceAware(true);
+            factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
+            factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
+            factory.setSchema(ScenarioSchema.get());
+            SAXParser parser = factory.newSAXParser();
+            parser.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
+            parser.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
+            return parser;
+        } catch (ParserConfigurationException | SAXException e) {
+            throw new IllegalStateException("the JDK's XML parser lacks a feature that every JDK has", e);
+        }
+    }
+
+    private String sentence(SAXParseException e) {
+        String message = String.valueOf(e.getMessage());
+        if (message.contains("disallow-doctype-decl")) {
+            return "the file has a DOCTYPE, allowed is none";
+        }
+        if (message.startsWith("JAXP")) {
+            return "the file goes beyond a limit of the XML parser";
+        }
+        if (tree.openElements().isEmpty() && tree.root().isEmpty()) {
+            return "this is not XML, allowed is a document that begins with <scenario>" + excerpt(e);
+        }
+        return "this is not well-formed XML" + excerpt(e) + inside(tree.openElements());
+    }
+
+    private static String inside(List<Node> open) {
+        return open.isEmpty() ? "" : ", inside <" + Quoting.oneLine(open.get(0).name()) + "> of line " + open.get(0).place().line();
+    }
+
+    /** The text just before the place where the parser gave up. */
+    private String excerpt(SAXParseException e) {
+        List<String> lines = new String(bytes, StandardCharsets.UTF_8).lines().limit(Math.max(0, e.getLineNumber())).toList();
+        if (lines.isEmpty() || lines.size() < e.getLineNumber()) {
+            return "";
+        }
+        String line = lines.get(lines.size() - 1);
+        int end = Math.max(0, Math.min(line.length(), e.getColumnNumber() - 1));
+        String before = line.substring(Math.max(0, end - EXCERPT), end).strip();
+        return before.isEmpty() ? "" : ", after " + Quoting.quoted(before);
+    }
+}
