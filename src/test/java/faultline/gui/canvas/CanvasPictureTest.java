@@ -1,0 +1,173 @@
+package faultline.gui.canvas;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.engine.Path;
+import faultline.engine.SampleFrames;
+import faultline.geometry.Pose;
+import faultline.geometry.Vec;
+import faultline.paint.FrameImage;
+import faultline.paint.Layer;
+import faultline.paint.Palette;
+import faultline.paint.Pixels;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+/** The canvas keeps parts of its picture; whatever happens, it must look as if it had been painted at once. No display is needed. */
+class CanvasPictureTest {
+
+    private static final int WIDTH = 600;
+    private static final int HEIGHT = 440;
+    private static final Pose ROBOT = new Pose(2, 1, 0.3);
+    private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Rectangle(1, 0.5), new Pose(4, 3, 0.2));
+
+    private final SimulationCanvas canvas = onEdt(() -> {
+        SimulationCanvas made = new SimulationCanvas(command -> { });
+        made.setSize(WIDTH, HEIGHT);
+        return made;
+    });
+
+    @Test
+    void theCanvasShowsWhatAPictureFileShows() {
+        Frame frame = SampleFrames.everything();
+        assertLooksLikeAFile(frame);
+        assertLooksLikeAFile(frame);
+    }
+
+    @Test
+    void anObstacleThatWasMovedLeavesNothingBehind() {
+        shown(SampleFrames.of(ROBOT, BOX));
+        assertLooksLikeAFile(SampleFrames.of(ROBOT, BOX.at(new Pose(1, 3, 0))));
+    }
+
+    @Test
+    void aPathThatGoesOnIsDrawnOn() {
+        List<Path> grown = SampleFrames.grown(line(0, 100), line(100, 700));
+        shown(SampleFrames.of(ROBOT, grown.get(0), List.of()));
+        assertLooksLikeAFileButForJoints(SampleFrames.of(ROBOT, grown.get(1), List.of()));
+    }
+
+    @Test
+    void thePathOfARestartedRunDoesNotKeepTheOldOne() {
+        shown(SampleFrames.of(ROBOT, SampleFrames.path(line(0, 400).toArray(Vec[]::new)), List.of()));
+        assertLooksLikeAFileButForJoints(SampleFrames.of(ROBOT, SampleFrames.path(new Vec(1, 1), new Vec(1.5, 1)), List.of()));
+    }
+
+    @Test
+    void anotherPaletteIsTakenAtOnce() {
+        Frame frame = SampleFrames.everything();
+        shown(frame);
+        edt(() -> canvas.setPalette(Palette.DARK));
+        assertEquals(0, Pixels.differing(FrameImage.render(frame, Palette.DARK, WIDTH, HEIGHT), shown(frame)));
+    }
+
+    @Test
+    void anotherSizeIsFittedAgain() {
+        Frame frame = SampleFrames.everything();
+        shown(frame);
+        edt(() -> canvas.setSize(WIDTH - 100, HEIGHT - 60));
+        assertEquals(0, Pixels.differing(FrameImage.render(frame, Palette.LIGHT, WIDTH - 100, HEIGHT - 60), shown(frame)));
+    }
+
+    @Test
+    void afterZoomingInAndFittingThePictureIsTheSameAgain() {
+        Frame frame = SampleFrames.everything();
+        shown(frame);
+        edt(canvas::zoomIn);
+        assertTrue(Pixels.differing(picture(frame), shown(frame)) > 1000);
+        edt(canvas::fit);
+        assertLooksLikeAFile(frame);
+    }
+
+    @Test
+    void eachLayerCanBeHiddenAndShownAgain() {
+        Frame frame = SampleFrames.everything();
+        for (Layer layer : Layer.values()) {
+            boolean usual = onEdt(() -> canvas.isLayerOn(layer));
+            edt(() -> canvas.setLayer(layer, !usual));
+            assertTrue(Pixels.differing(picture(frame), shown(frame)) > 20, layer + " makes no difference");
+            edt(() -> canvas.setLayer(layer, usual));
+            assertLooksLikeAFile(frame);
+        }
+    }
+
+    @Test
+    void theSelectedObstacleIsMarkedAndTheMarkGoesAway() {
+        Frame frame = SampleFrames.of(ROBOT, BOX);
+        shown(frame);
+        edt(() -> canvas.select(Optional.of("box")));
+        assertTrue(Pixels.differing(picture(frame), shown(frame)) > 100);
+        edt(() -> canvas.select(Optional.empty()));
+        assertLooksLikeAFile(frame);
+    }
+
+    @Test
+    void aCanvasWithoutAFrameIsEmpty() {
+        assertEquals(Palette.LIGHT.canvas().getRGB(), paint(1).getRGB(WIDTH / 2, HEIGHT / 2));
+    }
+
+    @Test
+    void onAFinerScreenTheKeptPartsAreAsFineAsTheScreen() {
+        edt(() -> canvas.show(SampleFrames.of(ROBOT, BOX)));
+        int mixed = blocksOfMoreThanOneColour(paint(2));
+        assertTrue(mixed > 1000, "only " + mixed + " blocks of 2 x 2 pixels have more than one colour: the picture was blown up");
+    }
+
+    private static int blocksOfMoreThanOneColour(BufferedImage image) {
+        int mixed = 0;
+        for (int y = 0; y + 1 < image.getHeight(); y += 2) {
+            for (int x = 0; x + 1 < image.getWidth(); x += 2) {
+                mixed += image.getRGB(x, y) == image.getRGB(x + 1, y) && image.getRGB(x, y) == image.getRGB(x, y + 1) ? 0 : 1;
+            }
+        }
+        return mixed;
+    }
+
+    private void assertLooksLikeAFile(Frame frame) {
+        assertEquals(0, Pixels.differing(picture(frame), shown(frame)));
+    }
+
+    /** Where two strokes of a path meet, some pixels are not quite those of one stroke. */
+    private void assertLooksLikeAFileButForJoints(Frame frame) {
+        int differing = Pixels.differing(picture(frame), shown(frame));
+        assertTrue(differing < 40, differing + " pixels differ");
+    }
+
+    private static BufferedImage picture(Frame frame) {
+        return FrameImage.render(frame, Palette.LIGHT, WIDTH, HEIGHT);
+    }
+
+    private BufferedImage shown(Frame frame) {
+        edt(() -> canvas.show(frame));
+        return paint(1);
+    }
+
+    private BufferedImage paint(int deviceScale) {
+        return onEdt(() -> {
+            BufferedImage image = new BufferedImage(canvas.getWidth() * deviceScale, canvas.getHeight() * deviceScale, BufferedImage.TYPE_INT_RGB);
+            Graphics2D graphics = image.createGraphics();
+            graphics.scale(deviceScale, deviceScale);
+            canvas.paint(graphics);
+            graphics.dispose();
+            return image;
+        });
+    }
+
+    private static List<Vec> line(int from, int to) {
+        List<Vec> points = new ArrayList<>();
+        for (int i = from; i < to; i++) {
+            points.add(new Vec(0.5 + 0.006 * i, 2 + 0.5 * Math.sin(i * 0.05)));
+        }
+        return points;
+    }
+}
