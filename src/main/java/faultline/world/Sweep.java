@@ -23,6 +23,9 @@ final class Sweep {
 
     private static final int MOST_STEPS = 10_000;
 
+    /** How many roundings, at most, lie between the true ends of a gap and those computed. */
+    private static final int ROUNDINGS = 8;
+
     private final double length;
     private final double width;
     private final double v;
@@ -89,12 +92,17 @@ final class Sweep {
         return Vec.direction(pose.heading()).times(v).plus(arm.perpendicular().times(omega));
     }
 
-    /** How long no corner of the body can reach the line through the figure's nearest point; half the touching gap is left over. */
+    /**
+     * How long no corner of the body can reach the line through the figure's nearest point; half the touching gap is left over. The direction of a short gap is
+     * known only to the rounding of its two ends, which tilts the line: a corner far along it gets that much less room, but never less than the gap.
+     */
     private double safeTime(Pose pose, Box box, Gap gap, Vec normal, Vec velocity) {
         double least = Double.POSITIVE_INFINITY;
+        double tilt = ROUNDINGS * Math.ulp(Math.abs(box.cx()) + Math.abs(box.cy()) + box.reach()) / gap.distance();
         for (int i = 0; i < 4; i++) {
             Vec corner = box.corner(i);
-            double slack = Math.max(gap.onFigure().minus(corner).dot(normal), gap.distance()) - TOUCH / 2;
+            Vec room = gap.onFigure().minus(corner);
+            double slack = Math.max(room.dot(normal) - tilt * room.length(), gap.distance()) - TOUCH / 2;
             Vec w = velocityOf(pose, corner);
             double rate = w.minus(velocity).dot(normal);
             double bend = w.length() * Math.abs(omega);

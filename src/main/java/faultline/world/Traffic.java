@@ -47,19 +47,30 @@ final class Traffic {
         Sweep rolling = body.sweep();
         double stop = contactWithStatic(rolling, dt);
         for (int which = 0; which < field.moving().size(); which++) {
-            stop = Math.min(stop, contactWithMover(rolling, which, 0, dt));
+            stop = Math.min(stop, contactWithMover(rolling, which, dt));
         }
         double end = Math.min(stop, dt);
         Pose before = body.pose();
         body.roll(end);
+        for (int which = 0; which < field.moving().size(); which++) {
+            advance(which, end);
+        }
         if (stop < NEVER) {
             body.stop();
-        }
-        for (int which = 0; which < field.moving().size(); which++) {
-            advanceMover(which, end, dt);
-        }
-        if (stop < NEVER) {
             contact = Optional.of(contactAt(stop, before));
+            goOnAroundTheBody(dt - end);
+        }
+    }
+
+    private void advance(int which, double time) {
+        field.mover(which).advance(time);
+        field.follow(which);
+    }
+
+    /** Lets every mover go on for the rest of a tick, or until it would run into the body at rest. */
+    private void goOnAroundTheBody(double rest) {
+        for (int which = 0; which < field.moving().size(); which++) {
+            advance(which, Math.min(rest, contactWithMover(body.sweep(), which, rest)));
         }
     }
 
@@ -77,28 +88,22 @@ final class Traffic {
         return stop;
     }
 
-    /** When within the tick the body, rolling from time 0, meets a moving obstacle on its way between two times. */
-    private double contactWithMover(Sweep sweep, int which, double from, double to) {
-        double stop = NEVER;
-        for (Mover.Leg leg : field.mover(which).legs(to)) {
-            double begin = Math.max(from, leg.from());
-            if (begin < Math.min(stop, leg.to())) {
-                stop = Math.min(stop, begin + contactOnLeg(sweep, which, leg, begin));
+    /** When within a time the body, which sets out now, meets a moving obstacle, which does too. */
+    private double contactWithMover(Sweep sweep, int which, double time) {
+        for (Mover.Leg leg : field.mover(which).legs(time)) {
+            Pose pose = sweep.after(body.pose(), leg.from());
+            double contact = leg.from() + firstContact(sweep, pose, which, leg.start(), leg.velocity(), leg.to() - leg.from());
+            if (contact < NEVER) {
+                return contact;
             }
         }
         // A mover that stands is only met by a body that rolls.
-        return stop == NEVER ? contactWithStanding(sweep, which, from, to) : stop;
+        return contactWithStanding(sweep, which, time);
     }
 
-    private double contactOnLeg(Sweep sweep, int which, Mover.Leg leg, double begin) {
-        Vec place = leg.start().plus(leg.velocity().times(begin - leg.from()));
-        Pose pose = sweep.after(body.pose(), begin);
-        return firstContact(sweep, pose, which, place, leg.velocity(), leg.to() - begin);
-    }
-
-    private double contactWithStanding(Sweep sweep, int which, double from, double to) {
+    private double contactWithStanding(Sweep sweep, int which, double to) {
         List<Mover.Leg> legs = field.mover(which).legs(to);
-        double arrived = legs.isEmpty() ? from : Math.max(from, legs.get(legs.size() - 1).to());
+        double arrived = legs.isEmpty() ? 0 : legs.get(legs.size() - 1).to();
         if (arrived >= to) {
             return NEVER;
         }
@@ -119,16 +124,6 @@ final class Traffic {
             stop = Math.min(stop, sweep.firstContact(pose, part.shifted(dx, dy), velocity, Math.min(stop, time)));
         }
         return stop;
-    }
-
-    /** Takes a mover through the tick: freely until the body stops, then against the body at rest. */
-    private void advanceMover(int which, double bodyEnd, double dt) {
-        double end = dt;
-        if (body.v() == 0 && body.omega() == 0) {
-            end = Math.min(dt, contactWithMover(body.sweep(), which, bodyEnd, dt));
-        }
-        field.mover(which).advance(end);
-        field.follow(which);
     }
 
     /** What the body touches now that it has rolled from a pose. */

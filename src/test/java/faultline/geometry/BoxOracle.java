@@ -6,7 +6,7 @@ import java.util.function.DoubleUnaryOperator;
  * An independent judge of the distance between a box and a convex figure: how far a point lies outside a box is a convex function of the point, and its
  * least value over a convex figure is found by ternary search, nested for a figure with an inside.
  */
-final class BoxOracle {
+public final class BoxOracle {
 
     private static final int STEPS = 90;
 
@@ -14,18 +14,33 @@ final class BoxOracle {
     }
 
     /** The distance, metres, 0 where they overlap. */
-    static double distance(Box box, Convex figure) {
+    public static double distance(Box box, Convex figure) {
+        return figure instanceof Disc disc ? Math.max(0, outside(box, disc.centre()) - disc.radius()) : outside(box, nearest(box, figure));
+    }
+
+    /** The figure's point nearest to the box; where they overlap, some point in both or, of a disc, its centre. */
+    public static Vec nearest(Box box, Convex figure) {
         if (figure instanceof Segment segment) {
-            return least(share -> outside(box, segment.at(share)), 0, 1);
+            return segment.at(lowest(share -> outside(box, segment.at(share)), 0, 1));
         }
         if (figure instanceof Oval oval) {
-            return least(u -> leastAcross(box, oval, u), -1, 1);
+            double u = lowest(at -> outside(box, lowestAcross(box, oval, at)), -1, 1);
+            return lowestAcross(box, oval, u);
         }
-        return Math.max(0, outside(box, figure.centre()) - figure.reach());
+        return outline((Disc) figure, box);
+    }
+
+    private static Vec outline(Disc disc, Box box) {
+        double reach = outside(box, disc.centre());
+        // The slope of the distance points away from the box.
+        double h = 1e-6 * Math.max(reach, 1e-6);
+        double dx = outside(box, disc.centre().plus(new Vec(h, 0))) - outside(box, disc.centre().minus(new Vec(h, 0)));
+        double dy = outside(box, disc.centre().plus(new Vec(0, h))) - outside(box, disc.centre().minus(new Vec(0, h)));
+        return reach == 0 ? disc.centre() : disc.centre().minus(new Vec(dx, dy).times(disc.radius() / Math.hypot(dx, dy)));
     }
 
     /** How far a point lies outside a box, metres, 0 inside. */
-    static double outside(Box box, Vec point) {
+    public static double outside(Box box, Vec point) {
         double dx = point.x() - box.cx();
         double dy = point.y() - box.cy();
         double ahead = Math.abs(box.cos() * dx + box.sin() * dy) - box.halfLength();
@@ -34,9 +49,9 @@ final class BoxOracle {
     }
 
     /** How far a point lies outside a figure, metres, 0 inside; for an ellipse a bound from its level, good on its outline. */
-    static double outside(Convex figure, Vec point) {
+    public static double outside(Convex figure, Vec point) {
         if (figure instanceof Segment segment) {
-            return least(share -> point.distanceTo(segment.at(share)), 0, 1);
+            return point.distanceTo(segment.at(lowest(share -> point.distanceTo(segment.at(share)), 0, 1)));
         }
         if (figure instanceof Oval oval) {
             Vec local = oval.toLocal(point);
@@ -46,22 +61,21 @@ final class BoxOracle {
         return Math.max(0, point.distanceTo(figure.centre()) - figure.reach());
     }
 
-    private static double leastAcross(Box box, Oval oval, double u) {
+    private static Vec lowestAcross(Box box, Oval oval, double u) {
         double end = Math.sqrt((1 - u) * (1 + u));
-        return least(v -> outside(box, oval.toWorld(new Vec(oval.rx() * u, oval.ry() * v))), -end, end);
+        double v = lowest(at -> outside(box, oval.toWorld(new Vec(oval.rx() * u, oval.ry() * at))), -end, end);
+        return oval.toWorld(new Vec(oval.rx() * u, oval.ry() * v));
     }
 
-    /** The least value of a convex function. */
-    private static double least(DoubleUnaryOperator function, double from, double to) {
+    /** Where a convex function is least. */
+    private static double lowest(DoubleUnaryOperator function, double from, double to) {
         double low = from;
         double high = to;
-        double best = Math.min(function.applyAsDouble(low), function.applyAsDouble(high));
         for (int step = 0; step < STEPS && low < high; step++) {
             double first = low + (high - low) / 3;
             double second = high - (high - low) / 3;
             double atFirst = function.applyAsDouble(first);
             double atSecond = function.applyAsDouble(second);
-            best = Math.min(best, Math.min(atFirst, atSecond));
             if (atFirst <= atSecond) {
                 high = second;
             }
@@ -69,6 +83,8 @@ final class BoxOracle {
                 low = first;
             }
         }
-        return best;
+        double middle = (low + high) / 2;
+        double atEnds = Math.min(function.applyAsDouble(from), function.applyAsDouble(to));
+        return function.applyAsDouble(middle) <= atEnds ? middle : function.applyAsDouble(from) == atEnds ? from : to;
     }
 }

@@ -1,0 +1,165 @@
+package faultline.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.geometry.Box;
+import faultline.geometry.BoxOracle;
+import faultline.geometry.Convex;
+import faultline.geometry.Pose;
+import faultline.geometry.Vec;
+import faultline.robot.DifferentialDrive;
+import faultline.robot.RobotSpec;
+import faultline.world.Collision;
+import faultline.world.Obstacle;
+import faultline.world.Outline;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * Collisions of whole simulated ticks against an oracle that looks at every moment: the exact arc is bisected for as long as the speeds allow that
+ * body and obstacles could have met in between.
+ */
+class SweptCollisionTest {
+
+    private static final RobotSpec BLIND = new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), List.of());
+    private static final double TOUCHING = 1e-10;
+    private static final double NO_DEEPER = 1e-9;
+    private static final int TICKS = 30;
+
+    @ParameterizedTest
+    @CsvSource({"41, 0, 50", "42, 0, 10", "43, 3, 50", "44, 3, 5", "45, 1, 0.5"})
+    void theRobotStopsWhereTheOracleSaysAndOverlapsNothing(long seed, int movers, double topSpeed) {
+        RandomYards yards = new RandomYards(seed, BLIND, topSpeed);
+        int collisions = 0;
+        for (int i = 0; i < 60; i++) {
+            collisions += judge(yards.next(movers)) ? 1 : 0;
+        }
+        assertTrue(topSpeed < 1 || collisions > 10, "too few collisions to judge by: " + collisions);
+    }
+
+    /** Runs a yard, compares every tick with the oracle's, and says whether there was a collision. */
+    private static boolean judge(Setup setup) {
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            for (int tick = 1; tick <= TICKS; tick++) {
+                Arc arc = Arc.next(setup, simulation);
+                boolean already = simulation.collision().isPresent();
+                simulation.tick();
+                overlapsNothing(setup, simulation);
+                if (already) {
+                    assertEquals(arc.start, simulation.pose(), "a robot that has collided stays where it is");
+                } else {
+                    arc.compare(setup, simulation);
+                }
+            }
+            return simulation.collision().isPresent();
+        }
+    }
+
+    private static void overlapsNothing(Setup setup, Simulation simulation) {
+        Box core = new Box(simulation.pose(), BLIND.length() - 2 * NO_DEEPER, BLIND.width() - 2 * NO_DEEPER);
+        for (Obstacle obstacle : simulation.snapshot().obstacles()) {
+            Outline outline = Outline.of(obstacle);
+            assertTrue(!outline.contains(simulation.pose().position()), () -> "inside " + obstacle + " in " + setup);
+            for (Convex part : outline.parts()) {
+                assertTrue(BoxOracle.distance(core, part) > 0, () -> simulation.pose() + " overlaps " + part
+                        + " at " + simulation.ticks() + " after " + simulation.collision() + " in " + setup);
+            }
+        }
+    }
+
+    /** One tick's motion of the robot if nothing were in its way. */
+    private record Arc(Pose start, double begin, double v, double omega, double dt) {
+
+        static Arc next(Setup setup, Simulation before) {
+            ControllerSpec.Drive drive = (ControllerSpec.Drive) setup.controller();
+            double decay = setup.robot().motor().decay(setup.dt());
+            double left = setup.robot().motor().step(before.leftSpeed(), drive.leftVolts(), decay);
+            double right = setup.robot().motor().step(before.rightSpeed(), drive.rightVolts(), decay);
+            return new Arc(before.pose(), before.time(), DifferentialDrive.linearVelocity(left, right),
+                    DifferentialDrive.angularVelocity(left, right, BLIND.track()), setup.dt());
+        }
+
+        void compare(Setup setup, Simulation after) {
+            OptionalDouble contact = firstContact(setup);
+            assertEquals(contact.isPresent(), after.collision().isPresent(), () -> contact + " " + after.collision() + " in " + setup);
+            Pose expected = at(contact.orElse(dt));
+            assertEquals(0, expected.position().distanceTo(after.pose().position()), 1e-7, () -> contact + " in " + setup);
+            assertEquals(expected.heading(), after.pose().heading(), 1e-6, () -> contact + " in " + setup);
+            if (contact.isPresent()) {
+                Collision collision = after.collision().orElseThrow();
+                Vec point = contactPoint(setup, contact.getAsDouble());
+                assertEquals(begin + contact.getAsDouble(), collision.time(), 1e-7, () -> collision + " in " + setup);
+                assertEquals(0, point.distanceTo(collision.point()), 1e-6, () -> collision + " at " + point + " in " + setup);
+            }
+        }
+
+        private Pose at(double time) {
+            return DifferentialDrive.advance(start, v, omega, time);
+        }
+
+        private Box box(double time) {
+            return new Box(at(time), BLIND.length(), BLIND.width());
+        }
+
+        private OptionalDouble firstContact(Setup setup) {
+            double first = Double.POSITIVE_INFINITY;
+            int figures = RandomYards.figures(setup, begin).size();
+            for (int which = 0; which < figures; which++) {
+                first = Math.min(first, firstContact(setup, which, 0, Math.min(first, dt)));
+            }
+            return first < Double.POSITIVE_INFINITY ? OptionalDouble.of(first) : OptionalDouble.empty();
+        }
+
+        /** No point of the body or an obstacle is faster than this, so that a distance cannot fall faster. */
+        private double fastest(Setup setup) {
+            double mover = setup.world().obstacles().stream().mapToDouble(o -> o.motion().map(m -> m.speed()).orElse(0.0)).max().orElse(0);
+            return Math.abs(v) + Math.abs(omega) * BLIND.reach() + mover;
+        }
+
+        private double firstContact(Setup setup, int which, double from, double to) {
+            double least = gap(setup, which, from);
+            if (least <= TOUCHING) {
+                return from;
+            }
+            if (least - fastest(setup) * (to - from) > TOUCHING || to - from < 1e-14) {
+                return Double.POSITIVE_INFINITY;
+            }
+            double middle = (from + to) / 2;
+            double early = firstContact(setup, which, from, middle);
+            return early < Double.POSITIVE_INFINITY ? early : firstContact(setup, which, middle, to);
+        }
+
+        private double gap(Setup setup, int which, double time) {
+            return BoxOracle.distance(box(time), RandomYards.figures(setup, begin + time).get(which));
+        }
+
+        private Vec contactPoint(Setup setup, double time) {
+            Convex touched = RandomYards.figures(setup, begin + time).stream()
+                    .min(java.util.Comparator.comparingDouble(figure -> BoxOracle.distance(box(time), figure))).orElseThrow();
+            return BoxOracle.nearest(box(time), touched);
+        }
+    }
+
+    @Test
+    void aWallWithoutThicknessStopsARobotAtFiftyMetresASecondInOneTick() {
+        RandomYards yards = new RandomYards(46, BLIND, 50);
+        Setup setup = yards.next(0);
+        Setup dash = new Setup(new faultline.world.WorldSpec(6, 4, true, 0, List.of(new Obstacle("wall",
+                new faultline.world.ObstacleShape.Wall(List.of(new Vec(0, -1), new Vec(0, 1))), new Pose(3, 2, 0)))),
+                new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, new faultline.robot.MotorSpec(0, 1, 50), List.of()), new Pose(1, 2, 0),
+                new ControllerSpec.Drive(50, 50), List.of(), 0.1, setup.seed(), 1);
+        try (Simulation simulation = new Simulation(dash, ControllerMode.DIRECT)) {
+            simulation.tick();
+            // Flush against the front, which is 0.125 ahead of the centre: 1.875 m at 50 m/s, and the middle of the front is the contact point.
+            Collision collision = simulation.collision().orElseThrow();
+            assertEquals(2.875, simulation.pose().x(), NO_DEEPER);
+            assertEquals(1.875 / 50, collision.time(), 1e-10);
+            assertEquals(0, collision.point().distanceTo(new Vec(3, 2)), 1e-6);
+        }
+    }
+}
