@@ -5,6 +5,7 @@ import faultline.geometry.Box;
 import faultline.geometry.BoxOracle;
 import faultline.geometry.Convex;
 import faultline.geometry.Pose;
+import faultline.geometry.Segment;
 import faultline.geometry.Vec;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
@@ -98,9 +99,8 @@ final class RandomYards {
 
     /** What stands in a yard at a moment before any contact: every piece of every outline, and the enclosing wall. */
     static List<Convex> figures(Setup setup, double time) {
-        List<Convex> figures = new ArrayList<>(List.of(
-                new faultline.geometry.Segment(0, 0, WIDTH, 0), new faultline.geometry.Segment(WIDTH, 0, WIDTH, HEIGHT),
-                new faultline.geometry.Segment(WIDTH, HEIGHT, 0, HEIGHT), new faultline.geometry.Segment(0, HEIGHT, 0, 0)));
+        List<Convex> figures = new ArrayList<>(List.of(new Segment(0, 0, WIDTH, 0), new Segment(WIDTH, 0, WIDTH, HEIGHT),
+                new Segment(WIDTH, HEIGHT, 0, HEIGHT), new Segment(0, HEIGHT, 0, 0)));
         for (Obstacle obstacle : setup.world().obstacles()) {
             Vec place = obstacle.motion().map(motion -> place(motion, obstacle.pose().position(), time)).orElse(obstacle.pose().position());
             figures.addAll(Outline.of(obstacle.at(new Pose(place.x(), place.y(), obstacle.pose().heading()))).parts());
