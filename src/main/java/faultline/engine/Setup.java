@@ -80,4 +80,14 @@ public record Setup(WorldSpec world, RobotSpec robot, Pose start, ControllerSpec
     public Setup withSeed(long newSeed) {
         return new Setup(world, robot, start, controller, timeline, dt, newSeed, duration);
     }
+
+    /**
+     * This setup with another duration.
+     *
+     * @param seconds not negative
+     * @return the same setup otherwise
+     */
+    public Setup withDuration(double seconds) {
+        return new Setup(world, robot, start, controller, timeline, dt, seed, seconds);
+    }
 }

@@ -63,11 +63,21 @@ public record Scenario(String name, String description, Setup setup, Expectation
      * @throws IOException if it cannot be written, or the scenario holds what no file may
      */
     public void save(Path file) throws IOException {
-        byte[] bytes = ScenarioWriter.toBytes(this);
+        byte[] bytes = toBytes();
         try (AtomicFile out = AtomicFile.create(file)) {
             out.stream().write(bytes);
             out.commit();
         }
+    }
+
+    /**
+     * This scenario as a file, which has been read back and found equal.
+     *
+     * @return the file's bytes
+     * @throws IOException if the scenario holds what no file may
+     */
+    public byte[] toBytes() throws IOException {
+        return ScenarioWriter.toBytes(this);
     }
 
     /**

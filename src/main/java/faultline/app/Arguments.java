@@ -1,0 +1,79 @@
+package faultline.app;
+
+import faultline.scenario.Spelling;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** The arguments of one command: files, and options that each take a value, as {@code --seed 7} or {@code --seed=7}. */
+final class Arguments {
+
+    private final List<String> files = new ArrayList<>();
+    private final Map<String, String> options = new LinkedHashMap<>();
+
+    /**
+     * Sorts the arguments of a command.
+     *
+     * @param arguments in their order
+     * @param known the options that the command takes
+     * @throws UsageException if an option is unknown, twice there, or without its value
+     */
+    Arguments(List<String> arguments, List<String> known) throws UsageException {
+        int next = 0;
+        while (next < arguments.size()) {
+            String argument = arguments.get(next++);
+            if (!argument.startsWith("--")) {
+                files.add(argument);
+                continue;
+            }
+            String[] parts = argument.split("=", 2);
+            check(parts[0], known);
+            if (parts.length == 1 && next == arguments.size()) {
+                throw new UsageException(parts[0] + " needs a value");
+            }
+            options.put(parts[0], parts.length == 2 ? parts[1] : arguments.get(next++));
+        }
+    }
+
+    private void check(String option, List<String> known) throws UsageException {
+        if (!known.contains(option)) {
+            throw new UsageException("there is no option \"" + option + "\" here, allowed is "
+                    + (known.isEmpty() ? "none" : String.join(", ", known)) + Spelling.hint(option, known));
+        }
+        if (options.containsKey(option)) {
+            throw new UsageException(option + " is there twice");
+        }
+    }
+
+    /** What is no option, in its order. */
+    List<String> files() {
+        return List.copyOf(files);
+    }
+
+    /** The value of an option. */
+    Optional<String> value(String option) {
+        return Optional.ofNullable(options.get(option));
+    }
+
+    /** The file that an option names. */
+    Optional<Path> file(String option) throws UsageException {
+        Optional<String> value = value(option);
+        return value.isEmpty() ? Optional.empty() : Optional.of(path(value.get()));
+    }
+
+    /** A path, or a complaint where the machine can have none of that name. */
+    static Path path(String name) throws UsageException {
+        try {
+            if (!name.isEmpty()) {
+                return Path.of(name);
+            }
+        } catch (InvalidPathException e) {
+            // Told below, like the empty name.
+        }
+        throw new UsageException("\"" + name + "\" is no name for a file");
+    }
+}

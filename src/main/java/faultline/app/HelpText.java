@@ -1,0 +1,32 @@
+package faultline.app;
+
+import java.util.Optional;
+
+/** What {@code --help} and {@code --version} tell. */
+final class HelpText {
+
+    static final String LINES = """
+            Faultline: a wall-following robot whose infrared sensors fail.
+
+            faultline [FILE]               open the window, with a scenario file or the default scenario
+            faultline run FILE [OPTION]... run a scenario without a window and print its summary
+              --until S                    for S seconds in place of the file's duration
+              --seed N                     with seed N in place of the file's
+              --threads controller|none    the controller on its own thread, or called directly (default: none);
+                                           the trajectory is the same
+              --trace OUT.csv              write one row for every tick
+              --image OUT.png              write a picture of the end of the run
+              --journal OUT.xml            write the scenario that replays this run
+            faultline check FILE...        tell everything that is wrong with scenario files
+            faultline --help | --version
+
+            "faultline" stands for: java -jar target/faultline.jar
+            Exit codes: 0 done and every expectation held, 1 an expectation failed, 2 bad usage or a bad file, 3 the run broke.""";
+
+    private HelpText() {
+    }
+
+    static String version() {
+        return "faultline " + Optional.ofNullable(HelpText.class.getPackage().getImplementationVersion()).orElse("(not from a jar)");
+    }
+}

@@ -1,0 +1,20 @@
+package faultline.app;
+
+/** Where the program starts. */
+public final class Main {
+
+    private Main() {
+    }
+
+    /**
+     * Runs one command. The process ends with its exit code; where that is 0 it may go on until the window is closed.
+     *
+     * @param args as {@code --help} tells
+     */
+    public static void main(String[] args) {
+        int code = new CommandLine(new Console(System.out, System.err)).run(args);
+        if (code != ExitCode.DONE) {
+            System.exit(code);
+        }
+    }
+}

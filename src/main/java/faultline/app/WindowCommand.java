@@ -1,0 +1,50 @@
+package faultline.app;
+
+import faultline.gui.GuiLauncher;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+import java.awt.AWTError;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** No command: the window, or where there is no display a run without one. */
+final class WindowCommand {
+
+    private static final String DEFAULT = "office.xml";
+
+    private final Console console;
+
+    WindowCommand(Console console) {
+        this.console = console;
+    }
+
+    /** With the default scenario. */
+    int run() throws ScenarioException {
+        return show(Optional.empty(), Scenario.shipped(DEFAULT), DEFAULT);
+    }
+
+    /** With a file, which is read first: what is wrong with it is told here, not in a window. */
+    int run(Path file) throws ScenarioException {
+        return show(Optional.of(file), Scenario.load(file), file.toString());
+    }
+
+    private int show(Optional<Path> file, Scenario scenario, String name) {
+        if (hasDisplay()) {
+            GuiLauncher.open(file);
+            return ExitCode.DONE;
+        }
+        console.tell("There is no display here: running " + name + " without a window.");
+        return new RunCommand(console).run(scenario);
+    }
+
+    /** A display that is named but does not answer shows only when it is asked for its screens. */
+    private static boolean hasDisplay() {
+        try {
+            return !GraphicsEnvironment.isHeadless() && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+        } catch (HeadlessException | AWTError | NoClassDefFoundError e) {
+            return false;
+        }
+    }
+}
