@@ -1,0 +1,51 @@
+package faultline.scenario;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Every file in the folder scenarios, run against what it expects. */
+class ShippedScenariosTest {
+
+    private static final Path FOLDER = Path.of("scenarios");
+
+    static List<Path> files() throws IOException {
+        try (Stream<Path> files = Files.list(FOLDER)) {
+            return files.filter(file -> file.toString().endsWith(".xml")).sorted().toList();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("files")
+    void everyShippedScenarioHoldsWhatItExpects(Path file) throws ScenarioException {
+        ScenarioRun run = Scenario.load(file).run();
+        assertEquals(List.of(), run.unmetExpectations());
+    }
+
+    @ParameterizedTest
+    @MethodSource("files")
+    void everyShippedScenarioExpectsSomethingAndTellsWhatItShows(Path file) throws ScenarioException {
+        Scenario scenario = Scenario.load(file);
+        assertTrue(!scenario.expect().equals(Expectation.NONE), "expects nothing");
+        assertTrue(!scenario.name().isEmpty() && !scenario.description().isEmpty(), "tells nothing");
+    }
+
+    @ParameterizedTest
+    @MethodSource("files")
+    void everyShippedScenarioIsInTheProgramAsWell(Path file) throws ScenarioException {
+        assertEquals(Scenario.load(file), Scenario.shipped(file.getFileName().toString()));
+    }
+
+    @Test
+    void thereAreAtLeastTen() throws IOException {
+        assertTrue(files().size() >= 10, files().toString());
+    }
+}
