@@ -1,0 +1,184 @@
+package faultline.engine;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.geometry.Pose;
+import faultline.geometry.Vec;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import faultline.world.Motion;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WorldSpec;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Same setup, same commands: the same bits in every tick, whoever runs it and whoever looks on. */
+@Timeout(value = 2, unit = TimeUnit.MINUTES)
+class DeterminismTest {
+
+    private static final int TICKS = 3000;
+    private static final int COMMANDS = 2000;
+
+    @Test
+    void theControllersThreadMakesNoDifferenceInAnyTick() {
+        assertArrayEquals(bits(busyRoom(1), ControllerMode.DIRECT), bits(busyRoom(1), ControllerMode.OWN_THREAD));
+    }
+
+    @Test
+    void neitherDoesHavingRunBefore() {
+        long[] first = bits(busyRoom(2), ControllerMode.DIRECT);
+        for (int run = 0; run < 5; run++) {
+            assertArrayEquals(first, bits(busyRoom(2), ControllerMode.DIRECT));
+        }
+    }
+
+    @Test
+    void blindDrivesIntoThingsRepeatToo() {
+        RandomYards first = new RandomYards(51, RobotSpec.DEFAULT, 3);
+        RandomYards again = new RandomYards(51, RobotSpec.DEFAULT, 3);
+        for (int i = 0; i < 5; i++) {
+            assertArrayEquals(bits(first.next(3), ControllerMode.DIRECT), bits(again.next(3), ControllerMode.OWN_THREAD));
+        }
+    }
+
+    @Test
+    void anotherSeedGivesAnotherRunWhereThereIsNoise() {
+        assertNotEquals(hashes(busyRoom(1)).lastEntry().getValue(), hashes(busyRoom(2)).lastEntry().getValue());
+    }
+
+    @Test
+    void aBusyReaderOfFramesChangesNothingAndSeesOnlyTrueMoments() throws Exception {
+        Map<Long, Long> truth = hashes(busyRoom(3));
+        try (Session session = Session.start(busyRoom(3))) {
+            session.setSpeed(Double.POSITIVE_INFINITY);
+            session.run();
+            Map<Long, Long> seen = new TreeMap<>();
+            long tick = 0;
+            while (tick < TICKS) {
+                Frame frame = session.frame();
+                tick = frame.world().tick();
+                if (tick <= TICKS) {
+                    seen.put(tick, frame.trajectoryHash());
+                }
+            }
+            assertTrue(seen.size() > 10, "too few moments seen to judge by: " + seen.size());
+            seen.forEach((when, hash) -> assertEquals(truth.get(when), hash, () -> "at tick " + when));
+        }
+    }
+
+    @Test
+    void theJournalOfALivelySessionReplaysToTheBit() throws Exception {
+        SplittableRandom random = new SplittableRandom(52);
+        try (Session session = Session.start(busyRoom(4))) {
+            session.setSpeed(Double.POSITIVE_INFINITY);
+            session.run();
+            for (int sent = 0; sent < COMMANDS; sent++) {
+                session.send(anyCommand(random));
+                long reached = session.frame().world().tick();
+                while (sent % 10 == 0 && session.frame().world().tick() == reached) {
+                    Thread.onSpinWait();
+                }
+            }
+            session.pause();
+            Journal journal = session.journal().get(10, TimeUnit.SECONDS);
+            while (journal.entries().size() + session.status().refusals() < COMMANDS) {
+                Thread.onSpinWait();
+            }
+            assertEquals(COMMANDS, journal.entries().size() + session.status().refusals(), "every command is either done or refused");
+            assertFalse(journal.entries().isEmpty());
+            while (session.frame().world().tick() < journal.ticks()) {
+                Thread.onSpinWait();
+            }
+            assertEquals(session.frame().trajectoryHash(), replay(journal));
+        }
+    }
+
+    private static long replay(Journal journal) {
+        try (Simulation simulation = new Simulation(journal.setup(), ControllerMode.DIRECT)) {
+            while (simulation.ticks() < journal.ticks()) {
+                for (Journal.Entry entry : journal.entries()) {
+                    if (entry.tick() == simulation.ticks() + 1) {
+                        assertEquals(Optional.empty(), simulation.apply(entry.command()));
+                    }
+                }
+                simulation.tick();
+            }
+            return simulation.trajectoryHash();
+        }
+    }
+
+    private static Command anyCommand(SplittableRandom random) {
+        String sensor = RobotSpec.DEFAULT.sensors().get(random.nextInt(8)).id();
+        return switch (random.nextInt(6)) {
+            case 0 -> new Command.SwitchSensor(sensor, random.nextBoolean());
+            case 1 -> new Command.InjectFault(sensor, new Fault.Bias(random.nextDouble(-0.1, 0.1)));
+            case 2 -> new Command.ClearFaults(sensor);
+            case 3 -> new Command.MoveObstacle("desk", new Pose(random.nextDouble(4), random.nextDouble(3), random.nextDouble(7)));
+            case 4 -> new Command.SetPlatform(0.25, random.nextDouble(0.15, 0.22), random.nextDouble(0.1, 0.4));
+            default -> new Command.TuneSensor(RobotSpec.DEFAULT.sensor(sensor).orElseThrow().withRange(random.nextDouble(0.3, 1)));
+        };
+    }
+
+    /** The raw bits of everything that the hash covers, tick by tick. */
+    private static long[] bits(Setup setup, ControllerMode mode) {
+        LongStream.Builder bits = LongStream.builder();
+        try (Simulation simulation = new Simulation(setup, mode)) {
+            for (int tick = 0; tick < TICKS; tick++) {
+                simulation.tick();
+                Pose pose = simulation.pose();
+                for (double value : new double[] {pose.x(), pose.y(), pose.heading(), simulation.leftSpeed(), simulation.rightSpeed()}) {
+                    bits.add(Double.doubleToRawLongBits(value));
+                }
+                for (int sensor = 0; sensor < setup.robot().sensors().size(); sensor++) {
+                    bits.add(Double.doubleToRawLongBits(simulation.reportedReading(sensor)));
+                }
+                bits.add(simulation.trajectoryHash());
+            }
+        }
+        return bits.build().toArray();
+    }
+
+    private static TreeMap<Long, Long> hashes(Setup setup) {
+        TreeMap<Long, Long> hashes = new TreeMap<>();
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            hashes.put(0L, simulation.trajectoryHash());
+            for (int tick = 0; tick < TICKS; tick++) {
+                simulation.tick();
+                hashes.put(simulation.ticks(), simulation.trajectoryHash());
+            }
+        }
+        return hashes;
+    }
+
+    /** A room with a desk and a visitor, noisy sensors, and faults that come and go, for the wall follower. */
+    private static Setup busyRoom(long seed) {
+        RobotSpec robot = RobotSpec.DEFAULT;
+        for (SensorSpec sensor : robot.sensors()) {
+            robot = robot.withSensor(new SensorSpec(sensor.id(), sensor.seat(), sensor.bearing(), sensor.range(), sensor.cone(), true, 0.002));
+        }
+        Motion walk = new Motion(0.2, true, List.of(new Vec(2.5, 2.2), new Vec(2.5, 1.4)));
+        WorldSpec world = new WorldSpec(4, 3, true, 3, List.of(
+                new Obstacle("desk", new ObstacleShape.Rectangle(0.6, 0.4), new Pose(2, 1.5, 0.4)),
+                new Obstacle("visitor", new ObstacleShape.Circle(0.15), new Pose(2.5, 2.2, 0), Optional.of(walk))));
+        List<Setup.Timed> timeline = List.of(
+                new Setup.Timed(5, new Command.InjectFault("left", new Fault.Dropout(0.1))),
+                new Setup.Timed(10, new Command.ClearFaults("left")),
+                new Setup.Timed(12, new Command.SwitchSensor("rear", false)));
+        return new Setup(world, robot, new Pose(0.6, 0.6, 0.3), ControllerSpec.WallFollowing.DEFAULT, timeline, 0.01, seed, 60);
+    }
+}
