@@ -56,11 +56,12 @@ public sealed interface ControllerSpec {
      * @param distance the wanted reading of the sensor that faces the wall, metres, positive
      * @param hand the side that the wall is kept on
      * @param period how often it decides, seconds; 0 for every tick; rounded to whole ticks
+     * @param timing which moments are F3 and F4
      */
-    record WallFollowing(double distance, Hand hand, double period) implements ControllerSpec {
+    record WallFollowing(double distance, Hand hand, double period, Timing timing) implements ControllerSpec {
 
         /** The follower that is used where a file gives no values. */
-        public static final WallFollowing DEFAULT = new WallFollowing(0.25, Hand.LEFT, 0);
+        public static final WallFollowing DEFAULT = new WallFollowing(0.25, Hand.LEFT, 0, Timing.EQUAL_READINGS);
 
         public WallFollowing {
             if (!(distance > 0 && Double.isFinite(distance))) {

@@ -43,4 +43,9 @@ record Eye(Vec seat, double bearing, double halfCone, double range, double readi
     double squareDistance() {
         return wallDistance(bearing);
     }
+
+    /** Whether it sees a wall that, if its axis meets it squarely, is within a distance of the robot's centre. */
+    boolean seesWithin(double distance) {
+        return sees() && squareDistance() <= distance;
+    }
 }

@@ -23,6 +23,7 @@ final class SpinTiming {
     }
 
     private final List<Sample> samples = new ArrayList<>();
+    private final Timing rule;
     private double top;
     private double nearest;
     private int nearestIndex;
@@ -30,6 +31,10 @@ final class SpinTiming {
     private double turnMargin;
     private double tF3;
     private double tF4;
+
+    SpinTiming(Timing rule) {
+        this.rule = rule;
+    }
 
     /** Starts a new spin; readings are known up to some noise. */
     void start(double noise) {
@@ -54,7 +59,7 @@ final class SpinTiming {
     /** Whether the readings fall: the sensor comes to a wall. */
     boolean comesToWall() {
         double last = last().reading();
-        if (last < top - turnMargin) {
+        if (rule == Timing.RANGE ? top == Reading.NOTHING && last < top : last < top - turnMargin) {
             nearest(last);
             return true;
         }
@@ -78,6 +83,20 @@ final class SpinTiming {
 
     /** Whether the reading has risen again to the level of timing, or turned round before, or is gone: then F3 and F4 are known. */
     boolean leavesWall() {
+        return rule == Timing.RANGE ? leavesRange() : leavesLevel();
+    }
+
+    /** The first sample without the wall is F4, as the first with it was F3: both are late by up to one period. */
+    private boolean leavesRange() {
+        if (last().reading() < Reading.NOTHING) {
+            return false;
+        }
+        tF3 = samples.get(1).clock();
+        tF4 = last().clock();
+        return true;
+    }
+
+    private boolean leavesLevel() {
         double level = Math.min(top, nearest + Math.max(MARGIN * nearest, 2 * turnMargin));
         double last = last().reading();
         boolean turnedRound = farthestSince - nearest > turnMargin && last < farthestSince - turnMargin;

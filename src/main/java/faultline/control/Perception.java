@@ -1,0 +1,113 @@
+package faultline.control;
+
+import faultline.robot.RobotSpec;
+
+/** What the follower knows at a decision: its sensors with what they remember, its own motion by dead reckoning, and how far its readings can be trusted. */
+final class Perception {
+
+    private final Hand hand;
+    private final double wantedDistance;
+    private final Odometer odometer = new Odometer();
+    private final FrontMemory frontMemory = new FrontMemory();
+    private final NoiseMeter leftNoise = new NoiseMeter();
+    private final NoiseMeter frontNoise = new NoiseMeter();
+    private final double controlPeriod;
+    private Observation now;
+    private Sight sight;
+    private long lastTick;
+
+    Perception(ControllerSpec.WallFollowing spec) {
+        hand = spec.hand();
+        wantedDistance = spec.distance();
+        controlPeriod = spec.period();
+    }
+
+    /** Takes a new observation, up to which a command has acted. */
+    void look(Observation observation, double v, double omega) {
+        odometer.advance(observation.robot(), v, omega, observation.dt(), observation.tick() - lastTick);
+        lastTick = observation.tick();
+        now = observation;
+        Sight fresh = Sight.of(observation, hand);
+        leftNoise.learn(fresh.left().reading());
+        frontNoise.learn(fresh.front().reading());
+        frontMemory.update(fresh.front(), odometer.rolled(), odometer.turned(), robot().width() / 2);
+        sight = fresh.withFront(frontMemory.fill(fresh.front()));
+    }
+
+    /** What was seen ahead is dealt with. */
+    void forgetAhead() {
+        frontMemory.forget();
+    }
+
+    Sight sight() {
+        return sight;
+    }
+
+    RobotSpec robot() {
+        return now.robot();
+    }
+
+    long tick() {
+        return now.tick();
+    }
+
+    /** How long a decision holds, seconds. */
+    double period() {
+        return now.dt() * Periodic.ticks(controlPeriod, now.dt());
+    }
+
+    /** All the turning so far, radians, positive to the left. */
+    double heading() {
+        return odometer.heading();
+    }
+
+    /** The way since the last decision, metres. */
+    double rolled() {
+        return odometer.rolled();
+    }
+
+    /** The turn since the last decision, radians. */
+    double turned() {
+        return odometer.turned();
+    }
+
+    /** The rate of turning now, radians per second. */
+    double omega() {
+        return odometer.omega(robot());
+    }
+
+    /** How long the motors' lag lasts, seconds. */
+    double lag() {
+        return Odometer.lag(robot(), now.dt());
+    }
+
+    /** The rate that the robot spins at, radians per second. */
+    double turnRate() {
+        return Math.min(robot().turnRate(), 2 * robot().motor().maxSpeed() / robot().track());
+    }
+
+    /** The standard deviation of the readings' noise as far as it has shown, metres. */
+    double noise() {
+        return Math.max(leftNoise.deviation(), frontNoise.deviation());
+    }
+
+    /** From the robot's centre to the seat of the sensor that faces the wall, metres. */
+    double seat() {
+        return sight.left().present() ? sight.left().seat().y() : robot().width() / 2;
+    }
+
+    /** From the robot's centre to the wall where the distance is as wanted, metres. */
+    double wantedRadius() {
+        return wantedDistance + seat();
+    }
+
+    /** The way that the robot still rolls after it is told to stop, metres. */
+    double stopping() {
+        return robot().speed() * (lag() + now.dt());
+    }
+
+    /** Whether a wall ahead, slanted by no more than this to either side, will be at the wanted distance when the robot has rolled out. */
+    boolean wallAhead(double mostLeft, double mostRight) {
+        return WallAhead.distanceAfter(stopping(), sight, mostLeft, mostRight) <= wantedRadius();
+    }
+}

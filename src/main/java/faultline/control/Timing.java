@@ -1,0 +1,25 @@
+package faultline.control;
+
+import java.util.Locale;
+
+/** Which moments of a spin past a wall are F3 and F4, and what is made of them. */
+public enum Timing {
+
+    /** Two equal readings on either side of the nearest one, interpolated between samples; the turn back allows for the motors' lag. */
+    EQUAL_READINGS,
+
+    /**
+     * The paper to the letter: the samples at which the wall was first seen and first no longer seen, and a turn back for t_p = t_D / 2 and nothing more. Only a
+     * wall that stands alone can be timed so.
+     */
+    RANGE;
+
+    /**
+     * The name in scenario files.
+     *
+     * @return lower case, with hyphens
+     */
+    public String fileName() {
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+}
