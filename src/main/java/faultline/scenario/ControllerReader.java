@@ -2,6 +2,7 @@ package faultline.scenario;
 
 import faultline.control.ControllerSpec;
 import faultline.control.Hand;
+import faultline.control.Timing;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +13,7 @@ final class ControllerReader {
 
     private static final Map<String, Function<Fields, ControllerSpec>> TYPES = new LinkedHashMap<>();
     private static final Map<String, Hand> HANDS = new LinkedHashMap<>();
+    private static final Map<String, Timing> TIMINGS = new LinkedHashMap<>();
 
     static {
         TYPES.put("wall-follower", ControllerReader::wallFollower);
@@ -20,6 +22,9 @@ final class ControllerReader {
                 fields.number("left", Range.VOLTAGE, 0), fields.number("right", Range.VOLTAGE, 0)));
         for (Hand hand : Hand.values()) {
             HANDS.put(hand.fileName(), hand);
+        }
+        for (Timing timing : Timing.values()) {
+            TIMINGS.put(timing.fileName(), timing);
         }
     }
 
@@ -37,6 +42,7 @@ final class ControllerReader {
     private static ControllerSpec wallFollower(Fields fields) {
         ControllerSpec.WallFollowing usual = ControllerSpec.WallFollowing.DEFAULT;
         return new ControllerSpec.WallFollowing(fields.number("distance", Range.SIZE, usual.distance()),
-                fields.choice("hand", HANDS, usual.hand()), fields.number("period", Range.TIME, usual.period()));
+                fields.choice("hand", HANDS, usual.hand()), fields.number("period", Range.TIME, usual.period()),
+                fields.choice("timing", TIMINGS, usual.timing()));
     }
 }

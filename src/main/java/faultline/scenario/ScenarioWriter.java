@@ -49,7 +49,8 @@ final class ScenarioWriter {
     private static void controller(ControllerSpec spec, XmlOut out) {
         out.begin("controller");
         if (spec instanceof ControllerSpec.WallFollowing follow) {
-            out.set("type", "wall-follower").set("distance", follow.distance()).set("hand", follow.hand().fileName()).set("period", follow.period());
+            out.set("type", "wall-follower").set("distance", follow.distance()).set("hand", follow.hand().fileName())
+                    .set("period", follow.period()).set("timing", follow.timing().fileName());
         } else if (spec instanceof ControllerSpec.Drive drive) {
             out.set("type", "drive").set("left", drive.leftVolts()).set("right", drive.rightVolts());
         } else {

@@ -2,6 +2,7 @@ package faultline.scenario;
 
 import faultline.control.ControllerSpec;
 import faultline.control.Hand;
+import faultline.control.Timing;
 import faultline.engine.Setup;
 import faultline.engine.Setup.Timed;
 import faultline.geometry.Degrees;
@@ -116,7 +117,8 @@ final class RandomScenarios {
         return switch (random.nextInt(3)) {
             case 0 -> new ControllerSpec.None();
             case 1 -> new ControllerSpec.Drive(awkward(-1e4, 1e4), awkward(-1e4, 1e4));
-            default -> new ControllerSpec.WallFollowing(size(), random.nextBoolean() ? Hand.LEFT : Hand.RIGHT, awkward(0, 10));
+            default -> new ControllerSpec.WallFollowing(size(), random.nextBoolean() ? Hand.LEFT : Hand.RIGHT, awkward(0, 10),
+                    random.nextBoolean() ? Timing.EQUAL_READINGS : Timing.RANGE);
         };
     }
 
