@@ -45,7 +45,7 @@ class ScenarioWriterTest {
                     <motor timeConstant="0.05" speedConstant="0.1" maxVoltage="6"/>
                     <sensor id="left" x="0" y="0.1" bearing="90" range="0.8" cone="30" on="true" noise="0"/>
                   </robot>
-                  <controller type="wall-follower" distance="0.25" hand="left" period="0"/>
+                  <controller type="wall-follower" distance="0.25" hand="left" period="0" timing="equal-readings"/>
                   <timeline>
                     <fault at="1" sensor="left" kind="off" until="2.5"/>
                   </timeline>
