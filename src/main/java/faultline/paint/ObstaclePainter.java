@@ -1,12 +1,12 @@
 package faultline.paint;
 
 import faultline.geometry.RigidMotion;
-import faultline.geometry.Vec;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
+import java.awt.geom.Rectangle2D;
 
 /** Paints one obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour and with a heavier outline. */
 final class ObstaclePainter {
@@ -16,6 +16,9 @@ final class ObstaclePainter {
     /** A wall has no thickness in the world; this much makes it seen. */
     private static final Stroke WALL = Brush.solid(4);
     private static final int MOVING_ALPHA = 120;
+    /** An obstacle smaller than this on the screen would be hidden by its name, pixels. */
+    private static final double SMALL = 30;
+    private static final double NAME_GAP = 10;
 
     private ObstaclePainter() {
     }
@@ -33,8 +36,11 @@ final class ObstaclePainter {
         }
     }
 
+    /** Paints the name in the middle of an obstacle, or above one that it would hide. */
     static void paintName(Brush brush, Obstacle obstacle) {
-        Vec middle = brush.camera().toScreen(ObstacleOutlines.middle(obstacle));
-        brush.label(obstacle.id(), middle.x(), middle.y(), brush.palette().text());
+        Rectangle2D bounds = brush.onScreen(ObstacleOutlines.inWorld(obstacle)).getBounds2D();
+        boolean hides = Math.max(bounds.getWidth(), bounds.getHeight()) < SMALL;
+        double y = hides ? bounds.getMinY() - NAME_GAP : bounds.getCenterY();
+        brush.label(obstacle.id(), bounds.getCenterX(), y, brush.palette().text());
     }
 }

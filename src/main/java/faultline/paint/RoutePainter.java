@@ -25,7 +25,8 @@ final class RoutePainter {
     static void paint(Brush brush, Motion motion) {
         Color colour = brush.palette().movingOutline();
         List<Vec> points = onScreen(brush.camera(), motion);
-        brush.draw(ObstacleOutlines.through(points), colour, LINE);
+        // Back from the second point to the first the line is there already, and dashes laid over dashes would close it.
+        brush.draw(ObstacleOutlines.through(motion.points().size() == 2 ? points.subList(0, 2) : points), colour, LINE);
         for (Vec point : points) {
             brush.fill(new Ellipse2D.Double(point.x() - DOT, point.y() - DOT, 2 * DOT, 2 * DOT), colour);
         }

@@ -9,6 +9,7 @@ import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.awt.geom.RoundRectangle2D;
 
 /** Paints the selected obstacle's outline and the handle that turns it, and while a hand moves it, where it is wanted and by what values. */
 public final class SelectionPainter {
@@ -19,7 +20,8 @@ public final class SelectionPainter {
     private static final double HANDLE_STALK = 24;
     private static final Stroke OUTLINE = Brush.solid(2);
     private static final Stroke WANTED = Brush.dashed(1.6, 5, 4);
-    private static final double LABEL_GAP = 26;
+    private static final double VALUES_GAP = 26;
+    private static final double VALUES_PADDING = 8;
 
     private SelectionPainter() {
     }
@@ -71,7 +73,24 @@ public final class SelectionPainter {
         Obstacle there = obstacle.at(wanted);
         brush.draw(outline(brush, there), brush.palette().accent(), WANTED);
         Rectangle2D bounds = outline(brush, there).getBounds2D();
-        brush.label(values, bounds.getCenterX(), bounds.getMaxY() + LABEL_GAP, brush.palette().text());
+        paintValues(brush, values, bounds.getCenterX(), bounds.getMaxY() + VALUES_GAP);
+    }
+
+    /** A plate about a place, moved into the picture where the place is not. */
+    private static void paintValues(Brush brush, String values, double x, double y) {
+        Rectangle2D text = brush.measure(values);
+        double halfWidth = text.getWidth() / 2 + VALUES_PADDING;
+        double halfHeight = text.getHeight() / 2 + VALUES_PADDING / 2;
+        double inX = within(x, halfWidth, brush.camera().width() - halfWidth);
+        double inY = within(y, halfHeight, brush.camera().height() - halfHeight);
+        Shape plate = new RoundRectangle2D.Double(inX - halfWidth, inY - halfHeight, 2 * halfWidth, 2 * halfHeight, 8, 8);
+        brush.fill(plate, brush.palette().canvas());
+        brush.draw(plate, brush.palette().accent(), Brush.solid(1.4));
+        brush.label(values, inX, inY, brush.palette().text());
+    }
+
+    private static double within(double value, double least, double most) {
+        return Math.max(least, Math.min(most, value));
     }
 
     private static Shape outline(Brush brush, Obstacle obstacle) {

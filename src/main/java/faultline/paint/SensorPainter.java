@@ -70,12 +70,15 @@ final class SensorPainter {
         }
     }
 
-    /** Paints a text beyond the arc, far enough that its box stays clear of the cone in any direction. */
+    /** Paints a text beyond the arc, far enough that its box stays clear of the cone in any direction; within the arc where the picture ends. */
     private static void paintLabel(Brush brush, ScreenSector cone, String text, Color colour) {
         Rectangle2D box = brush.measure(text);
         Vec axis = cone.at(0.5, 1).minus(cone.apex());
         double clear = (Math.abs(axis.x()) * box.getWidth() + Math.abs(axis.y()) * box.getHeight()) / 2;
-        Vec place = cone.at(0.5, cone.radius() + LABEL_GAP + clear);
+        Vec beyond = cone.at(0.5, cone.radius() + LABEL_GAP + clear);
+        boolean fits = new Rectangle2D.Double(0, 0, brush.camera().width(), brush.camera().height()).contains(
+                beyond.x() - box.getWidth() / 2, beyond.y() - box.getHeight() / 2, box.getWidth(), box.getHeight());
+        Vec place = fits ? beyond : cone.at(0.5, cone.radius() - LABEL_GAP - clear);
         brush.label(text, place.x(), place.y(), colour);
     }
 
