@@ -51,8 +51,8 @@ class CanvasPictureTest {
     }
 
     @Test
-    void aPathThatGoesOnIsDrawnOn() {
-        List<Path> grown = SampleFrames.grown(line(0, 100), line(100, 700));
+    void aPathThatGoesOnIsDrawnOnWithoutAGap() {
+        List<Path> grown = SampleFrames.grown(line(0, 100), line(200, 800));
         shown(SampleFrames.of(ROBOT, grown.get(0), List.of()));
         assertLooksLikeAFileButForJoints(SampleFrames.of(ROBOT, grown.get(1), List.of()));
     }
