@@ -7,6 +7,7 @@ import faultline.geometry.Vec;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
+import java.util.function.BiPredicate;
 
 /** A frame painted without a display, asked about by points of the world. */
 public final class Pixels {
@@ -54,14 +55,23 @@ public final class Pixels {
 
     /** How many pixels differ between two pictures of one size. */
     public static int differing(BufferedImage a, BufferedImage b) {
+        return count(a, b, (one, other) -> !one.equals(other));
+    }
+
+    /** How many pixels differ so much between two pictures of one size that an eye sees it. */
+    public static int unlike(BufferedImage a, BufferedImage b) {
+        return count(a, b, (one, other) -> !isNearly(one, other));
+    }
+
+    private static int count(BufferedImage a, BufferedImage b, BiPredicate<Color, Color> counts) {
         assertEquals(a.getWidth() + "x" + a.getHeight(), b.getWidth() + "x" + b.getHeight());
-        int differing = 0;
+        int counted = 0;
         for (int y = 0; y < a.getHeight(); y++) {
             for (int x = 0; x < a.getWidth(); x++) {
-                differing += (a.getRGB(x, y) & 0xFFFFFF) == (b.getRGB(x, y) & 0xFFFFFF) ? 0 : 1;
+                counted += counts.test(new Color(a.getRGB(x, y)), new Color(b.getRGB(x, y))) ? 1 : 0;
             }
         }
-        return differing;
+        return counted;
     }
 
     private static String name(Color colour) {
