@@ -108,6 +108,6 @@ final class Perception {
 
     /** Whether a wall ahead, slanted by no more than this to either side, will be at the wanted distance when the robot has rolled out. */
     boolean wallAhead(double mostLeft, double mostRight) {
-        return WallAhead.distanceAfter(stopping(), sight, mostLeft, mostRight) <= wantedRadius();
+        return WallAhead.isWithin(wantedRadius(), stopping(), sight, mostLeft, mostRight);
     }
 }

@@ -4,7 +4,7 @@ package faultline.control;
  * How far the robot's centre is from the wall ahead, whatever the angle at which that wall crosses the way.
  *
  * <p>One front reading fits a wall of any angle: the more slanted, the nearer its foot. A sensor looking aside settles it, because a wall slanted to that side would show
- * there no farther than it does. The answer is the distance of the most slanted wall that contradicts no sensor; with nothing to tell, the wall is taken as square.
+ * there no farther than it does. What counts is the most slanted wall that contradicts no sensor; with nothing to tell, the wall is taken as square.
  */
 final class WallAhead {
 
@@ -24,22 +24,28 @@ final class WallAhead {
     }
 
     /**
-     * The distance from the robot's centre to the wall ahead when it has rolled on.
+     * Whether the wall ahead will be within a distance of the robot's centre when it has rolled on.
      *
-     * @param rolled how far, metres
+     * @param distance metres
+     * @param rolled how far it rolls on, metres
      * @param sight the sensors
-     * @param mostLeft how far it may be slanted with its foot to the left, radians
+     * @param mostLeft how far the wall may be slanted with its foot to the left, radians
      * @param mostRight how far it may be slanted with its foot to the right, radians
-     * @return metres, positive infinity where the front sensor sees nothing
+     * @return false where the front sensor sees nothing
      */
-    static double distanceAfter(double rolled, Sight sight, double mostLeft, double mostRight) {
-        if (!sight.front().sees()) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double left = slant(sight.front(), sight.frontLeft(), mostLeft);
-        double right = slant(sight.front(), sight.frontRight(), -mostRight);
-        return Math.min(sight.front().wallDistance(left) - rolled * StrictMath.cos(left),
-                sight.front().wallDistance(right) - rolled * StrictMath.cos(right));
+    static boolean isWithin(double distance, double rolled, Sight sight, double mostLeft, double mostRight) {
+        return sight.front().sees()
+                && (isWithin(distance, rolled, sight.front(), sight.frontLeft(), mostLeft)
+                || isWithin(distance, rolled, sight.front(), sight.frontRight(), -mostRight));
+    }
+
+    /** The nearest wall that the front reading allows at all is looked at first: most of the time it settles the question. */
+    private static boolean isWithin(double distance, double rolled, Eye front, Eye side, double limit) {
+        return after(rolled, front, limit) <= distance && after(rolled, front, slant(front, side, limit)) <= distance;
+    }
+
+    private static double after(double rolled, Eye front, double bearing) {
+        return front.wallDistance(bearing) - rolled * StrictMath.cos(bearing);
     }
 
     /** The bearing of the foot of the most slanted wall, between square and a limit, that the side sensor does not contradict. */

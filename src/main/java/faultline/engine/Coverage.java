@@ -23,9 +23,13 @@ final class Coverage {
     /** Places nearer to each other than this are joined, metres. */
     private static final double JOINED = 0.025;
 
+    /** Points of the way nearer to the last one than this are not looked at, metres. */
+    private static final double STEP = 0.002;
+
     private final WallMap walls;
     private final double distance;
     private final Map<Long, Vec> visited = new HashMap<>();
+    private Vec last = new Vec(Double.POSITIVE_INFINITY, 0);
 
     /** A record of passing walls at a distance from the robot's centre, metres. */
     Coverage(WallMap walls, double distance) {
@@ -35,7 +39,10 @@ final class Coverage {
 
     /** Notes that the robot's centre was at a point; one point a square centimetre is kept. */
     void visit(Vec centre) {
-        visited.putIfAbsent(cell(centre, SPACING, 0, 0), centre);
+        if (centre.distanceTo(last) >= STEP) {
+            visited.putIfAbsent(cell(centre, SPACING, 0, 0), centre);
+            last = centre;
+        }
     }
 
     private static long cell(Vec point, double size, int dx, int dy) {
