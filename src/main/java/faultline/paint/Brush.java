@@ -13,8 +13,8 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
 
 /**
- * A graphics, the camera that it is looked at through and the colours that it is painted with. All shapes that a brush takes are in pixels of
- * the picture, so that lines keep their width at any zoom.
+ * A graphics, the camera that it is looked at through and the colours that it is painted with. All shapes that a brush takes are in
+ * pixels of the picture, so that lines keep their width at any zoom.
  *
  * @param graphics where pixels go; in the picture's user space
  * @param camera from the world to the picture

@@ -58,10 +58,11 @@ final class CollisionPainter {
         }
     }
 
-    private static List<String> lines(Collision collision) {
+    /** What the badge says, a line each. */
+    static List<String> lines(Collision collision) {
         List<String> lines = new ArrayList<>();
-        lines.add(String.format(Locale.ROOT, "First collision   x %.3f m   y %.3f m   t %.3f s   %s", collision.point().x(), collision.point().y(),
-                collision.time(), collision.obstacle()));
+        lines.add(String.format(Locale.ROOT, "First collision   x %.3f m   y %.3f m   t %.3f s   %s",
+                collision.point().x(), collision.point().y(), collision.time(), collision.obstacle()));
         if (!collision.faults().isEmpty()) {
             List<String> broken = new ArrayList<>();
             collision.faults().forEach((sensor, faults) -> faults.forEach(fault -> broken.add(sensor + " " + fault.kind().fileName())));

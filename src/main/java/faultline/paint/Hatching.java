@@ -4,7 +4,10 @@ import faultline.sensor.FaultKind;
 import java.awt.Color;
 import java.awt.Stroke;
 
-/** Hatches a cone by the kind of its sensor's fault, along its own arcs and rays, so that no clip is needed and faults tell apart without colour. */
+/**
+ * Hatches a cone by the kind of its sensor's fault, along its own arcs and rays, so that no clip is needed and faults tell apart
+ * without colour.
+ */
 final class Hatching {
 
     private static final Stroke LINE = Brush.solid(1);

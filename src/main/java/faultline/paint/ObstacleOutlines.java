@@ -9,6 +9,7 @@ import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.awt.geom.RectangularShape;
 import java.util.List;
 
 /** Obstacles as shapes of {@link java.awt.geom}, in metres. */
@@ -41,7 +42,7 @@ public final class ObstacleOutlines {
         return through(((ObstacleShape.Wall) shape).points());
     }
 
-    private static Shape aboutOrigin(java.awt.geom.RectangularShape shape, double width, double height) {
+    private static Shape aboutOrigin(RectangularShape shape, double width, double height) {
         shape.setFrame(-width / 2, -height / 2, width, height);
         return shape;
     }

@@ -8,7 +8,10 @@ import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.Rectangle2D;
 
-/** Paints one obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour and with a heavier outline. */
+/**
+ * Paints one obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour and with a heavier
+ * outline.
+ */
 final class ObstaclePainter {
 
     private static final Stroke STILL = Brush.solid(1.4);

@@ -8,6 +8,7 @@ import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
+import java.util.List;
 
 /**
  * Paints the robot from above: a body between four wheels, an arrow ahead and a bar along its front. All of it lies within the platform's
@@ -43,10 +44,10 @@ final class RobotPainter {
         return robot.width() * 0.16;
     }
 
-    private static Shape[] wheels(RobotSpec robot) {
+    private static List<Shape> wheels(RobotSpec robot) {
         double ahead = robot.length() * 0.27;
         double aside = (robot.width() - wheelWidth(robot)) / 2;
-        return new Shape[] {wheel(robot, ahead, aside), wheel(robot, ahead, -aside), wheel(robot, -ahead, aside), wheel(robot, -ahead, -aside)};
+        return List.of(wheel(robot, ahead, aside), wheel(robot, ahead, -aside), wheel(robot, -ahead, aside), wheel(robot, -ahead, -aside));
     }
 
     private static Shape wheel(RobotSpec robot, double x, double y) {

@@ -57,12 +57,12 @@ public record ScenePainter(Set<Layer> layers) {
      * @param brush where to
      * @param frame the frame
      * @param obstacles those that were not painted with the ground
-     * @param settled how many points of the path were painted already, the one before the last of them being joined
+     * @param pathFrom the index of the first point of the path that is not painted yet, or of the last that is; from 0 to its size - 1
      */
-    public void paintLive(Brush brush, Frame frame, List<Obstacle> obstacles, int settled) {
+    public void paintLive(Brush brush, Frame frame, List<Obstacle> obstacles, int pathFrom) {
         Snapshot world = frame.world();
         if (layers.contains(Layer.PATH)) {
-            PathPainter.paintTail(brush, frame.path(), Math.max(0, settled - 1), world.pose().position());
+            PathPainter.paintTail(brush, frame.path(), pathFrom, world.pose().position());
         }
         obstacles.forEach(obstacle -> paintMoving(brush, obstacle));
         paintSensors(brush, world.sensors());

@@ -11,7 +11,10 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 
-/** Paints the selected obstacle's outline and the handle that turns it, and while a hand moves it, where it is wanted and by what values. */
+/**
+ * Paints the selected obstacle's outline and the handle that turns it, and while a hand moves it, where it is wanted and by what
+ * values.
+ */
 public final class SelectionPainter {
 
     /** The radius of the handle, pixels. */

@@ -9,8 +9,8 @@ import java.awt.geom.Rectangle2D;
 import java.util.stream.Collectors;
 
 /**
- * Paints one sensor: its cone, hatched where it is faulty and a broken grey outline where it is off; an arc at the distance that it reports and,
- * where a fault makes that wrong, a broken one at the true distance; and its number with the names of its faults.
+ * Paints one sensor: its cone, hatched where it is faulty and a broken grey outline where it is off; an arc at the distance that it
+ * reports and, where a fault makes that wrong, a broken one at the true distance; and its number with the names of its faults.
  */
 final class SensorPainter {
 
@@ -70,7 +70,10 @@ final class SensorPainter {
         }
     }
 
-    /** Paints a text beyond the arc, far enough that its box stays clear of the cone in any direction; within the arc where the picture ends. */
+    /**
+     * Paints a text beyond the arc, far enough that its box stays clear of the cone in any direction; within the arc where the
+     * picture ends.
+     */
     private static void paintLabel(Brush brush, ScreenSector cone, String text, Color colour) {
         Rectangle2D box = brush.measure(text);
         Vec axis = cone.at(0.5, 1).minus(cone.apex());

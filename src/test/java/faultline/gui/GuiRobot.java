@@ -15,8 +15,8 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Drives real windows with the mouse and the keyboard, for tests. Every read happens on the event dispatch thread, and nothing sleeps: what a
- * test waits for is a condition with a deadline, and the sentence that names it is the failure.
+ * Drives real windows with the mouse and the keyboard, for tests. Every read happens on the event dispatch thread, and nothing
+ * sleeps: what a test waits for is a condition with a deadline, and the sentence that names it is the failure.
  */
 public final class GuiRobot {
 

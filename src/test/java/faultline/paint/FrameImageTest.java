@@ -89,7 +89,8 @@ class FrameImageTest {
         Pixels pixels = Pixels.of(SampleFrames.of(AT_2_1,
                 new Obstacle("box", new ObstacleShape.Rectangle(1, 0.2), new Pose(4, 3, Math.PI / 2)),
                 new Obstacle("disc", new ObstacleShape.Circle(0.3), new Pose(1, 3, 0)),
-                new Obstacle("wedge", new ObstacleShape.Polygon(List.of(new Vec(0, 0), new Vec(1, 0), new Vec(0, 1))), new Pose(4.5, 0.5, 0))), LIGHT);
+                new Obstacle("wedge", new ObstacleShape.Polygon(List.of(new Vec(0, 0), new Vec(1, 0), new Vec(0, 1))),
+                        new Pose(4.5, 0.5, 0))), LIGHT);
         for (Vec inside : List.of(new Vec(4, 3.4), new Vec(1.2, 3), new Vec(4.7, 0.7))) {
             pixels.assertColour(LIGHT.obstacle(), inside);
         }

@@ -43,7 +43,8 @@ class ObstacleOutlinesTest {
 
     @Test
     void turningByHandLeavesTheMiddleWhereItIs() {
-        Obstacle niche = new Obstacle("niche", new ObstacleShape.Polygon(List.of(new Vec(1, 1), new Vec(3, 1), new Vec(3, 2))), new Pose(4, 0, 0));
+        ObstacleShape triangle = new ObstacleShape.Polygon(List.of(new Vec(1, 1), new Vec(3, 1), new Vec(3, 2)));
+        Obstacle niche = new Obstacle("niche", triangle, new Pose(4, 0, 0));
         Vec middle = ObstacleOutlines.middle(niche);
         assertEquals(new Vec(6, 1.5), middle);
         Obstacle turned = niche.at(ObstacleOutlines.turned(niche, QUARTER));

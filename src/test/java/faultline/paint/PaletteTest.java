@@ -18,8 +18,8 @@ class PaletteTest {
     @ValueSource(booleans = {false, true})
     void linesAndRingsStandOutFromTheCanvas(boolean dark) {
         Palette p = palette(dark);
-        Map<String, Color> lines = new LinkedHashMap<>(Map.of("obstacle", p.obstacleOutline(), "moving", p.movingOutline(), "robot", p.robotOutline(),
-                "path", p.path(), "hit", p.hit(), "accent", p.accent(), "muted", p.muted()));
+        Map<String, Color> lines = new LinkedHashMap<>(Map.of("obstacle", p.obstacleOutline(), "moving", p.movingOutline(),
+                "robot", p.robotOutline(), "path", p.path(), "hit", p.hit(), "accent", p.accent(), "muted", p.muted()));
         for (int i = 0; i < p.sensors().size(); i++) {
             lines.put("sensor " + (i + 1), p.sensor(i).outline());
         }

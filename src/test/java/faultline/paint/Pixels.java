@@ -36,7 +36,10 @@ public final class Pixels {
         assertEquals(name(expected), name(at(world, 0, 0)), "at " + world);
     }
 
-    /** Whether a colour, or nearly that because fine lines blend with what is beneath, occurs within so many pixels of a point of the world. */
+    /**
+     * Whether a colour, or nearly that because fine lines blend with what is beneath, occurs within so many pixels of a point of
+     * the world.
+     */
     boolean hasNear(Color colour, Vec world, int pixels) {
         for (int right = -pixels; right <= pixels; right++) {
             for (int down = -pixels; down <= pixels; down++) {

@@ -6,7 +6,10 @@ import faultline.paint.ObstacleOutlines;
 import faultline.world.Obstacle;
 import java.util.Locale;
 
-/** What a hand that holds a mouse button does to an obstacle: it starts from where the obstacle and the mouse were, and goes where the mouse goes. */
+/**
+ * What a hand that holds a mouse button does to an obstacle: it starts from where the obstacle and the mouse were, and goes where
+ * the mouse goes.
+ */
 sealed interface Drag {
 
     /** The obstacle as it stood at the start. */

@@ -13,8 +13,8 @@ import java.util.Optional;
 import javax.swing.SwingUtilities;
 
 /**
- * What the mouse does. The wheel zooms on the cursor. The left button moves an obstacle, turns the selected one by its handle, and pans where
- * nothing is; the right button, or the left one with Ctrl, turns; the middle button pans anywhere. A click selects.
+ * What the mouse does. The wheel zooms on the cursor. The left button moves an obstacle, turns the selected one by its handle, and
+ * pans where nothing is; the right button, or the left one with Ctrl, turns; the middle button pans anywhere. A click selects.
  */
 final class Hand extends MouseAdapter {
 

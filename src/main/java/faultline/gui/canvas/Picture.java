@@ -15,11 +15,15 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** Paints frames with the ground and the path kept as images. The selected obstacle is never part of the ground, so that a hand may move it cheaply. */
+/**
+ * Paints frames with the ground and the path kept as images. The selected obstacle is never part of the ground, so that a hand may
+ * move it cheaply.
+ */
 final class Picture {
 
     private final GroundLayer ground = new GroundLayer();
     private final PathLayer path = new PathLayer();
+    private boolean complete = true;
 
     /** Paints a frame at the resolution of the device that the graphics belongs to. */
     void paint(Graphics2D graphics, Camera camera, Palette palette, Set<Layer> layers, Frame frame, Optional<Obstacle> selected) {
@@ -28,12 +32,18 @@ final class Picture {
         Map<Boolean, List<Obstacle>> byLife = frame.world().obstacles().stream().collect(Collectors.partitioningBy(
                 obstacle -> obstacle.motion().isPresent() || selected.filter(obstacle::equals).isPresent()));
         ground.image(view, painter, frame, byLife.get(false)).show(graphics);
+        complete = true;
         if (layers.contains(Layer.PATH)) {
             path.image(view, frame.path()).show(graphics);
+            complete = path.isComplete();
         }
         Brush brush = new Brush(graphics, camera, palette);
-        painter.paintLive(brush, frame, byLife.get(true), path.settled());
+        painter.paintLive(brush, frame, byLife.get(true), path.tailFrom());
         selected.ifPresent(obstacle -> SelectionPainter.paint(brush, obstacle));
         painter.paintMargin(brush, frame.world());
+    }
+    /** Whether all was painted; if not, the picture must be painted again soon. */
+    boolean isComplete() {
+        return complete;
     }
 }

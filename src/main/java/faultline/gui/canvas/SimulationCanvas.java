@@ -20,8 +20,8 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 
 /**
- * The picture of the world in the window. It shows the newest frame that it was given, the badge of the first collision included, and sends what
- * mouse and keys do to obstacles as commands; what they change shows when a frame brings it back.
+ * The picture of the world in the window. It shows the newest frame that it was given, the badge of the first collision included,
+ * and sends what mouse and keys do to obstacles as commands; what they change shows when a frame brings it back.
  */
 public final class SimulationCanvas extends JComponent {
 
@@ -229,6 +229,9 @@ public final class SimulationCanvas extends JComponent {
             picture.paint(graphics, camera(), palette, layers, frame, scene.selected());
             hand.paint(new Brush(graphics, camera(), palette));
         });
+        if (!picture.isComplete()) {
+            repaint();
+        }
     }
 
     @Override

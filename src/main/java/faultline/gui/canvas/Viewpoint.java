@@ -8,9 +8,9 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 
 /**
- * Where the canvas looks. At first, and whenever it is told to, it shows the whole world and goes on doing so when the canvas is resized, until a
- * hand zooms or pans; when it follows, it moves only as far as keeps the robot in the middle part, because every move costs a new picture of the
- * ground.
+ * Where the canvas looks. At first, and whenever it is told to, it shows the whole world and goes on doing so when the canvas is
+ * resized, until a hand zooms or pans; when it follows, it moves only as far as keeps the robot in the middle part, because every
+ * move costs a new picture of the ground.
  */
 final class Viewpoint {
 

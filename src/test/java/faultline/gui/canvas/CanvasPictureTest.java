@@ -58,6 +58,21 @@ class CanvasPictureTest {
     }
 
     @Test
+    void aVeryLongPathIsDrawnInSeveralGoes() {
+        List<Vec> spiral = new ArrayList<>();
+        for (int i = 0; i < 60_000; i++) {
+            double r = 0.2 + i * 25e-6;
+            spiral.add(new Vec(3 + r * Math.cos(i * 0.03), 2 + r * Math.sin(i * 0.03)));
+        }
+        Frame frame = SampleFrames.of(ROBOT, SampleFrames.path(spiral.toArray(Vec[]::new)), List.of());
+        assertTrue(Pixels.unlike(picture(frame), shown(frame)) > 1000, "all in one go");
+        for (int go = 0; go < 3; go++) {
+            paint(1);
+        }
+        assertLooksLikeAFileButForJoints(frame);
+    }
+
+    @Test
     void thePathOfARestartedRunDoesNotKeepTheOldOne() {
         shown(SampleFrames.of(ROBOT, SampleFrames.path(line(0, 400).toArray(Vec[]::new)), List.of()));
         assertLooksLikeAFileButForJoints(SampleFrames.of(ROBOT, SampleFrames.path(new Vec(1, 1), new Vec(1.5, 1)), List.of()));
@@ -154,7 +169,9 @@ class CanvasPictureTest {
 
     private BufferedImage paint(int deviceScale) {
         return onEdt(() -> {
-            BufferedImage image = new BufferedImage(canvas.getWidth() * deviceScale, canvas.getHeight() * deviceScale, BufferedImage.TYPE_INT_RGB);
+            int width = canvas.getWidth() * deviceScale;
+            int height = canvas.getHeight() * deviceScale;
+            BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
             Graphics2D graphics = image.createGraphics();
             graphics.scale(deviceScale, deviceScale);
             canvas.paint(graphics);

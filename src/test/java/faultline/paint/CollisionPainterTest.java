@@ -1,0 +1,29 @@
+package faultline.paint;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.geometry.Vec;
+import faultline.sensor.Fault;
+import faultline.world.Collision;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+class CollisionPainterTest {
+
+    private static final Vec POINT = new Vec(3.1416, 1.8714);
+
+    @Test
+    void theBadgeSaysWhereAndWhenTheRobotFirstHitWhat() {
+        Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of());
+        assertEquals(List.of("First collision   x 3.142 m   y 1.871 m   t 12.480 s   desk"), CollisionPainter.lines(collision));
+    }
+
+    @Test
+    void theBadgeSaysWhatWasBrokenAndOffThen() {
+        Map<String, List<Fault>> faults = Map.of("left", List.of(new Fault.Stuck(0.4), new Fault.Bias(0.1)), "front", List.of(new Fault.Dead()));
+        Collision collision = new Collision(POINT, 12.48, 1248, "desk", faults, List.of("rear", "right"));
+        assertEquals(List.of("Faults then: front off, left stuck, left bias", "Switched off then: rear, right"),
+                CollisionPainter.lines(collision).subList(1, 3));
+    }
+}
