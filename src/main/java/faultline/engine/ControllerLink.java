@@ -27,6 +27,6 @@ interface ControllerLink extends AutoCloseable {
 
     /** Connects a controller as a mode says. */
     static ControllerLink connect(Controller controller, ControllerMode mode) {
-        return mode == ControllerMode.DIRECT ? new DirectLink(controller) : new ThreadedLink(controller);
+        return mode == ControllerMode.DIRECT ? new DirectLink(controller) : new ThreadedLink(controller, ThreadedLink.PATIENCE);
     }
 }

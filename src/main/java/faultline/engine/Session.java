@@ -156,13 +156,19 @@ public final class Session implements AutoCloseable {
                 publish(simulation);
                 rest();
             }
+            // What was asked before the end is answered.
+            obey(simulation);
         }
     }
 
     private void obey(Simulation simulation) {
         Consumer<Simulation> order = orders.poll();
         while (order != null) {
-            order.accept(simulation);
+            try {
+                order.accept(simulation);
+            } catch (RuntimeException broken) {
+                fail(broken, simulation);
+            }
             order = orders.poll();
         }
     }
@@ -172,10 +178,15 @@ public final class Session implements AutoCloseable {
             simulation.tick();
             pacer.ticked(simulation.setup().dt());
             changed = true;
-        } catch (RunFailedException broken) {
-            running = false;
-            failure = Optional.of(broken.getMessage());
+        } catch (RuntimeException broken) {
+            fail(broken, simulation);
         }
+    }
+
+    private void fail(RuntimeException broken, Simulation simulation) {
+        running = false;
+        failure = Optional.of(broken instanceof RunFailedException
+                ? broken.getMessage() : "the run broke at tick " + simulation.ticks() + ": " + broken);
     }
 
     private void publish(Simulation simulation) {

@@ -17,15 +17,19 @@ import java.util.concurrent.TimeoutException;
 final class ThreadedLink implements ControllerLink {
 
     /** A controller that has not answered for this long never will, seconds. No command is put in its place: the run has failed. */
-    private static final long PATIENCE = 10;
+    static final double PATIENCE = 10;
+
+    private static final double NANOS = 1e9;
 
     private final Controller controller;
     private final ExecutorService executor;
     private Future<Decision> decision;
+    private final double patience;
     private long tick;
 
-    ThreadedLink(Controller controller) {
+    ThreadedLink(Controller controller, double patience) {
         this.controller = controller;
+        this.patience = patience;
         this.executor = Executors.newSingleThreadExecutor(task -> {
             Thread thread = new Thread(task, "faultline-controller");
             thread.setDaemon(true);
@@ -42,11 +46,11 @@ final class ThreadedLink implements ControllerLink {
     @Override
     public Decision await() {
         try {
-            return decision.get(PATIENCE, TimeUnit.SECONDS);
+            return decision.get((long) (patience * NANOS), TimeUnit.NANOSECONDS);
         } catch (ExecutionException broken) {
             throw new RunFailedException("the controller broke at tick " + tick + ": " + broken.getCause(), broken.getCause());
         } catch (TimeoutException silent) {
-            throw new RunFailedException("the controller has not answered for " + PATIENCE + " s at tick " + tick, silent);
+            throw new RunFailedException("the controller has not answered for " + patience + " s at tick " + tick, silent);
         } catch (InterruptedException ended) {
             Thread.currentThread().interrupt();
             throw new RunFailedException("the run was interrupted at tick " + tick, ended);

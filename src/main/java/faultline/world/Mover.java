@@ -12,6 +12,9 @@ final class Mover {
     record Leg(double from, double to, Vec start, Vec velocity) {
     }
 
+    /** A way-point counts as reached from here, metres: one where the mover just touches the robot would never be reached otherwise. */
+    private static final double REACHED = 1e-9;
+
     private final Motion motion;
     private Vec place;
     private int next;
@@ -52,12 +55,12 @@ final class Mover {
                 at = at.plus(velocity.times(time - now));
                 now = time;
             } else {
-                stops = length > 0 ? 0 : stops + 1;
-                if (length > 0) {
+                stops = length > REACHED ? 0 : stops + 1;
+                if (length > REACHED) {
                     legs.add(new Leg(now, arrival, at, way.times(1 / (arrival - now))));
+                    at = motion.points().get(target);
+                    now = arrival;
                 }
-                at = motion.points().get(target);
-                now = arrival;
                 target = motion.loop() ? (target + 1) % motion.points().size() : target + 1;
             }
         }
