@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
 import faultline.control.Hand;
+import faultline.control.Timing;
 import faultline.geometry.Angles;
 import faultline.geometry.Pose;
 import faultline.robot.MotorSpec;
@@ -32,18 +33,20 @@ class AlignmentTest {
     private static final double MOST_SECONDS = 60;
 
     /** One way to come to a wall; angles in radians, the approach from the wall's normal. */
-    private record Approach(double angle, double distance, double range, double cone, double rate, double period, double tau, Hand hand) {
+    private record Approach(double angle, double distance, double range, double cone, double rate, double period, double tau, Hand hand,
+            Timing timing) {
 
         static Approach usual(double angle) {
             return new Approach(angle, 0.25, SensorSpec.DEFAULT_RANGE, SensorSpec.DEFAULT_CONE, RobotSpec.DEFAULT.turnRate(), 0,
-                    MotorSpec.DEFAULT.timeConstant(), Hand.LEFT);
+                    MotorSpec.DEFAULT.timeConstant(), Hand.LEFT, Timing.EQUAL_READINGS);
         }
 
         static Approach any(SplittableRandom random) {
             double[] periods = {0, 0.01, 0.02, 0.03, 0.05};
             return new Approach(Math.toRadians(random.nextDouble(-50, 50)), random.nextDouble(0.15, 0.4), random.nextDouble(0.5, 1.5),
                     Math.toRadians(random.nextDouble(2, 60)), Math.toRadians(random.nextDouble(20, 120)),
-                    periods[random.nextInt(periods.length)], random.nextDouble(0.1), random.nextBoolean() ? Hand.LEFT : Hand.RIGHT);
+                    periods[random.nextInt(periods.length)], random.nextDouble(0.1), random.nextBoolean() ? Hand.LEFT : Hand.RIGHT,
+                    Timing.EQUAL_READINGS);
         }
 
         double bound() {
@@ -72,7 +75,7 @@ class AlignmentTest {
                 robot = robot.withSensor(sensor.withRange(range).withCone(cone));
             }
             return new Setup(new WorldSpec(30, 30, true, 0, List.of()), robot, new Pose(15, 28, Math.PI / 2 + angle),
-                    new ControllerSpec.WallFollowing(distance, hand, period), List.of(), DT, 1, MOST_SECONDS);
+                    new ControllerSpec.WallFollowing(distance, hand, period, timing), List.of(), DT, 1, MOST_SECONDS);
         }
     }
 
@@ -98,9 +101,19 @@ class AlignmentTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.02, 0.1, 0.2})
     void theMotorsLagIsMadeUpFor(double tau) {
-        Approach usual = Approach.usual(0.3);
-        Approach lagging = new Approach(0.3, usual.distance, usual.range, usual.cone, usual.rate, 0, tau, Hand.LEFT);
         // Left alone, the lag would cost omega tau: 3 degrees at 0.05 s and 12 at 0.2 s.
-        assertEquals(0, lagging.headingError().orElseThrow(), Math.toRadians(0.3));
+        assertEquals(0, straight(tau, Timing.EQUAL_READINGS).headingError().orElseThrow(), Math.toRadians(0.3));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.02, 0.05, 0.2})
+    void thePaperToTheLetterLosesOmegaTauAndTheDelays(double tau) {
+        Approach letter = straight(tau, Timing.RANGE);
+        assertEquals(-letter.rate * (tau + DT / 2), letter.headingError().orElseThrow(), letter.bound());
+    }
+
+    private static Approach straight(double tau, Timing timing) {
+        Approach usual = Approach.usual(0);
+        return new Approach(0, usual.distance, usual.range, usual.cone, usual.rate, 0, tau, Hand.LEFT, timing);
     }
 }
