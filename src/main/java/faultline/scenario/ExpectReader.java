@@ -11,6 +11,9 @@ import java.util.OptionalDouble;
 /** Makes the expectations of their element. */
 final class ExpectReader {
 
+    /** More than any controller has. */
+    private static final int MOST_STATES = 50;
+
     private final Complaints complaints;
     private final List<String> possible;
 
@@ -43,14 +46,14 @@ final class ExpectReader {
     }
 
     private List<String> states(Fields fields, String text) {
-        List<String> states = Arrays.asList(text.strip().split("\\s+", Complaints.MOST));
+        List<String> states = Arrays.asList(text.strip().split("\\s+", MOST_STATES));
         states.forEach(state -> check(fields, "states", state));
         return states;
     }
 
     private void check(Fields fields, String name, String state) {
         if (!possible.contains(state)) {
-            fields.complain(name, state, "of the controller's states: " + Quoting.list(possible) + Spelling.hint(state, possible));
+            fields.complain(name, state, "one of the controller's states: " + Quoting.list(possible) + Spelling.hint(state, possible));
         }
     }
 }

@@ -2,7 +2,6 @@ package faultline.scenario;
 
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
-import java.math.BigDecimal;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -37,7 +36,6 @@ final class FaultFields {
     }
 
     private static Range range(FaultKind kind) {
-        return new Range(BigDecimal.valueOf(kind.least()), true, BigDecimal.valueOf(kind.most()), true,
-                kind.unit().equals("m") ? "metres" : kind.unit());
+        return Range.closed(Numbers.toText(kind.least()), Numbers.toText(kind.most()), kind.unit().equals("m") ? "metres" : kind.unit());
     }
 }

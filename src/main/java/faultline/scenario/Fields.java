@@ -3,6 +3,7 @@ package faultline.scenario;
 import faultline.geometry.Vec;
 import java.math.BigDecimal;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -21,6 +22,7 @@ final class Fields {
     private final Node node;
     private final Complaints complaints;
     private final Set<String> known = new LinkedHashSet<>();
+    private final Map<String, String> missing = new LinkedHashMap<>();
 
     Fields(Node node, Complaints complaints) {
         this.node = node;
@@ -159,20 +161,26 @@ final class Fields {
         complaints.add(node, subject(name) + " is " + Quoting.quoted(given) + ", allowed is " + allowed);
     }
 
-    /** Complains of every attribute that was given and never asked for. */
+    /**
+     * Complains of every attribute that was given and never asked for, and of every one that must be there and is not. One that looks like a
+     * misspelt name of the other kind is told of once.
+     */
     void done() {
         for (String name : node.attributes().keySet()) {
             if (!known.contains(name) && !EDITORS_HINTS.contains(name)) {
                 complaints.add(node, "<" + node.name() + "> has no attribute " + Quoting.quoted(name) + ", allowed is "
                         + (known.isEmpty() ? "none" : Quoting.list(known)) + Spelling.hint(name, known));
+                Spelling.nearest(name, known).ifPresent(missing::remove);
             }
         }
+        missing.forEach((name, allowed) -> complaints.add(node,
+                "<" + node.name() + "> lacks the attribute \"" + name + "\", allowed is " + allowed));
     }
 
     private Optional<String> required(String name, String allowed) {
         Optional<String> text = text(name);
         if (text.isEmpty()) {
-            complaints.add(node, "<" + node.name() + "> lacks the attribute \"" + name + "\", allowed is " + allowed);
+            missing.put(name, allowed);
         }
         return text;
     }

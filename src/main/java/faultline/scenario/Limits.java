@@ -3,8 +3,8 @@ package faultline.scenario;
 /** How big a scenario file may be: far above any real one, and low enough that a hostile one is turned away at once. */
 final class Limits {
 
-    /** The bytes of a file. */
-    static final long MOST_BYTES = 64L << 20;
+    /** The bytes of a file: the other limits are reached with some 12 million. */
+    static final long MOST_BYTES = 16L << 20;
 
     /** Obstacles and points of polygons, walls and motions, all together. */
     static final int MOST_PARTS = 100_000;

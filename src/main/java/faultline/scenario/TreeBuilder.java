@@ -86,6 +86,12 @@ final class TreeBuilder extends DefaultHandler {
         open.peek().text.append(buffer, start, length);
     }
 
+    /** Under a schema the parser takes some text for white space that is none. */
+    @Override
+    public void ignorableWhitespace(char[] buffer, int start, int length) {
+        characters(buffer, start, length);
+    }
+
     @Override
     public void endElement(String uri, String localName, String qName) {
         Open done = open.pop();

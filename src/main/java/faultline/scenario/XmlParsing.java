@@ -21,6 +21,7 @@ import org.xml.sax.SAXParseException;
 final class XmlParsing {
 
     private static final int EXCERPT = 40;
+    private static final String NOT_TEXT = "the bytes are not text in the encoding that the file names, allowed is UTF-8";
 
     private final byte[] bytes;
     private final Complaints complaints;
@@ -41,7 +42,7 @@ final class XmlParsing {
         } catch (SAXParseException e) {
             complaints.add(new Place(e.getLineNumber(), e.getColumnNumber()), sentence(e));
         } catch (CharConversionException | UnsupportedEncodingException e) {
-            complaints.add(Place.NONE, "the bytes are not text in the encoding that the file names, allowed is UTF-8");
+            complaints.add(Place.NONE, NOT_TEXT);
         } catch (SAXException | IOException e) {
             complaints.add(Place.NONE, "the file cannot be read as XML");
         }
@@ -80,6 +81,9 @@ final class XmlParsing {
         if (message.contains("disallow-doctype-decl")) {
             return "the file has a DOCTYPE, allowed is none";
         }
+        if (e.getException() instanceof CharConversionException) {
+            return NOT_TEXT;
+        }
         if (message.startsWith("JAXP")) {
             return "the file goes beyond a limit of the XML parser";
         }
@@ -102,6 +106,6 @@ final class XmlParsing {
         String line = lines.get(lines.size() - 1);
         int end = Math.max(0, Math.min(line.length(), e.getColumnNumber() - 1));
         String before = line.substring(Math.max(0, end - EXCERPT), end).strip();
-        return before.isEmpty() ? "" : ", after " + Quoting.quoted(before);
+        return before.isEmpty() ? "" : ", after " + Quoting.quoted((end > EXCERPT ? "..." : "") + before);
     }
 }
