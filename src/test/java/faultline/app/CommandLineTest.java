@@ -1,0 +1,186 @@
+package faultline.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Arguments in; exit code, output and complaints out. */
+class CommandLineTest {
+
+    private static final String STRUCK = "scenarios/struck-by-a-visitor.xml";
+
+    @TempDir
+    private Path folder;
+
+    /** What one command did. */
+    private record Outcome(int code, String out, String err) {
+
+        String value(String key) {
+            return out.lines().filter(line -> line.startsWith(key + ": ")).findFirst().orElseThrow().substring(key.length() + 2);
+        }
+    }
+
+    private static Outcome command(String... args) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        int code = new CommandLine(new Console(stream(out), stream(err))).run(args);
+        return new Outcome(code, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+    }
+
+    private static PrintStream stream(OutputStream out) {
+        return new PrintStream(out, true, StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void runPrintsTheSummaryAsKeysAndValues() {
+        Outcome run = command("run", STRUCK);
+        assertEquals(0, run.code);
+        assertEquals("", run.err);
+        assertEquals(List.of("ticks", "simulated_s", "real_time_factor", "state", "states", "collision", "collided_with", "coverage",
+                "distance_rms_m", "trajectory_hash", "seed", "expectations"), run.out.lines().map(line -> line.split(": ")[0]).toList());
+        assertEquals("2000", run.value("ticks"));
+        assertEquals("20", run.value("simulated_s"));
+        assertEquals("NONE", run.value("state"));
+        assertTrue(run.value("collision").matches("2\\.125000,2\\.100000 at 8\\.9\\d{5}"), run.value("collision"));
+        assertEquals("visitor", run.value("collided_with"));
+        assertTrue(run.value("trajectory_hash").matches("[0-9a-f]{16}"), run.value("trajectory_hash"));
+        assertEquals("held", run.value("expectations"));
+    }
+
+    @Test
+    void untilAndSeedTakeThePlaceOfTheFiles() {
+        Outcome run = command("run", STRUCK, "--until", "2.5", "--seed=-7");
+        assertEquals("250", run.value("ticks"));
+        assertEquals("-7", run.value("seed"));
+        assertEquals("none", run.value("collision"));
+    }
+
+    @Test
+    void anExpectationThatFailsIsExitCodeOneAndASentence() {
+        Outcome run = command("run", STRUCK, "--until", "1");
+        assertEquals(1, run.code);
+        assertEquals("failed", run.value("expectations"));
+        assertEquals("expected a collision, but there was none\n", run.err);
+    }
+
+    @Test
+    void theTrajectoryIsTheSameWhereverTheControllerRuns() {
+        String file = "scenarios/inner-corner-90.xml";
+        assertEquals(command("run", file, "--until", "20").value("trajectory_hash"),
+                command("run", file, "--until", "20", "--threads", "controller").value("trajectory_hash"));
+    }
+
+    @Test
+    void everyOutputIsWrittenAndTheJournalReplaysTheRun() throws IOException {
+        Path trace = folder.resolve("trace.csv");
+        Path image = folder.resolve("image.png");
+        Path journal = folder.resolve("journal.xml");
+        Outcome run = command("run", STRUCK, "--until", "12", "--seed", "5", "--trace", trace.toString(), "--image", image.toString(),
+                "--journal", journal.toString());
+        assertEquals(0, run.code, run.err);
+        List<String> rows = Files.readAllLines(trace);
+        assertTrue(rows.get(0).startsWith("tick,t,x,y,heading_deg,v,omega,left_v,right_v,state,collided,front.true,front.reading,"), rows.get(0));
+        assertEquals(1 + 1 + 1200, rows.size());
+        assertEquals(1200, ImageIO.read(image.toFile()).getWidth());
+        Outcome replay = command("run", journal.toString());
+        assertEquals(run.value("trajectory_hash"), replay.value("trajectory_hash"));
+        assertEquals("5", replay.value("seed"));
+        assertEquals(List.of(image, journal, trace), filesInFolder());
+    }
+
+    @Test
+    void anOutputThatCannotBeWrittenIsToldBeforeTheRunAndLeavesNothing() throws IOException {
+        Path trace = folder.resolve("trace.csv");
+        String image = folder.resolve("none").resolve("image.png").toString();
+        assertEquals(new Outcome(2, "", "faultline: " + image + ": the file cannot be written there\n"),
+                command("run", STRUCK, "--trace", trace.toString(), "--image", image));
+        assertEquals(List.of(), filesInFolder());
+    }
+
+    private List<Path> filesInFolder() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.sorted().toList();
+        }
+    }
+
+    @Test
+    void checkTellsGoodFilesAndBad() throws IOException {
+        Path bad = Files.writeString(folder.resolve("bad.xml"), "<scenario/>");
+        assertEquals(new Outcome(2, STRUCK + ": good\n", bad + ":1:12: the root element is <scenario xmlns=\"\">, allowed is <scenario "
+                + "xmlns=\"urn:faultline:scenario:1\">\n"), command("check", bad.toString(), STRUCK));
+        assertEquals(0, command("check", STRUCK).code);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            rnu x.xml                       | there is no command "rnu", allowed is run, check, --help, --version or a scenario file; did you mean "run"?
+            --hepl                          | there is no command "--hepl", allowed is run, check, --help, --version or a scenario file; did you mean "--help"?
+            a.xml b.xml                     | the window takes one scenario file, not also "b.xml"
+            run                             | run takes one scenario file, not none
+            run a.xml b.xml                 | run takes one scenario file, not 2
+            check                           | check takes one or more scenario files, not none
+            check --all a.xml               | there is no option "--all" here, allowed is none
+            run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --image, --journal; did you mean "--seed"?
+            run a.xml --seed                | --seed needs a value
+            run a.xml --seed 1 --seed 2     | --seed is there twice
+            run a.xml --seed 1.5            | --seed is "1.5", allowed is a whole number from -9223372036854775808 to 9223372036854775807
+            run a.xml --until -1            | --until is "-1", allowed is a number from 0 to 10000000 seconds
+            run a.xml --until NaN           | --until is "NaN", allowed is a number from 0 to 10000000 seconds
+            run a.xml --until 1e999         | --until is "1e999", allowed is a number from 0 to 10000000 seconds
+            run a.xml --threads controler   | --threads is "controler", allowed is controller or none; did you mean "controller"?
+            run a.xml --trace b --image ./b | one file is named twice, allowed is another one for each output
+            run a.xml --journal a.xml       | one file is named twice, allowed is another one for each output
+            run a.xml --trace=              | "" is no name for a file
+            """)
+    void badUsageIsExitCodeTwoAndOneLine(String arguments, String complaint) {
+        assertEquals(new Outcome(2, "", "faultline: " + complaint + " (faultline --help tells more)\n"), command(arguments.split(" ")));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"run none.xml", "none.xml", "check none.xml"})
+    void aFileThatIsNotThereIsExitCodeTwoAndOneLine(String arguments) {
+        assertEquals(new Outcome(2, "", "none.xml: there is no such file\n"), command(arguments.split(" ")));
+    }
+
+    @Test
+    void helpNamesEveryCommandAndOption() {
+        Outcome help = command("--help");
+        assertEquals(0, help.code);
+        Stream.of("run FILE", "--until", "--seed", "--threads", "--trace", "--image", "--journal", "check", "--version", "Exit codes")
+                .forEach(word -> assertTrue(help.out.contains(word), word));
+    }
+
+    @Test
+    void versionIsOneLine() {
+        Outcome version = command("--version");
+        assertEquals(0, version.code);
+        assertTrue(version.out.matches("faultline \\S.*\n"), version.out);
+    }
+
+    @Test
+    void aClosedPipeIsExitCodeTwo() {
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        OutputStream closed = new OutputStream() {
+            @Override
+            public void write(int b) throws IOException {
+                throw new IOException("broken pipe");
+            }
+        };
+        assertEquals(2, new CommandLine(new Console(stream(closed), stream(err))).run("--help"));
+        assertEquals("faultline: standard output cannot be written\n", err.toString(StandardCharsets.UTF_8));
+    }
+}
