@@ -11,11 +11,11 @@ import java.awt.Stroke;
 final class Hatching {
 
     private static final Stroke LINE = Brush.solid(1);
-    private static final Stroke BROKEN = Brush.dashed(1.2, 4, 4);
-    /** Between two arcs, pixels. */
-    private static final double ARC_STEP = 8;
-    /** Between two rays where they end, pixels. */
-    private static final double RAY_STEP = 9;
+    /** The least distance between two arcs, and between two rays where they end, pixels. */
+    private static final double LEAST_STEP = 8;
+    /** No cone has more arcs, or gaps between rays, than these, however large it is on the screen. */
+    private static final int MOST_ARCS = 24;
+    private static final int MOST_GAPS = 12;
 
     private Hatching() {
     }
@@ -29,18 +29,24 @@ final class Hatching {
             }
             case STUCK -> arcs(brush, cone, colour, LINE);
             case BIAS -> rays(brush, cone, colour);
-            case DROPOUT -> arcs(brush, cone, colour, BROKEN);
+            case DROPOUT -> arcs(brush, cone, colour, Brush.dashed(1.2, arcStep(cone) / 2, arcStep(cone) / 2));
         }
     }
 
     private static void arcs(Brush brush, ScreenSector cone, Color colour, Stroke stroke) {
-        for (double r = ARC_STEP; r < cone.radius(); r += ARC_STEP) {
+        double step = arcStep(cone);
+        for (double r = step; r < cone.radius(); r += step) {
             brush.draw(cone.arcAt(r / cone.scale()), colour, stroke);
         }
     }
 
+    private static double arcStep(ScreenSector cone) {
+        return Math.max(LEAST_STEP, cone.radius() / MOST_ARCS);
+    }
+
     private static void rays(Brush brush, ScreenSector cone, Color colour) {
-        int gaps = Math.max(2, (int) Math.round(Math.toRadians(cone.angle()) * cone.radius() / RAY_STEP));
+        double arc = Math.toRadians(cone.angle()) * cone.radius();
+        int gaps = (int) Math.max(2, Math.min(MOST_GAPS, Math.round(arc / LEAST_STEP)));
         for (int i = 1; i < gaps; i++) {
             brush.draw(cone.ray((double) i / gaps), colour, LINE);
         }
