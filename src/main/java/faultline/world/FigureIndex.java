@@ -12,4 +12,9 @@ interface FigureIndex {
      * @param found where they are added
      */
     void near(double x, double y, double distance, Candidates found);
+
+    /** The index that suits a number of figures: below some dozens, looking at all of them is fastest. */
+    static FigureIndex over(Candidates all) {
+        return all.size() <= 64 ? new BruteForceIndex(all) : new GridIndex(all);
+    }
 }

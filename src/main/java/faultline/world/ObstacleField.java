@@ -20,7 +20,7 @@ final class ObstacleField {
     private final List<Outline> outlines = new ArrayList<>();
     private final List<Integer> moving = new ArrayList<>();
     private final List<Mover> movers = new ArrayList<>();
-    private FigureIndex index = new BruteForceIndex(new Candidates());
+    private FigureIndex index = FigureIndex.over(new Candidates());
 
     ObstacleField(WorldSpec spec) {
         this.spec = spec;
@@ -40,7 +40,7 @@ final class ObstacleField {
     private void rebuild() {
         Candidates all = new Candidates();
         allStatic(all);
-        index = new BruteForceIndex(all);
+        index = FigureIndex.over(all);
     }
 
     /** Adds every static figure. */

@@ -28,7 +28,7 @@ public final class WallMap {
      */
     public WallMap(WorldSpec world) {
         new ObstacleField(world).allStatic(figures);
-        index = new BruteForceIndex(figures);
+        index = FigureIndex.over(figures);
     }
 
     /**
