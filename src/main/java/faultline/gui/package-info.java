@@ -1,2 +1,2 @@
-/** The window: Swing on the event dispatch thread alone. It shows frames and sends commands; it computes nothing of the model. */
+/** The front door of the window. */
 package faultline.gui;

@@ -1,0 +1,95 @@
+package faultline.gui.action;
+
+import java.awt.Component;
+import java.awt.GraphicsEnvironment;
+import java.awt.Toolkit;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import javax.swing.KeyStroke;
+import javax.swing.text.JTextComponent;
+
+/** Keys of actions, and how they are written. */
+public final class Keystrokes {
+
+    private static final int OTHER_MODIFIERS =
+            InputEvent.CTRL_DOWN_MASK | InputEvent.ALT_DOWN_MASK | InputEvent.META_DOWN_MASK | InputEvent.ALT_GRAPH_DOWN_MASK;
+
+    private Keystrokes() {
+    }
+
+    /**
+     * A key alone.
+     *
+     * @param key a code of {@link KeyEvent}
+     * @return the stroke
+     */
+    public static KeyStroke plain(int key) {
+        return KeyStroke.getKeyStroke(key, 0);
+    }
+
+    /**
+     * A key with the platform's menu key, which is Ctrl on most.
+     *
+     * @param key a code of {@link KeyEvent}
+     * @return the stroke
+     */
+    public static KeyStroke menu(int key) {
+        return KeyStroke.getKeyStroke(key, menuMask());
+    }
+
+    /**
+     * A key with the platform's menu key and Shift.
+     *
+     * @param key a code of {@link KeyEvent}
+     * @return the stroke
+     */
+    public static KeyStroke menuShift(int key) {
+        return KeyStroke.getKeyStroke(key, menuMask() | InputEvent.SHIFT_DOWN_MASK);
+    }
+
+    /** Without a display nobody can say what the menu key is. */
+    private static int menuMask() {
+        return GraphicsEnvironment.isHeadless() ? InputEvent.CTRL_DOWN_MASK : Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx();
+    }
+
+    /**
+     * A stroke for people.
+     *
+     * @param stroke the stroke
+     * @return such as Ctrl+O, or [
+     */
+    public static String text(KeyStroke stroke) {
+        String modifiers = InputEvent.getModifiersExText(stroke.getModifiers());
+        String key = switch (stroke.getKeyCode()) {
+            case KeyEvent.VK_PERIOD -> ".";
+            case KeyEvent.VK_OPEN_BRACKET -> "[";
+            case KeyEvent.VK_CLOSE_BRACKET -> "]";
+            case KeyEvent.VK_EQUALS -> "=";
+            case KeyEvent.VK_MINUS -> "-";
+            default -> KeyEvent.getKeyText(stroke.getKeyCode());
+        };
+        return modifiers.isEmpty() ? key : modifiers + "+" + key;
+    }
+
+    /**
+     * Whether a stroke would also type something: one without modifiers, or with Shift only, that is no function key.
+     *
+     * @param stroke the stroke
+     * @return true where a text field with the focus must get it
+     */
+    public static boolean types(KeyStroke stroke) {
+        boolean functionKey = stroke.getKeyCode() >= KeyEvent.VK_F1 && stroke.getKeyCode() <= KeyEvent.VK_F12;
+        return !functionKey && (stroke.getModifiers() & OTHER_MODIFIERS) == 0;
+    }
+
+    /**
+     * Whether a component keeps a stroke to itself.
+     *
+     * @param focused the component with the focus, may be null as the focus manager has it
+     * @param stroke the stroke
+     * @return true where it is typed into a text
+     */
+    public static boolean isTypedInto(Component focused, KeyStroke stroke) {
+        return focused instanceof JTextComponent && types(stroke);
+    }
+}

@@ -1,0 +1,141 @@
+package faultline.gui.action;
+
+import faultline.gui.text.Texts;
+import faultline.gui.theme.Glyph;
+import java.awt.event.ActionEvent;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
+import javax.swing.KeyStroke;
+
+/** One thing that the user can do, with its name, tool tip, key and icon. The texts come from the key {@code action.KEY}. */
+public final class UiAction extends AbstractAction {
+
+    private final String key;
+    private final transient Consumer<UiAction> deed;
+
+    private UiAction(String key, Consumer<UiAction> deed) {
+        this.key = key;
+        this.deed = deed;
+        rename(key);
+        putValue(ACTION_COMMAND_KEY, key);
+    }
+
+    /**
+     * An action that is done.
+     *
+     * @param key of its texts
+     * @param deed what it does, on the event dispatch thread
+     * @return the action, without a key and an icon
+     */
+    public static UiAction of(String key, Runnable deed) {
+        return new UiAction(key, action -> deed.run());
+    }
+
+    /**
+     * An action that is switched on and off.
+     *
+     * @param key of its texts
+     * @param on how it stands at first
+     * @param deed told how it stands from now on, on the event dispatch thread
+     * @return the action, without a key and an icon
+     */
+    public static UiAction toggle(String key, boolean on, Consumer<Boolean> deed) {
+        UiAction action = new UiAction(key, self -> deed.accept(self.isOn()));
+        action.putValue(SELECTED_KEY, on);
+        return action;
+    }
+
+    /**
+     * Gives the action a key.
+     *
+     * @param stroke the key
+     * @return this action
+     */
+    public UiAction on(KeyStroke stroke) {
+        putValue(ACCELERATOR_KEY, stroke);
+        explain();
+        return this;
+    }
+
+    /**
+     * Gives the action an icon for tool bars.
+     *
+     * @param glyph the drawing
+     * @return this action
+     */
+    public UiAction drawn(Glyph glyph) {
+        putValue(LARGE_ICON_KEY, glyph.icon());
+        return this;
+    }
+
+    /**
+     * Gives the action the texts of another key.
+     *
+     * @param textKey of the texts
+     */
+    public void rename(String textKey) {
+        String name = Texts.text("action." + textKey);
+        int mark = name.indexOf('&');
+        putValue(Action.NAME, name.replace("&", ""));
+        putValue(MNEMONIC_KEY, mark < 0 ? null : (int) Character.toUpperCase(name.charAt(mark + 1)));
+        putValue(LONG_DESCRIPTION, Texts.text("action." + textKey + ".tip"));
+        explain();
+    }
+
+    private void explain() {
+        String tip = (String) getValue(LONG_DESCRIPTION);
+        putValue(SHORT_DESCRIPTION, stroke().map(stroke -> tip + " (" + Keystrokes.text(stroke) + ")").orElse(tip));
+    }
+
+    /**
+     * The key of its texts, which is its name for the program.
+     *
+     * @return as given when it was made
+     */
+    public String key() {
+        return key;
+    }
+
+    /**
+     * Its name without the mark of the mnemonic.
+     *
+     * @return for people
+     */
+    public String name() {
+        return (String) getValue(NAME);
+    }
+
+    /**
+     * Its key.
+     *
+     * @return empty where it has none
+     */
+    public Optional<KeyStroke> stroke() {
+        return Optional.ofNullable((KeyStroke) getValue(ACCELERATOR_KEY));
+    }
+
+    /**
+     * How a switch stands.
+     *
+     * @return true for on
+     */
+    public boolean isOn() {
+        return Boolean.TRUE.equals(getValue(SELECTED_KEY));
+    }
+
+    /**
+     * Whether it is switched on and off rather than done.
+     *
+     * @return true for a switch
+     */
+    public boolean isToggle() {
+        return getValue(SELECTED_KEY) != null;
+    }
+
+    @Override
+    public void actionPerformed(ActionEvent event) {
+        deed.accept(this);
+    }
+}

@@ -1,0 +1,46 @@
+package faultline.gui.document;
+
+import java.awt.EventQueue;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
+import javax.swing.SwingWorker;
+
+/** Does slow things off the event dispatch thread, and comes back to it with what they gave. */
+final class Background {
+
+    private Background() {
+    }
+
+    /**
+     * Does something slow.
+     *
+     * @param slow what to do
+     * @param done told the result, on the event dispatch thread
+     * @param failed told the exception in its place, on the event dispatch thread
+     */
+    static <T> void run(Callable<T> slow, Consumer<T> done, Consumer<Throwable> failed) {
+        assert EventQueue.isDispatchThread();
+        new SwingWorker<T, Void>() {
+            @Override
+            protected T doInBackground() throws Exception {
+                return slow.call();
+            }
+
+            @Override
+            protected void done() {
+                T result;
+                try {
+                    result = get();
+                } catch (ExecutionException broken) {
+                    failed.accept(broken.getCause());
+                    return;
+                } catch (InterruptedException broken) {
+                    Thread.currentThread().interrupt();
+                    return;
+                }
+                done.accept(result);
+            }
+        }.execute();
+    }
+}

@@ -1,0 +1,304 @@
+package faultline.gui.document;
+
+import faultline.engine.Frame;
+import faultline.engine.Journal;
+import faultline.engine.Session;
+import faultline.scenario.Journals;
+import faultline.scenario.Scenario;
+import faultline.world.Command;
+import java.awt.EventQueue;
+import java.nio.file.Path;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+
+/** Holds the open scenario and its run. A new file or a restart is a new session; the old one is closed when the new one is there. */
+public final class Bench implements AutoCloseable {
+
+    private final Listener listener;
+    private Optional<Work> work = Optional.empty();
+    private double speed = 1;
+    private int orders;
+    private boolean asking;
+    private boolean stale;
+
+    /** Told of what happens on the bench. */
+    public interface Listener {
+
+        /** A new session has begun: of another file, or of the same scenario anew. */
+        void begun();
+
+        /** The name of the file, or whether there are unsaved changes, is another now. */
+        void renamed();
+
+        /**
+         * Something asked for could not be done; all is as it was before.
+         *
+         * @param what was being done
+         * @param file with which file
+         * @param why the exception
+         */
+        void failed(Task what, Path file, Throwable why);
+    }
+
+    /** What takes a while. */
+    public enum Task {
+        /** Reading a scenario. */
+        OPEN,
+        /** Writing the scenario. */
+        SAVE,
+        /** Writing the journal. */
+        SAVE_JOURNAL,
+        /** Beginning anew. */
+        RESTART
+    }
+
+    /**
+     * A scenario and a session of it.
+     *
+     * @param file where it is kept, empty for one that ships with the program
+     * @param saved as the file holds it
+     * @param begun as the session began
+     * @param edited as it is by now
+     * @param session the run
+     */
+    private record Work(Optional<Path> file, Scenario saved, Scenario begun, Scenario edited, Session session) {
+
+        static Work begin(Optional<Path> file, Scenario saved, Scenario begun) {
+            return new Work(file, saved, begun, begun, Session.start(begun.setup()));
+        }
+
+        Work withEdited(Scenario newEdited) {
+            return new Work(file, saved, begun, newEdited, session);
+        }
+
+        Work savedAs(Path newFile, Scenario newSaved) {
+            return new Work(Optional.of(newFile), newSaved, begun, newSaved, session);
+        }
+
+        Scenario after(Journal journal) {
+            return begun.withSetup(EditedSetup.of(journal));
+        }
+
+        boolean isChanged() {
+            return !edited.equals(saved);
+        }
+    }
+
+    /**
+     * An empty bench.
+     *
+     * @param listener told of everything, on the event dispatch thread
+     */
+    public Bench(Listener listener) {
+        this.listener = Objects.requireNonNull(listener, "listener");
+    }
+
+    /**
+     * Reads a file and begins a session of it, soon.
+     *
+     * @param file the scenario file
+     */
+    public void open(Path file) {
+        begin(Task.OPEN, file, () -> {
+            Scenario scenario = Scenario.load(file);
+            return Work.begin(Optional.of(file), scenario, scenario);
+        });
+    }
+
+    /**
+     * Begins a session of a scenario that ships with the program, soon.
+     *
+     * @param name its file's name
+     */
+    public void openShipped(String name) {
+        begin(Task.OPEN, Path.of(name), () -> {
+            Scenario scenario = Scenario.shipped(name);
+            return Work.begin(Optional.empty(), scenario, scenario);
+        });
+    }
+
+    /** Begins anew, soon, with the scenario as it is edited by now. */
+    public void restart() {
+        work.ifPresent(now -> {
+            CompletableFuture<Journal> journal = now.session().journal();
+            begin(Task.RESTART, path(now), () -> Work.begin(now.file(), now.saved(), now.after(journal.join())));
+        });
+    }
+
+    private void begin(Task task, Path file, Callable<Work> maker) {
+        int order = ++orders;
+        Background.run(maker, made -> adopt(made, order), why -> listener.failed(task, file, why));
+    }
+
+    private void adopt(Work made, int order) {
+        if (order != orders) {
+            made.session().close();
+            return;
+        }
+        close();
+        made.session().setSpeed(speed);
+        work = Optional.of(made);
+        listener.begun();
+        listener.renamed();
+    }
+
+    /**
+     * Writes the scenario as it is edited by now, soon.
+     *
+     * @param file where to
+     * @param then done when it is written, and only then
+     */
+    public void save(Path file, Runnable then) {
+        work.ifPresent(now -> {
+            CompletableFuture<Journal> journal = now.session().journal();
+            Background.run(() -> {
+                Scenario scenario = now.after(journal.join());
+                scenario.save(file);
+                return scenario;
+            }, scenario -> {
+                noteSaved(now, file, scenario);
+                then.run();
+            }, why -> listener.failed(Task.SAVE, file, why));
+        });
+    }
+
+    /** Another file may have been opened while this one was written. */
+    private void noteSaved(Work before, Path file, Scenario scenario) {
+        work = work.map(now -> now.session() == before.session() ? now.savedAs(file, scenario) : now);
+        stale = true;
+        listener.renamed();
+    }
+
+    /**
+     * Writes a scenario that replays what was done in this run, soon.
+     *
+     * @param file where to
+     */
+    public void saveJournal(Path file) {
+        work.ifPresent(now -> {
+            CompletableFuture<Journal> journal = now.session().journal();
+            Background.run(() -> {
+                Journals.toScenario(now.begun(), journal.join()).save(file);
+                return file;
+            }, written -> {
+            }, why -> listener.failed(Task.SAVE_JOURNAL, file, why));
+        });
+    }
+
+    /**
+     * The newest frame; asking orders the next one.
+     *
+     * @return empty before the first session
+     */
+    public Optional<Frame> frame() {
+        assert EventQueue.isDispatchThread();
+        look();
+        return work.map(now -> now.session().frame());
+    }
+
+    /** Finds out, without waiting, what the commands since the last look have made of the scenario. */
+    private void look() {
+        if (stale && !asking && work.isPresent()) {
+            Work now = work.get();
+            stale = false;
+            asking = true;
+            now.session().journal().thenApplyAsync(now::after)
+                    .whenComplete((edited, closed) -> EventQueue.invokeLater(() -> looked(now, Optional.ofNullable(edited))));
+        }
+    }
+
+    private void looked(Work asked, Optional<Scenario> edited) {
+        asking = false;
+        boolean changedBefore = isChanged();
+        edited.ifPresent(scenario -> work = work.map(now -> now.session() == asked.session() ? now.withEdited(scenario) : now));
+        if (isChanged() != changedBefore) {
+            listener.renamed();
+        }
+    }
+
+    /**
+     * Gives a command to the run.
+     *
+     * @param command what is to be done
+     */
+    public void send(Command command) {
+        assert EventQueue.isDispatchThread();
+        stale = true;
+        work.ifPresent(now -> now.session().send(command));
+    }
+
+    /** Lets time run, or holds it. */
+    public void toggleRunning() {
+        work.map(Work::session).ifPresent(session -> {
+            if (session.status().running()) {
+                session.pause();
+            } else {
+                session.run();
+            }
+        });
+    }
+
+    /** Makes one tick and holds. */
+    public void step() {
+        work.ifPresent(now -> now.session().step());
+    }
+
+    /**
+     * Sets the pace of this run and of all that follow.
+     *
+     * @param factor times real time, positive; positive infinity for as fast as possible
+     */
+    public void setSpeed(double factor) {
+        speed = factor;
+        work.ifPresent(now -> now.session().setSpeed(factor));
+    }
+
+    /**
+     * How the run is.
+     *
+     * @return empty before the first session
+     */
+    public Optional<Session.Status> status() {
+        return work.map(now -> now.session().status());
+    }
+
+    /**
+     * Where the scenario is kept.
+     *
+     * @return empty where it has no file
+     */
+    public Optional<Path> file() {
+        return work.flatMap(Work::file);
+    }
+
+    /**
+     * The scenario as it is edited by now.
+     *
+     * @return empty before the first session
+     */
+    public Optional<Scenario> scenario() {
+        return work.map(Work::edited);
+    }
+
+    /**
+     * Whether the scenario differs from its file.
+     *
+     * @return true where a save would change the file
+     */
+    public boolean isChanged() {
+        return work.filter(Work::isChanged).isPresent();
+    }
+
+    private static Path path(Work work) {
+        return work.file().orElse(Path.of(work.begun().name()));
+    }
+
+    /** Ends the run. */
+    @Override
+    public void close() {
+        work.ifPresent(now -> now.session().close());
+        work = Optional.empty();
+    }
+}

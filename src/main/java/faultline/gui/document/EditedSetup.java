@@ -1,0 +1,96 @@
+package faultline.gui.document;
+
+import faultline.engine.Journal;
+import faultline.engine.Setup;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import faultline.world.Clearance;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.WorldSpec;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What a scenario becomes by what was done to its run. Obstacles, platform, and the sensors' range and cone are the scenario's, and a change of
+ * them is kept; switching a sensor and breaking it is what happens in one run, and is not.
+ */
+final class EditedSetup {
+
+    private final Setup base;
+    private final Map<String, Obstacle> obstacles = new LinkedHashMap<>();
+    private RobotSpec robot;
+
+    private EditedSetup(Setup base) {
+        this.base = base;
+        this.robot = base.robot();
+        base.world().obstacles().forEach(obstacle -> obstacles.put(obstacle.id(), obstacle));
+    }
+
+    /**
+     * The setup after what was done to a run of it; whatever would leave the robot no room at its start is left as it was.
+     *
+     * @param journal what was done, and to which setup
+     * @return the setup to begin anew with
+     */
+    static Setup of(Journal journal) {
+        EditedSetup edited = new EditedSetup(journal.setup());
+        journal.entries().forEach(entry -> edited.take(entry.command()));
+        edited.makeRoom();
+        return edited.setup();
+    }
+
+    private void take(Command command) {
+        if (command instanceof Command.MoveObstacle move) {
+            obstacles.computeIfPresent(move.obstacle(), (id, obstacle) -> obstacle.at(move.pose()));
+        } else if (command instanceof Command.PutObstacle put) {
+            obstacles.put(put.obstacle().id(), put.obstacle());
+        } else if (command instanceof Command.RemoveObstacle remove) {
+            obstacles.remove(remove.obstacle());
+        } else if (command instanceof Command.SetPlatform platform) {
+            robot = robot.withPlatform(platform.length(), platform.width(), platform.speed());
+        } else if (command instanceof Command.TuneSensor tune) {
+            robot = robot.withSensor(tuned(tune.sensor()));
+        }
+    }
+
+    /** The switch stays as the scenario has it. */
+    private SensorSpec tuned(SensorSpec wanted) {
+        return wanted.withOn(robot.sensor(wanted.id()).map(SensorSpec::on).orElse(wanted.on()));
+    }
+
+    /** Takes back, one by one, what stands in the way at the start. */
+    private void makeRoom() {
+        Optional<String> obstructing = obstructing();
+        while (obstructing.isPresent() && takeBack(obstructing.get())) {
+            obstructing = obstructing();
+        }
+    }
+
+    private Optional<String> obstructing() {
+        return Clearance.obstructing(world(), robot, base.start());
+    }
+
+    private boolean takeBack(String id) {
+        Optional<Obstacle> before = base.world().obstacles().stream().filter(obstacle -> obstacle.id().equals(id)).findFirst();
+        if (obstacles.containsKey(id) && !before.equals(Optional.of(obstacles.get(id)))) {
+            before.ifPresentOrElse(obstacle -> obstacles.put(id, obstacle), () -> obstacles.remove(id));
+            return true;
+        }
+        RobotSpec smaller = robot.withPlatform(base.robot().length(), base.robot().width(), robot.speed());
+        boolean changed = !smaller.equals(robot);
+        robot = smaller;
+        return changed;
+    }
+
+    private WorldSpec world() {
+        WorldSpec world = base.world();
+        return new WorldSpec(world.width(), world.height(), world.enclosed(), world.maxMoving(), List.copyOf(obstacles.values()));
+    }
+
+    private Setup setup() {
+        return new Setup(world(), robot, base.start(), base.controller(), base.timeline(), base.dt(), base.seed(), base.duration());
+    }
+}

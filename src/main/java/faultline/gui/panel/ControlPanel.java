@@ -1,0 +1,77 @@
+package faultline.gui.panel;
+
+import faultline.gui.text.Texts;
+import faultline.world.Command;
+import faultline.world.Snapshot;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.util.function.Consumer;
+import javax.swing.Action;
+import javax.swing.BorderFactory;
+import javax.swing.BoxLayout;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
+
+/** The control panel of the paper's Fig. 1: the robot, its sensors and its faults, one below the other. */
+public final class ControlPanel extends JPanel {
+
+    private static final int WHEEL = 16;
+
+    private final RobotPanel robot;
+    private final SensorsPanel sensors;
+    private final FaultsPanel faults;
+
+    /**
+     * A panel that shows nothing yet.
+     *
+     * @param commands where all changes go
+     * @param path shows or hides the path
+     */
+    public ControlPanel(Consumer<Command> commands, Action path) {
+        super(new BorderLayout());
+        robot = new RobotPanel(commands, path);
+        sensors = new SensorsPanel(commands);
+        faults = new FaultsPanel(commands);
+        JPanel column = new JPanel();
+        column.setLayout(new BoxLayout(column, BoxLayout.PAGE_AXIS));
+        column.add(new Section(Texts.text("robot.title"), robot));
+        column.add(new Section(Texts.text("sensors.title"), sensors));
+        column.add(new Section(Texts.text("faults.title"), faults));
+        JPanel top = new JPanel(new BorderLayout());
+        top.add(column, BorderLayout.NORTH);
+        JScrollPane scroll = new JScrollPane(top, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        scroll.getVerticalScrollBar().setUnitIncrement(WHEEL);
+        add(scroll, BorderLayout.CENTER);
+    }
+
+    /** As wide as its rows, and room for the scroll bar, so that nothing moves when that comes. */
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(getPreferredSize().width, super.getMinimumSize().height);
+    }
+
+    /**
+     * Shows how the world is now.
+     *
+     * @param world the newest snapshot
+     */
+    public void show(Snapshot world) {
+        assert EventQueue.isDispatchThread();
+        robot.show(world.robot());
+        sensors.show(world.sensors());
+        faults.show(world.sensors());
+    }
+
+    /**
+     * Switches a sensor the other way.
+     *
+     * @param index its place in the robot's order, from 0; nothing happens where there is none
+     */
+    public void toggleSensor(int index) {
+        sensors.toggle(index);
+    }
+}

@@ -1,0 +1,38 @@
+package faultline.gui.panel;
+
+import java.awt.GridBagConstraints;
+import java.awt.Insets;
+
+/** Places in a grid of controls. */
+final class Grid {
+
+    private static final int GAP = 6;
+
+    private Grid() {
+    }
+
+    /** A cell that is as wide as what it holds; text and fields stand on one base line. */
+    static GridBagConstraints cell(int column, int row) {
+        GridBagConstraints place = new GridBagConstraints();
+        place.gridx = column;
+        place.gridy = row;
+        place.anchor = GridBagConstraints.BASELINE_LEADING;
+        place.insets = new Insets(2, column == 0 ? 0 : GAP, 2, 0);
+        return place;
+    }
+
+    /** A cell that takes the width that is left. */
+    static GridBagConstraints wide(int column, int row) {
+        GridBagConstraints place = cell(column, row);
+        place.weightx = 1;
+        place.fill = GridBagConstraints.HORIZONTAL;
+        return place;
+    }
+
+    /** A cell for something without a base line, in the middle of its row. */
+    static GridBagConstraints centred(int column, int row) {
+        GridBagConstraints place = cell(column, row);
+        place.anchor = GridBagConstraints.CENTER;
+        return place;
+    }
+}

@@ -1,0 +1,41 @@
+package faultline.gui.panel;
+
+import faultline.gui.text.Texts;
+import faultline.sensor.Fault;
+import faultline.sensor.Reading;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/** Readings and faults in words. */
+final class ReadingText {
+
+    private ReadingText() {
+    }
+
+    /** Metres, a dash where nothing is within range, or "off". */
+    static String of(Reading reading) {
+        if (reading.isOff()) {
+            return Texts.text("reading.off");
+        }
+        return reading.distance().isPresent() ? metres(reading.encoded()) : "–";
+    }
+
+    private static String metres(double value) {
+        return String.format(Locale.ROOT, "%.3f", value);
+    }
+
+    /** The faults of one sensor, by kind and number. */
+    static String of(List<Fault> faults) {
+        return faults.stream().map(ReadingText::of).collect(Collectors.joining(", "));
+    }
+
+    /** A fault, such as "stuck 0.40 m". */
+    static String of(Fault fault) {
+        String kind = FaultNames.of(fault.kind());
+        if (!fault.kind().takesValue()) {
+            return kind;
+        }
+        return (kind + String.format(Locale.ROOT, " %.2f ", fault.value()) + fault.kind().unit()).strip();
+    }
+}

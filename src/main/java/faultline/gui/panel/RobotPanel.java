@@ -1,0 +1,89 @@
+package faultline.gui.panel;
+
+import faultline.gui.text.Texts;
+import faultline.robot.RobotSpec;
+import faultline.world.Command;
+import java.awt.EventQueue;
+import java.awt.GridBagConstraints;
+import java.awt.GridBagLayout;
+import java.util.function.Consumer;
+import javax.swing.Action;
+import javax.swing.JCheckBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+
+/** The robot's linear velocity and platform, and whether its path is drawn. */
+public final class RobotPanel extends JPanel {
+
+    private static final double LEAST = 0.01;
+    private static final double MOST_SIZE = 10;
+    private static final double MOST_SPEED = 100;
+
+    private final transient Echo<Command.SetPlatform> platform = new Echo<>(platform(RobotSpec.DEFAULT));
+    private final transient Consumer<Command> commands;
+    private final NumberSpinner speed = new NumberSpinner("0.00##", LEAST, MOST_SPEED, 0.05, value -> {
+        Command.SetPlatform now = platform.value();
+        set(new Command.SetPlatform(now.length(), now.width(), value));
+    });
+    private final NumberSpinner length = new NumberSpinner("0.00##", LEAST, MOST_SIZE, 0.01, value -> {
+        Command.SetPlatform now = platform.value();
+        set(new Command.SetPlatform(value, now.width(), now.speed()));
+    });
+    private final NumberSpinner width = new NumberSpinner("0.00##", LEAST, MOST_SIZE, 0.01, value -> {
+        Command.SetPlatform now = platform.value();
+        set(new Command.SetPlatform(now.length(), value, now.speed()));
+    });
+
+    /**
+     * The robot's controls.
+     *
+     * @param commands where changes go
+     * @param path shows or hides the path
+     */
+    public RobotPanel(Consumer<Command> commands, Action path) {
+        super(new GridBagLayout());
+        this.commands = commands;
+        addRow(0, "robot.speed", speed, "m/s");
+        addRow(1, "robot.length", length, "m");
+        addRow(2, "robot.width", width, "m");
+        JCheckBox drawPath = new JCheckBox(path);
+        drawPath.setIcon(null);
+        drawPath.setText(Texts.text("robot.path"));
+        drawPath.setMnemonic(0);
+        GridBagConstraints place = Grid.cell(0, 3);
+        place.gridwidth = GridBagConstraints.REMAINDER;
+        place.insets.top += 2;
+        place.insets.left -= 2;
+        add(drawPath, place);
+    }
+
+    private void addRow(int row, String key, NumberSpinner spinner, String unit) {
+        JLabel label = new JLabel(Texts.text(key));
+        spinner.named(Texts.text(key)).columns(6);
+        label.setLabelFor(spinner);
+        add(label, Grid.wide(0, row));
+        add(spinner, Grid.cell(1, row));
+        add(new MutedLabel(unit), Grid.wide(2, row));
+    }
+
+    private static Command.SetPlatform platform(RobotSpec robot) {
+        return new Command.SetPlatform(robot.length(), robot.width(), robot.speed());
+    }
+
+    private void set(Command.SetPlatform wanted) {
+        commands.accept(platform.ask(wanted));
+    }
+
+    /**
+     * Shows how the robot is now.
+     *
+     * @param robot as built and set
+     */
+    public void show(RobotSpec robot) {
+        assert EventQueue.isDispatchThread();
+        Command.SetPlatform shown = platform.told(platform(robot));
+        speed.follow(shown.speed());
+        length.follow(shown.length());
+        width.follow(shown.width());
+    }
+}

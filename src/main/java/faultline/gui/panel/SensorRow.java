@@ -1,0 +1,95 @@
+package faultline.gui.panel;
+
+import faultline.geometry.Degrees;
+import faultline.gui.text.Texts;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import faultline.world.SensorSnapshot;
+import java.awt.Dimension;
+import java.util.function.Consumer;
+import javax.swing.JCheckBox;
+import javax.swing.JPanel;
+
+/** The controls of one sensor: its switch, range and cone, and what it reports. */
+final class SensorRow {
+
+    private static final double MOST_RANGE = 100;
+    private static final double LEAST_RANGE = 0.01;
+    private static final double LEAST_CONE = 0.1;
+    private static final double MOST_CONE = 179.9;
+    private static final int NAME_WIDTH = 96;
+
+    private final Swatch swatch;
+    private final JCheckBox onOff = new JCheckBox();
+    private final NumberSpinner range;
+    private final NumberSpinner cone;
+    private final ReadingBar reading;
+    private final Echo<SensorSpec> spec;
+    private final Consumer<Command> commands;
+    private double coneRadians;
+    private double coneDegrees;
+
+    SensorRow(int index, SensorSpec first, Consumer<Command> commands) {
+        this.commands = commands;
+        spec = new Echo<>(first);
+        swatch = new Swatch(index);
+        range = new NumberSpinner("0.00##", LEAST_RANGE, MOST_RANGE, 0.05, metres -> tune(spec.value().withRange(metres)));
+        cone = new NumberSpinner("0.##", LEAST_CONE, MOST_CONE, 1, degrees -> tune(spec.value().withCone(Degrees.toRadians(degrees))));
+        reading = new ReadingBar(first.id());
+        range.named(Texts.text("sensor.range", first.id())).columns(4);
+        cone.named(Texts.text("sensor.cone", first.id())).columns(4);
+        prepareSwitch(first.id());
+    }
+
+    private void prepareSwitch(String id) {
+        onOff.setText(id);
+        onOff.setPreferredSize(new Dimension(NAME_WIDTH, onOff.getPreferredSize().height));
+        onOff.setMinimumSize(onOff.getPreferredSize());
+        onOff.setToolTipText(Texts.text("sensor.switch", id));
+        onOff.getAccessibleContext().setAccessibleName(Texts.text("sensor.switch", id));
+        onOff.addActionListener(event -> switchTo(onOff.isSelected()));
+    }
+
+    /** Puts the controls into a row of a grid. */
+    void addTo(JPanel grid, int row) {
+        grid.add(swatch, Grid.centred(0, row));
+        grid.add(onOff, Grid.wide(1, row));
+        grid.add(range, Grid.cell(2, row));
+        grid.add(cone, Grid.cell(3, row));
+        grid.add(reading, Grid.centred(4, row));
+    }
+
+    private void switchTo(boolean on) {
+        spec.ask(spec.value().withOn(on));
+        commands.accept(new Command.SwitchSensor(spec.value().id(), on));
+    }
+
+    private void tune(SensorSpec wanted) {
+        commands.accept(new Command.TuneSensor(spec.ask(wanted)));
+    }
+
+    /** Switches the sensor the other way. */
+    void toggle() {
+        switchTo(!spec.value().on());
+    }
+
+    /** The cone in degrees, remembered, because the exact conversion is slow and asked for with every snapshot. */
+    private double degrees(double radians) {
+        if (radians != coneRadians) {
+            coneRadians = radians;
+            coneDegrees = Double.parseDouble(Degrees.toText(radians));
+        }
+        return coneDegrees;
+    }
+
+    /** Shows how the sensor is now. */
+    void show(SensorSnapshot snapshot) {
+        SensorSpec shown = spec.told(snapshot.spec());
+        if (onOff.isSelected() != shown.on()) {
+            onOff.setSelected(shown.on());
+        }
+        range.follow(shown.range());
+        cone.follow(degrees(shown.cone()));
+        reading.show(snapshot);
+    }
+}

@@ -1,0 +1,57 @@
+package faultline.gui.panel;
+
+import faultline.gui.theme.Smooth;
+import faultline.gui.theme.Theme;
+import faultline.paint.SensorColours;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.Rectangle2D;
+import javax.swing.JComponent;
+
+/** The number of a sensor on the colour of its cone, as on the canvas. */
+final class Swatch extends JComponent {
+
+    private static final int SIZE = 18;
+    private static final Font FONT = new Font(Font.SANS_SERIF, Font.BOLD, 11);
+
+    private final int index;
+
+    /** The swatch of a sensor by its place in the robot's order, from 0. */
+    Swatch(int index) {
+        this.index = index;
+        setPreferredSize(new Dimension(SIZE, SIZE));
+        setMinimumSize(getPreferredSize());
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        SensorColours colours = Theme.current().palette().sensor(index);
+        Smooth.paint(graphics, g -> {
+            Shape box = Smooth.box(0, 0, SIZE, SIZE);
+            g.setColor(colours.fill());
+            g.fill(box);
+            g.setColor(colours.outline());
+            g.setStroke(new BasicStroke(1));
+            g.draw(box);
+            paintNumber(g, isLight(colours.fill()) ? Color.BLACK : Color.WHITE);
+        });
+    }
+
+    private void paintNumber(Graphics2D g, Color colour) {
+        String number = Integer.toString(index + 1);
+        Rectangle2D bounds = FONT.createGlyphVector(g.getFontRenderContext(), number).getVisualBounds();
+        g.setFont(FONT);
+        g.setColor(colour);
+        g.drawString(number, (float) (SIZE / 2.0 - bounds.getCenterX()), (float) (SIZE / 2.0 - bounds.getCenterY()));
+    }
+
+    /** Whether black stands out better than white, by the usual weights of red, green and blue. */
+    static boolean isLight(Color colour) {
+        return 0.299 * colour.getRed() + 0.587 * colour.getGreen() + 0.114 * colour.getBlue() > 125;
+    }
+}

@@ -1,0 +1,48 @@
+package faultline.gui.theme;
+
+import java.awt.Graphics;
+import java.awt.Rectangle;
+import javax.swing.AbstractButton;
+import javax.swing.JComponent;
+import javax.swing.plaf.ComponentUI;
+import javax.swing.plaf.basic.BasicButtonUI;
+
+/** A flat button. */
+public final class FlatButtonUI extends BasicButtonUI {
+
+    /**
+     * Made by Swing for a component.
+     *
+     * @param component a button
+     * @return a delegate
+     */
+    public static ComponentUI createUI(JComponent component) {
+        return new FlatButtonUI();
+    }
+
+    @Override
+    protected void installDefaults(AbstractButton button) {
+        super.installDefaults(button);
+        button.setOpaque(false);
+        button.setRolloverEnabled(true);
+        if (ButtonFace.isPrimary(button)) {
+            button.setForeground(Theme.now().onAccent());
+        }
+    }
+
+    @Override
+    public void paint(Graphics graphics, JComponent component) {
+        ButtonFace.paint(graphics, (AbstractButton) component);
+        super.paint(graphics, component);
+    }
+
+    @Override
+    protected void paintButtonPressed(Graphics graphics, AbstractButton button) {
+        // The face shows it.
+    }
+
+    @Override
+    protected void paintFocus(Graphics graphics, AbstractButton button, Rectangle view, Rectangle text, Rectangle icon) {
+        // The face shows it.
+    }
+}

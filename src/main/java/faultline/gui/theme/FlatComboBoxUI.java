@@ -1,0 +1,47 @@
+package faultline.gui.theme;
+
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Rectangle;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.plaf.ComponentUI;
+import javax.swing.plaf.basic.BasicComboBoxUI;
+
+/** A flat combo box: one outline round value and arrow. */
+public final class FlatComboBoxUI extends BasicComboBoxUI {
+
+    private static final int INDENT = 4;
+
+    /**
+     * Made by Swing for a component.
+     *
+     * @param component a combo box
+     * @return a delegate
+     */
+    public static ComponentUI createUI(JComponent component) {
+        return new FlatComboBoxUI();
+    }
+
+    @Override
+    protected JButton createArrowButton() {
+        return ArrowButton.down();
+    }
+
+    @Override
+    public void paintCurrentValueBackground(Graphics graphics, Rectangle value, boolean focused) {
+        graphics.setColor(Theme.now().field());
+        graphics.fillRect(value.x, value.y, value.width, value.height);
+    }
+
+    @Override
+    public void paintCurrentValue(Graphics graphics, Rectangle value, boolean focused) {
+        super.paintCurrentValue(graphics, new Rectangle(value.x + INDENT, value.y, value.width - INDENT, value.height), false);
+    }
+
+    @Override
+    protected Dimension getDisplaySize() {
+        Dimension size = super.getDisplaySize();
+        return new Dimension(size.width + 2 * INDENT, size.height + 6);
+    }
+}

@@ -1,0 +1,122 @@
+package faultline.gui.theme;
+
+import java.awt.Color;
+import java.util.HashMap;
+import java.util.Map;
+import javax.swing.border.Border;
+import javax.swing.border.CompoundBorder;
+import javax.swing.border.EmptyBorder;
+import javax.swing.border.LineBorder;
+import javax.swing.border.MatteBorder;
+import javax.swing.plaf.BorderUIResource;
+
+/** The table of defaults that turns Metal flat. */
+final class FlatDefaults {
+
+    private final ThemeColours colours;
+    private final Map<Object, Object> table = new HashMap<>();
+
+    private FlatDefaults(ThemeColours colours) {
+        this.colours = colours;
+    }
+
+    static Map<Object, Object> table(ThemeColours colours) {
+        FlatDefaults defaults = new FlatDefaults(colours);
+        defaults.plainDelegates();
+        defaults.buttons();
+        defaults.fields();
+        defaults.menus();
+        defaults.bars();
+        defaults.containers();
+        return defaults.table;
+    }
+
+    private void plainDelegates() {
+        for (String control : new String[] {"MenuBar", "ToolBar", "Separator", "PopupMenuSeparator", "ToolBarSeparator"}) {
+            table.put(control + "UI", "javax.swing.plaf.basic.Basic" + control + "UI");
+        }
+    }
+
+    private void buttons() {
+        table.put("Button.border", padding(6, 14, 6, 14));
+        table.put("ToggleButton.border", padding(6, 7, 6, 7));
+        table.put("Button.rollover", true);
+        table.put("Button.defaultButtonFollowsFocus", false);
+        table.put("CheckBox.icon", new CheckIcon());
+        table.put("CheckBox.background", colours.background());
+        table.put("CheckBox.textIconGap", 7);
+        table.put("CheckBox.border", padding(2, 2, 2, 2));
+    }
+
+    private void fields() {
+        for (String field : new String[] {"TextField", "FormattedTextField", "ComboBox", "Spinner", "TextArea", "List", "Table"}) {
+            table.put(field + ".background", colours.field());
+            table.put(field + ".foreground", colours.text());
+        }
+        table.put("TextField.border", new BorderUIResource(new FieldBorder(4, 8)));
+        table.put("FormattedTextField.border", new BorderUIResource(new FieldBorder(4, 8)));
+        table.put("Spinner.border", new BorderUIResource(new FieldBorder(2, 2)));
+        table.put("Spinner.editorBorderPainted", false);
+        table.put("ComboBox.border", new BorderUIResource(new FieldBorder(2, 2)));
+        table.put("ComboBox.selectionBackground", colours.accent());
+        table.put("ComboBox.selectionForeground", colours.onAccent());
+        table.put("TextField.inactiveBackground", colours.background());
+    }
+
+    private void menus() {
+        table.put("MenuBar.border", ruled(0, 1, new EmptyBorder(0, 4, 0, 0)));
+        table.put("MenuBar.background", colours.background());
+        table.put("Menu.border", padding(4, 8, 4, 8));
+        for (String item : new String[] {"MenuItem", "CheckBoxMenuItem", "RadioButtonMenuItem", "Menu"}) {
+            table.put(item + ".borderPainted", false);
+            table.put(item + ".selectionBackground", item.equals("Menu") ? colours.hover() : colours.accent());
+            table.put(item + ".selectionForeground", item.equals("Menu") ? colours.text() : colours.onAccent());
+            table.put(item + ".acceleratorForeground", colours.muted());
+            table.put(item + ".acceleratorSelectionForeground", colours.onAccent());
+            table.put(item + ".acceleratorDelimiter", "+");
+        }
+        for (String item : new String[] {"MenuItem", "CheckBoxMenuItem"}) {
+            table.put(item + ".border", padding(4, 6, 4, 12));
+        }
+        table.put("CheckBoxMenuItem.checkIcon", new CheckIcon());
+        table.put("PopupMenu.border", new BorderUIResource(new CompoundBorder(new LineBorder(colours.line()), new EmptyBorder(4, 0, 4, 0))));
+        table.put("PopupMenu.background", colours.background());
+    }
+
+    private void bars() {
+        table.put("ToolBar.border", ruled(0, 1, new EmptyBorder(4, 8, 4, 8)));
+        table.put("ToolBar.background", colours.background());
+        table.put("Slider.background", colours.background());
+        table.put("ScrollBar.width", 12);
+        table.put("Separator.foreground", colours.line());
+        table.put("Separator.background", colours.background());
+        boolean dark = colours == ThemeColours.DARK;
+        table.put("ToolTip.background", dark ? colours.pressed() : colours.text());
+        table.put("ToolTip.foreground", dark ? colours.text() : colours.field());
+        table.put("ToolTip.border", padding(4, 8, 4, 8));
+    }
+
+    private void containers() {
+        table.put("Panel.background", colours.background());
+        table.put("Viewport.background", colours.background());
+        table.put("ScrollPane.border", new BorderUIResource(new LineBorder(colours.line())));
+        table.put("Table.gridColor", colours.line());
+        table.put("Table.rowHeight", 26);
+        table.put("TableHeader.background", colours.background());
+        table.put("TableHeader.cellBorder", ruled(0, 1, new EmptyBorder(4, 6, 4, 6)));
+        table.put("SplitPane.dividerSize", 7);
+        table.put("SplitPane.border", padding(0, 0, 0, 0));
+        table.put("SplitPaneDivider.border", padding(0, 0, 0, 0));
+        table.put("OptionPane.buttonPadding", 12);
+    }
+
+    private Border ruled(int above, int below, Border inner) {
+        Color line = colours.line();
+        return new BorderUIResource(new CompoundBorder(new MatteBorder(above, 0, below, 0, line), inner));
+    }
+
+    private static Border padding(int top, int left, int bottom, int right) {
+        return new BorderUIResource(new EmptyBorder(top, left, bottom, right));
+    }
+
+}

@@ -1,0 +1,66 @@
+package faultline.gui.theme;
+
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.RoundRectangle2D;
+import javax.swing.JComponent;
+import javax.swing.JSlider;
+import javax.swing.plaf.ComponentUI;
+import javax.swing.plaf.basic.BasicSliderUI;
+
+/** A flat slider: a thin track, filled up to a round thumb. */
+public final class FlatSliderUI extends BasicSliderUI {
+
+    private static final int THUMB = 15;
+    private static final int TRACK = 4;
+    private static final int FOCUS_ALPHA = 90;
+
+    private FlatSliderUI(JSlider slider) {
+        super(slider);
+    }
+
+    /**
+     * Made by Swing for a component.
+     *
+     * @param component a slider
+     * @return a delegate
+     */
+    public static ComponentUI createUI(JComponent component) {
+        return new FlatSliderUI((JSlider) component);
+    }
+
+    @Override
+    protected Dimension getThumbSize() {
+        return new Dimension(THUMB, THUMB);
+    }
+
+    @Override
+    public void paintTrack(Graphics graphics) {
+        Smooth.paint(graphics, g -> {
+            double y = trackRect.y + (trackRect.height - TRACK) / 2.0;
+            g.setColor(Theme.now().border());
+            g.fill(new RoundRectangle2D.Double(trackRect.x, y, trackRect.width, TRACK, TRACK, TRACK));
+            g.setColor(Theme.now().accent());
+            g.fill(new RoundRectangle2D.Double(trackRect.x, y, thumbRect.getCenterX() - trackRect.x, TRACK, TRACK, TRACK));
+        });
+    }
+
+    @Override
+    public void paintThumb(Graphics graphics) {
+        Smooth.paint(graphics, g -> {
+            g.setColor(Theme.now().accent());
+            g.fill(new Ellipse2D.Double(thumbRect.x + 0.5, thumbRect.y + 0.5, THUMB - 1, THUMB - 1));
+            if (slider.hasFocus()) {
+                g.setColor(ThemeColours.translucent(Theme.now().accent(), FOCUS_ALPHA));
+                g.setStroke(Smooth.line(3));
+                g.draw(new Ellipse2D.Double(thumbRect.x, thumbRect.y, THUMB, THUMB));
+            }
+        });
+    }
+
+    @Override
+    public void paintFocus(Graphics graphics) {
+        // The thumb shows it.
+    }
+}

@@ -1,0 +1,35 @@
+package faultline.gui.theme;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Graphics;
+import java.util.Optional;
+import java.util.function.Function;
+import javax.swing.Icon;
+import javax.swing.plaf.UIResource;
+
+/**
+ * A glyph as an icon, sharp at any scale of the screen.
+ *
+ * @param glyph the drawing
+ * @param size width and height, pixels
+ * @param colour which of the theme's colours, empty for that of the component's text
+ */
+public record GlyphIcon(Glyph glyph, int size, Function<ThemeColours, Optional<Color>> colour) implements Icon, UIResource {
+
+    @Override
+    public int getIconWidth() {
+        return size;
+    }
+
+    @Override
+    public int getIconHeight() {
+        return size;
+    }
+
+    @Override
+    public void paintIcon(Component component, Graphics graphics, int x, int y) {
+        Color ownColour = component.isEnabled() ? component.getForeground() : Theme.now().border();
+        glyph.paint(graphics, x, y, size, colour.apply(Theme.now()).orElse(ownColour));
+    }
+}

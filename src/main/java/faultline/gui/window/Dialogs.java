@@ -1,0 +1,74 @@
+package faultline.gui.window;
+
+import faultline.gui.action.Keystrokes;
+import faultline.gui.action.UiAction;
+import faultline.gui.document.Bench;
+import faultline.gui.text.Texts;
+import faultline.gui.theme.Glyph;
+import faultline.scenario.Complaint;
+import faultline.scenario.ScenarioException;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JDialog;
+import javax.swing.JOptionPane;
+import javax.swing.UIManager;
+
+/** What the window tells its user in a dialog. */
+final class Dialogs {
+
+    private static final List<Integer> COMPLAINT_WIDTHS = List.of(60, 70, 560);
+    private static final List<Integer> SHORTCUT_WIDTHS = List.of(150, 420);
+
+    private final Window owner;
+
+    Dialogs(Window owner) {
+        this.owner = owner;
+    }
+
+    void addTo(UiActions actions) {
+        actions.add(UiAction.of("shortcuts", () -> shortcuts(actions).setVisible(true)).on(Keystrokes.plain(KeyEvent.VK_F1)));
+        actions.add(UiAction.of("about", this::about));
+    }
+
+    /** Says why something asked for was not done. */
+    void failed(Bench.Task task, Path file, Throwable why) {
+        if (why instanceof ScenarioException bad) {
+            badFile(file, bad.complaints()).setVisible(true);
+            return;
+        }
+        String reason = Optional.ofNullable(why.getMessage()).orElse(why.getClass().getSimpleName());
+        String sentence = Texts.text("failed." + task, String.valueOf(file.getFileName()), reason);
+        JOptionPane.showMessageDialog(owner, sentence, Texts.text("failed.title"), JOptionPane.ERROR_MESSAGE);
+    }
+
+    private JDialog badFile(Path file, List<Complaint> complaints) {
+        List<List<String>> rows = complaints.stream()
+                .map(complaint -> List.of(number(complaint.place().line()), number(complaint.place().column()), complaint.text())).toList();
+        List<String> columns = List.of(Texts.text("badFile.line"), Texts.text("badFile.column"), Texts.text("badFile.what"));
+        String heading = Texts.text("badFile.heading", String.valueOf(file.getFileName()));
+        return new TableDialog(owner, Texts.text("badFile.title"), heading, UIManager.getIcon("OptionPane.errorIcon"), columns, COMPLAINT_WIDTHS, rows);
+    }
+
+    private static String number(int number) {
+        return number > 0 ? Integer.toString(number) : "–";
+    }
+
+    private JDialog shortcuts(UiActions actions) {
+        List<List<String>> rows = new ArrayList<>();
+        actions.all().forEach(action -> action.stroke()
+                .ifPresent(stroke -> rows.add(List.of(Keystrokes.text(stroke), String.valueOf(action.getValue(UiAction.LONG_DESCRIPTION))))));
+        for (String hand : Texts.text("shortcuts.canvas").split(";")) {
+            rows.add(List.of(hand.split(":")));
+        }
+        List<String> columns = List.of(Texts.text("shortcuts.key"), Texts.text("shortcuts.what"));
+        return new TableDialog(owner, Texts.text("shortcuts.title"), Texts.text("shortcuts.heading"), Glyph.NOTE.icon(), columns, SHORTCUT_WIDTHS, rows);
+    }
+
+    private void about() {
+        JOptionPane.showMessageDialog(owner, Texts.text("about.text"), Texts.text("about.title"), JOptionPane.INFORMATION_MESSAGE);
+    }
+}

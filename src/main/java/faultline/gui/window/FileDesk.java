@@ -1,0 +1,95 @@
+package faultline.gui.window;
+
+import static faultline.gui.action.Keystrokes.menu;
+import static faultline.gui.action.Keystrokes.menuShift;
+
+import faultline.gui.action.UiAction;
+import faultline.gui.document.Bench;
+import faultline.gui.text.Texts;
+import faultline.gui.theme.Glyph;
+import java.awt.Component;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.Optional;
+import javax.swing.JOptionPane;
+
+/** Opening and saving, with the questions that go with it. */
+final class FileDesk {
+
+    private final Component parent;
+    private final Bench bench;
+    private final FileQuestions questions;
+
+    FileDesk(Component parent, Bench bench) {
+        this.parent = parent;
+        this.bench = bench;
+        this.questions = new FileQuestions(parent);
+    }
+
+    void addTo(UiActions actions, Runnable quit) {
+        actions.add(UiAction.of("open", this::open).on(menu(KeyEvent.VK_O)).drawn(Glyph.OPEN));
+        actions.add(UiAction.of("save", this::save).on(menu(KeyEvent.VK_S)).drawn(Glyph.SAVE));
+        actions.add(UiAction.of("saveAs", () -> saveAs(FileDesk::nothing)).on(menuShift(KeyEvent.VK_S)));
+        actions.add(UiAction.of("saveJournal", this::saveJournal));
+        actions.add(UiAction.of("quit", quit).on(menu(KeyEvent.VK_Q)));
+    }
+
+    private static void nothing() {
+    }
+
+    private void open() {
+        unlessLost(() -> questions.fileToOpen(bench.file()).ifPresent(bench::open));
+    }
+
+    /** Opens a file that was dropped on the window. */
+    void open(Path file) {
+        unlessLost(() -> bench.open(file));
+    }
+
+    private void save() {
+        save(FileDesk::nothing);
+    }
+
+    private void save(Runnable then) {
+        bench.file().ifPresentOrElse(file -> bench.save(file, then), () -> saveAs(then));
+    }
+
+    private void saveAs(Runnable then) {
+        questions.fileToSave("saveAs", suggestion("")).ifPresent(file -> bench.save(file, then));
+    }
+
+    private void saveJournal() {
+        questions.fileToSave("saveJournal", suggestion("-journal")).ifPresent(bench::saveJournal);
+    }
+
+    /** The name of the open file, or of the scenario, with something behind it. */
+    private Path suggestion(String suffix) {
+        String scenario = bench.scenario().map(open -> open.name().replaceAll("[^\\p{L}\\p{N} ._-]", "_")).orElse("scenario");
+        Path file = bench.file().orElse(Path.of(scenario + ".xml"));
+        String name = file.getFileName().toString().replaceFirst("\\.xml$", "");
+        return file.resolveSibling(name + suffix + ".xml");
+    }
+
+    /** Does something that would lose unsaved changes, after asking what is to become of them. */
+    void unlessLost(Runnable deed) {
+        if (!bench.isChanged()) {
+            deed.run();
+            return;
+        }
+        String[] answers = {Texts.text("unsaved.save"), Texts.text("unsaved.discard"), Texts.text("unsaved.cancel")};
+        int answer = JOptionPane.showOptionDialog(parent, Texts.text("unsaved.question"), Texts.text("unsaved.title"),
+                JOptionPane.DEFAULT_OPTION, JOptionPane.QUESTION_MESSAGE, null, answers, answers[0]);
+        if (answer == 0) {
+            save(deed);
+        } else if (answer == 1) {
+            deed.run();
+        }
+    }
+
+    /** The name of what is open, for the window's title. */
+    String title() {
+        Optional<String> name = bench.file().map(file -> file.getFileName().toString());
+        String shown = name.or(() -> bench.scenario().map(scenario -> scenario.name())).orElse(Texts.text("title.none"));
+        return shown + (bench.isChanged() ? "*" : "") + " – Faultline";
+    }
+}

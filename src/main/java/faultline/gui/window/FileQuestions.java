@@ -1,0 +1,70 @@
+package faultline.gui.window;
+
+import faultline.gui.text.Texts;
+import java.awt.Component;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import javax.swing.JFileChooser;
+import javax.swing.JOptionPane;
+import javax.swing.filechooser.FileNameExtensionFilter;
+
+/** Asks which file. */
+final class FileQuestions {
+
+    private static final String EXTENSION = ".xml";
+
+    private final Component parent;
+    private File folder = new File("").getAbsoluteFile();
+
+    FileQuestions(Component parent) {
+        this.parent = parent;
+    }
+
+    /** The file to open, empty where the user thinks better of it. */
+    Optional<Path> fileToOpen(Optional<Path> open) {
+        JFileChooser chooser = chooser("open");
+        open.map(Path::toAbsolutePath).map(Path::toFile).ifPresent(chooser::setSelectedFile);
+        return answer(chooser, chooser.showOpenDialog(parent));
+    }
+
+    /** The file to write, empty where the user thinks better of it; asks before a file is replaced. */
+    Optional<Path> fileToSave(String action, Path suggestion) {
+        JFileChooser chooser = chooser(action);
+        chooser.setSelectedFile(new File(folder, suggestion.getFileName().toString()));
+        if (suggestion.isAbsolute()) {
+            chooser.setSelectedFile(suggestion.toFile());
+        }
+        return answer(chooser, chooser.showSaveDialog(parent)).map(FileQuestions::withExtension).filter(this::mayReplace);
+    }
+
+    private JFileChooser chooser(String action) {
+        JFileChooser chooser = new JFileChooser(folder);
+        chooser.setDialogTitle(Texts.text("files." + action));
+        chooser.setFileFilter(new FileNameExtensionFilter(Texts.text("files.filter"), "xml"));
+        return chooser;
+    }
+
+    private Optional<Path> answer(JFileChooser chooser, int answer) {
+        if (answer != JFileChooser.APPROVE_OPTION) {
+            return Optional.empty();
+        }
+        folder = chooser.getCurrentDirectory();
+        return Optional.of(chooser.getSelectedFile().toPath());
+    }
+
+    private static Path withExtension(Path file) {
+        String name = file.getFileName().toString();
+        return name.contains(".") ? file : file.resolveSibling(name + EXTENSION);
+    }
+
+    private boolean mayReplace(Path file) {
+        if (!Files.exists(file)) {
+            return true;
+        }
+        String question = Texts.text("files.replace", file.getFileName().toString());
+        return JOptionPane.showConfirmDialog(parent, question, Texts.text("files.replace.title"), JOptionPane.OK_CANCEL_OPTION,
+                JOptionPane.WARNING_MESSAGE) == JOptionPane.OK_OPTION;
+    }
+}

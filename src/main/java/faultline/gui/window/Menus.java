@@ -1,0 +1,55 @@
+package faultline.gui.window;
+
+import faultline.gui.action.UiAction;
+import faultline.gui.text.Texts;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
+
+/** The menu bar. */
+final class Menus {
+
+    private static final String RULE = "-";
+
+    private final UiActions actions;
+
+    private Menus(UiActions actions) {
+        this.actions = actions;
+    }
+
+    static JMenuBar of(UiActions actions) {
+        Menus menus = new Menus(actions);
+        JMenuBar bar = new GuardedMenuBar();
+        bar.add(menus.menu("file", "open", RULE, "save", "saveAs", "saveJournal", RULE, "quit"));
+        bar.add(menus.menu("view", "fit", "zoomIn", "zoomOut", "follow", RULE, "path", "cones", "hits", "routes", "labels", "grid", "scaleBar", RULE,
+                "dark"));
+        JMenu simulation = menus.menu("simulation", "run", "step", "restart", RULE, "slower", "faster", "realTime", RULE);
+        simulation.add(menus.menu("sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8"));
+        bar.add(simulation);
+        bar.add(menus.menu("help", "shortcuts", "about"));
+        return bar;
+    }
+
+    private JMenu menu(String key, String... items) {
+        String name = Texts.text("menu." + key);
+        JMenu menu = new JMenu(name.replace("&", ""));
+        menu.setMnemonic(name.charAt(name.indexOf('&') + 1));
+        for (String item : items) {
+            if (item.equals(RULE)) {
+                menu.addSeparator();
+            } else {
+                menu.add(item(actions.get(item)));
+            }
+        }
+        return menu;
+    }
+
+    private static JMenuItem item(UiAction action) {
+        JMenuItem item = action.isToggle() ? new JCheckBoxMenuItem(action) : new JMenuItem(action);
+        item.setIcon(null);
+        // The name says it, and a tip would cover the items below.
+        item.setToolTipText(null);
+        return item;
+    }
+}

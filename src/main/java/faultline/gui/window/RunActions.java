@@ -1,0 +1,57 @@
+package faultline.gui.window;
+
+import static faultline.gui.action.Keystrokes.menu;
+import static faultline.gui.action.Keystrokes.plain;
+
+import faultline.engine.Session;
+import faultline.gui.action.UiAction;
+import faultline.gui.document.Bench;
+import faultline.gui.theme.Glyph;
+import java.awt.event.KeyEvent;
+import java.util.function.IntConsumer;
+import java.util.function.IntUnaryOperator;
+import javax.swing.BoundedRangeModel;
+
+/** The actions on the run: run and pause, step, restart, the speed, and the switches of the sensors. */
+final class RunActions {
+
+    private static final int SENSOR_KEYS = 8;
+
+    private final Bench bench;
+    private final BoundedRangeModel speed;
+    private final UiAction run;
+    private boolean running;
+
+    RunActions(Bench bench, BoundedRangeModel speed) {
+        this.bench = bench;
+        this.speed = speed;
+        this.run = UiAction.of("run", bench::toggleRunning).on(plain(KeyEvent.VK_SPACE)).drawn(Glyph.RUN);
+        speed.addChangeListener(event -> bench.setSpeed(SpeedScale.speed(speed.getValue())));
+    }
+
+    void addTo(UiActions actions, IntConsumer toggleSensor) {
+        actions.add(run);
+        actions.add(UiAction.of("step", bench::step).on(plain(KeyEvent.VK_PERIOD)).drawn(Glyph.STEP));
+        actions.add(UiAction.of("restart", bench::restart).on(menu(KeyEvent.VK_R)).drawn(Glyph.RESTART));
+        actions.add(UiAction.of("slower", () -> change(SpeedScale::slower)).on(plain(KeyEvent.VK_OPEN_BRACKET)));
+        actions.add(UiAction.of("faster", () -> change(SpeedScale::faster)).on(plain(KeyEvent.VK_CLOSE_BRACKET)));
+        actions.add(UiAction.of("realTime", () -> speed.setValue(SpeedScale.REAL_TIME)).on(plain(KeyEvent.VK_BACK_SLASH)));
+        for (int i = 0; i < SENSOR_KEYS; i++) {
+            int index = i;
+            actions.add(UiAction.of("sensor" + (i + 1), () -> toggleSensor.accept(index)).on(plain(KeyEvent.VK_1 + i)));
+        }
+    }
+
+    private void change(IntUnaryOperator next) {
+        speed.setValue(next.applyAsInt(speed.getValue()));
+    }
+
+    /** Makes the one action say Run or Pause. */
+    void show(Session.Status status) {
+        if (status.running() != running) {
+            running = status.running();
+            run.rename(running ? "pause" : "run");
+            run.drawn(running ? Glyph.PAUSE : Glyph.RUN);
+        }
+    }
+}

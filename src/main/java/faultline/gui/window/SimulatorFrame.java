@@ -1,0 +1,165 @@
+package faultline.gui.window;
+
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.document.Bench;
+import faultline.gui.theme.Glyph;
+import faultline.gui.theme.Theme;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.nio.file.Path;
+import javax.swing.BoundedRangeModel;
+import javax.swing.DefaultBoundedRangeModel;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import javax.swing.WindowConstants;
+
+/** The window. A timer asks the bench for the newest frame some sixty times a second; nothing is pushed at it. */
+public final class SimulatorFrame extends JFrame {
+
+    private static final int POLL_MILLIS = 16;
+    private static final Dimension USUAL = new Dimension(1360, 880);
+    private static final Dimension LEAST = new Dimension(1024, 600);
+
+    private final transient Bench bench = new Bench(new Events());
+    private final transient UiActions actions = new UiActions();
+    private final transient Dialogs dialogs = new Dialogs(this);
+    private final transient FileDesk files = new FileDesk(this, bench);
+    private final SimulationCanvas canvas = new SimulationCanvas(bench::send);
+    private final transient RunActions runActions;
+    private final transient WindowMemory memory;
+    private final WorkArea area;
+    private final Timer poll = new Timer(POLL_MILLIS, event -> poll());
+
+    /**
+     * A window without a scenario, not yet shown.
+     *
+     * @param memory where it was, and keeps where it is
+     */
+    public SimulatorFrame(WindowMemory memory) {
+        assert EventQueue.isDispatchThread();
+        this.memory = memory;
+        BoundedRangeModel speed = new DefaultBoundedRangeModel(SpeedScale.REAL_TIME, 0, 0, SpeedScale.MOST);
+        runActions = new RunActions(bench, speed);
+        addActions();
+        area = new WorkArea(canvas, bench::send, actions, speed);
+        setJMenuBar(Menus.of(actions));
+        setContentPane(area);
+        setIconImages(AppIcon.images());
+        setTransferHandler(new FileDrop(files::open));
+        setTitle(files.title());
+        setMinimumSize(LEAST);
+        placeWindow();
+        closeWithQuestion();
+    }
+
+    private void addActions() {
+        files.addTo(actions, this::quit);
+        ViewActions.addTo(actions, canvas, this::setTheme);
+        runActions.addTo(actions, this::toggleSensor);
+        dialogs.addTo(actions);
+        actions.get("dark").drawn(Theme.current() == Theme.DARK ? Glyph.SUN : Glyph.MOON);
+    }
+
+    private void toggleSensor(int index) {
+        area.panel().toggleSensor(index);
+    }
+
+    private void placeWindow() {
+        setSize(USUAL);
+        setLocationByPlatform(true);
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        memory.bounds().filter(screen::intersects).ifPresent(this::setBounds);
+        setSize(Math.min(getWidth(), screen.width), Math.min(getHeight(), screen.height));
+        validate();
+        int panelWidth = memory.panelWidth().orElse(area.panel().getMinimumSize().width);
+        area.split().setDividerLocation(getWidth() - panelWidth - area.split().getDividerSize());
+    }
+
+    private void closeWithQuestion() {
+        setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent event) {
+                quit();
+            }
+
+            @Override
+            public void windowOpened(WindowEvent event) {
+                canvas.requestFocusInWindow();
+            }
+        });
+    }
+
+    private void quit() {
+        files.unlessLost(() -> {
+            memory.keepBounds(getBounds());
+            memory.keepPanelWidth(area.panel().getWidth());
+            dispose();
+        });
+    }
+
+    /** Ends the run with the window. */
+    @Override
+    public void dispose() {
+        poll.stop();
+        bench.close();
+        super.dispose();
+    }
+
+    /**
+     * Opens a scenario file, soon.
+     *
+     * @param file the file
+     */
+    public void open(Path file) {
+        bench.open(file);
+    }
+
+    /**
+     * Opens a scenario that ships with the program, soon.
+     *
+     * @param name its file's name
+     */
+    public void openShipped(String name) {
+        bench.openShipped(name);
+    }
+
+    private void setTheme(Theme theme) {
+        theme.install();
+        actions.get("dark").drawn(theme == Theme.DARK ? Glyph.SUN : Glyph.MOON);
+        canvas.setPalette(theme.palette());
+        SwingUtilities.updateComponentTreeUI(this);
+        memory.keepTheme(theme);
+    }
+
+    private void poll() {
+        bench.frame().ifPresent(frame -> bench.status().ifPresent(status -> {
+            area.show(frame, status);
+            runActions.show(status);
+        }));
+    }
+
+    /** What the bench tells. */
+    private final class Events implements Bench.Listener {
+        @Override
+        public void begun() {
+            area.status().reset();
+            poll.start();
+        }
+
+        @Override
+        public void renamed() {
+            setTitle(files.title());
+        }
+
+        @Override
+        public void failed(Bench.Task what, Path file, Throwable why) {
+            dialogs.failed(what, file, why);
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package faultline.gui.window;
+
+import faultline.engine.Frame;
+import faultline.engine.Session;
+import faultline.geometry.Pose;
+import faultline.geometry.Vec;
+import faultline.gui.text.Texts;
+import faultline.gui.theme.RuleBorder;
+import faultline.world.Snapshot;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.util.Locale;
+import java.util.Optional;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+
+/** One line about the run: whether it runs, its time and pace, the controller's state, the robot's pose, and where the mouse is. */
+final class StatusBar extends JPanel {
+
+    private static final int GAP = 14;
+    /** For how many snapshots a note stays; at sixty in a second, five seconds. */
+    private static final int NOTE_STAYS = 300;
+
+    private final StatusCell running = cell("status.running", "Collision 0");
+    private final StatusCell time = cell("status.time", "t 00000.000 s");
+    private final StatusCell tick = cell("status.tick", "tick 00000000");
+    private final StatusCell pace = cell("status.pace", "00000.00× real time");
+    private final StatusCell state = cell("status.state", "MEASURE ");
+    private final StatusCell pose = cell("status.pose", "x -00.000  y -00.000  θ -000.0°");
+    private final StatusCell cursor = cell("status.cursor", "cursor -00.00, -00.00");
+    private final StatusCell scale = cell("status.scale", "0000 px/m");
+    private final JLabel note = new JLabel(" ");
+    private int noteLeft;
+    private int refusals;
+
+    StatusBar() {
+        setLayout(new BoxLayout(this, BoxLayout.LINE_AXIS));
+        setBorder(RuleBorder.above(4, 14, 4));
+        for (StatusCell cell : new StatusCell[] {running, time, tick, pace, state, pose, cursor, scale}) {
+            add(cell);
+            add(Box.createHorizontalStrut(GAP));
+        }
+        note.getAccessibleContext().setAccessibleName(Texts.text("status.note"));
+        note.setMinimumSize(new Dimension());
+        add(note);
+        add(Box.createHorizontalGlue());
+    }
+
+    private static StatusCell cell(String key, String widest) {
+        return new StatusCell(Texts.text(key), widest);
+    }
+
+    /** Shows how the run is. */
+    void show(Frame frame, Session.Status status) {
+        assert EventQueue.isDispatchThread();
+        Snapshot world = frame.world();
+        running.show(Texts.text(status.failure().isPresent() ? "status.failed" : world.collision().isPresent() ? "status.collided"
+                : status.running() ? "status.runs" : "status.paused"));
+        time.show(format("t %.3f s", world.time()));
+        tick.show(format("tick %d", world.tick()));
+        pace.show(status.running() ? format("%.2f× ", status.achieved()) + Texts.text("status.realTime") : "–");
+        state.show(frame.control().state());
+        pose.show(text(world.pose()));
+        showNote(status);
+    }
+
+    private static String text(Pose pose) {
+        double degrees = Math.toDegrees(Math.IEEEremainder(pose.heading(), 2 * Math.PI));
+        return format("x %.3f  y %.3f  θ %.1f°", pose.x(), pose.y(), degrees);
+    }
+
+    private void showNote(Session.Status status) {
+        if (status.refusals() != refusals) {
+            refusals = status.refusals();
+            status.lastRefusal().ifPresent(this::showNote);
+        } else if (noteLeft > 0 && --noteLeft == 0) {
+            note.setText(" ");
+        }
+    }
+
+    /** Shows a sentence for a few seconds. */
+    void showNote(String sentence) {
+        note.setText(sentence);
+        note.setToolTipText(sentence);
+        noteLeft = NOTE_STAYS;
+    }
+
+    /** Forgets what belonged to another session. */
+    void reset() {
+        refusals = 0;
+    }
+
+    /** Shows where the mouse is in the world. */
+    void showCursor(Optional<Vec> place) {
+        cursor.show(place.map(at -> Texts.text("status.at", format("%.2f", at.x()), format("%.2f", at.y()))).orElse(""));
+    }
+
+    /** Shows how many pixels a metre has. */
+    void showScale(double pixelsPerMetre) {
+        scale.show(format("%.0f px/m", pixelsPerMetre));
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}

@@ -1,0 +1,80 @@
+package faultline.gui.window;
+
+import faultline.gui.action.UiAction;
+import faultline.gui.text.Texts;
+import faultline.gui.theme.ButtonFace;
+import java.awt.Dimension;
+import javax.swing.AbstractButton;
+import javax.swing.Box;
+import javax.swing.BoundedRangeModel;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JToggleButton;
+import javax.swing.JToolBar;
+
+/** The tool bar: what is used most. Its buttons leave the focus where it is, so that Space after a click still runs and pauses. */
+final class ToolBar extends JToolBar {
+
+    private static final int SIDE = 32;
+    private static final int GROUP_GAP = 12;
+
+    private final transient UiActions actions;
+
+    ToolBar(UiActions actions, BoundedRangeModel speed) {
+        this.actions = actions;
+        setFloatable(false);
+        addGroup("open", "save");
+        add(runButton());
+        addGroup("step", "restart");
+        JLabel label = new JLabel(Texts.text("speed"));
+        SpeedSlider slider = new SpeedSlider(speed);
+        label.setLabelFor(slider);
+        add(label);
+        add(Box.createHorizontalStrut(GROUP_GAP / 2));
+        add(slider);
+        add(slider.number());
+        add(Box.createHorizontalStrut(GROUP_GAP));
+        addGroup("fit", "path", "follow");
+        add(Box.createHorizontalGlue());
+        add(button(actions.get("dark")));
+    }
+
+    private void addGroup(String... keys) {
+        for (String key : keys) {
+            add(button(actions.get(key)));
+            add(Box.createHorizontalStrut(2));
+        }
+        add(Box.createHorizontalStrut(GROUP_GAP));
+    }
+
+    private static AbstractButton button(UiAction action) {
+        AbstractButton button = action.isToggle() ? new JToggleButton(action) : new JButton(action);
+        button.setHideActionText(true);
+        button.setFocusable(false);
+        button.getAccessibleContext().setAccessibleName(action.name());
+        fix(button, SIDE);
+        return button;
+    }
+
+    /** Run or Pause, wide enough for both, so that nothing jumps. */
+    private AbstractButton runButton() {
+        UiAction action = actions.get("run");
+        JButton button = new JButton();
+        button.putClientProperty(ButtonFace.PRIMARY, true);
+        button.updateUI();
+        button.setFocusable(false);
+        action.rename("pause");
+        button.setAction(action);
+        int width = button.getPreferredSize().width;
+        action.rename("run");
+        fix(button, Math.max(width, button.getPreferredSize().width));
+        return button;
+    }
+
+    private static void fix(AbstractButton button, int width) {
+        Dimension size = new Dimension(width, SIDE);
+        button.setPreferredSize(size);
+        button.setMinimumSize(size);
+        button.setMaximumSize(size);
+    }
+}

@@ -1,0 +1,34 @@
+package faultline.gui.window;
+
+import faultline.gui.action.UiAction;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** All actions of a window, by key, in the order in which they were made. */
+final class UiActions {
+
+    private final Map<String, UiAction> actions = new LinkedHashMap<>();
+
+    /** Adds an action. */
+    UiAction add(UiAction action) {
+        if (actions.put(action.key(), action) != null) {
+            throw new IllegalArgumentException("two actions are called " + action.key());
+        }
+        return action;
+    }
+
+    /** The action of a key. */
+    UiAction get(String key) {
+        UiAction action = actions.get(key);
+        if (action == null) {
+            throw new IllegalArgumentException("there is no action " + key);
+        }
+        return action;
+    }
+
+    Collection<UiAction> all() {
+        return Collections.unmodifiableCollection(actions.values());
+    }
+}

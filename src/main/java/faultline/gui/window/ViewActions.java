@@ -1,0 +1,39 @@
+package faultline.gui.window;
+
+import static faultline.gui.action.Keystrokes.menu;
+import static faultline.gui.action.Keystrokes.plain;
+
+import faultline.gui.action.UiAction;
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.theme.Glyph;
+import faultline.gui.theme.Theme;
+import faultline.paint.Layer;
+import java.awt.event.KeyEvent;
+import java.util.function.Consumer;
+
+/** The actions on what is shown: zoom, layers, following, and the theme. */
+final class ViewActions {
+
+    private ViewActions() {
+    }
+
+    static void addTo(UiActions actions, SimulationCanvas canvas, Consumer<Theme> theme) {
+        actions.add(UiAction.of("fit", canvas::fit).on(menu(KeyEvent.VK_0)).drawn(Glyph.FIT));
+        actions.add(UiAction.of("zoomIn", canvas::zoomIn).on(menu(KeyEvent.VK_EQUALS)));
+        actions.add(UiAction.of("zoomOut", canvas::zoomOut).on(menu(KeyEvent.VK_MINUS)));
+        actions.add(UiAction.toggle("follow", false, canvas::setFollowing).on(plain(KeyEvent.VK_F)).drawn(Glyph.FOLLOW));
+        actions.add(layer("path", canvas, Layer.PATH).on(plain(KeyEvent.VK_P)).drawn(Glyph.PATH));
+        actions.add(layer("cones", canvas, Layer.CONES).on(plain(KeyEvent.VK_C)));
+        actions.add(layer("hits", canvas, Layer.HITS));
+        actions.add(layer("routes", canvas, Layer.ROUTES));
+        actions.add(layer("labels", canvas, Layer.LABELS));
+        actions.add(layer("grid", canvas, Layer.GRID).on(plain(KeyEvent.VK_G)));
+        actions.add(layer("scaleBar", canvas, Layer.SCALE_BAR));
+        boolean dark = Theme.current() == Theme.DARK;
+        actions.add(UiAction.toggle("dark", dark, on -> theme.accept(on ? Theme.DARK : Theme.LIGHT)).drawn(Glyph.MOON));
+    }
+
+    private static UiAction layer(String key, SimulationCanvas canvas, Layer layer) {
+        return UiAction.toggle(key, canvas.isLayerOn(layer), on -> canvas.setLayer(layer, on));
+    }
+}

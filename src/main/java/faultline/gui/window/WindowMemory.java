@@ -1,0 +1,110 @@
+package faultline.gui.window;
+
+import faultline.gui.theme.Theme;
+import java.awt.Rectangle;
+import java.util.Optional;
+import java.util.prefs.Preferences;
+
+/** What is remembered of the window from one day to the next. Where the machine keeps no preferences, nothing is, and nothing else changes. */
+public final class WindowMemory {
+
+    private static final String THEME = "theme";
+    private static final String BOUNDS = "bounds";
+    private static final String DIVIDER = "divider";
+
+    private final Store store;
+
+    /** Keeps texts by key. */
+    interface Store {
+        /** The text of a key, empty where there is none. */
+        String get(String key);
+
+        /** Keeps a text. */
+        void put(String key, String text);
+    }
+
+    WindowMemory(Store store) {
+        this.store = store;
+    }
+
+    /**
+     * The memory of this user.
+     *
+     * @return the user's preferences, or nothing where there are none
+     */
+    public static WindowMemory ofUser() {
+        try {
+            Preferences preferences = Preferences.userRoot().node("faultline/window");
+            return new WindowMemory(new Store() {
+                @Override
+                public String get(String key) {
+                    return preferences.get(key, "");
+                }
+
+                @Override
+                public void put(String key, String text) {
+                    preferences.put(key, text);
+                }
+            });
+        } catch (IllegalStateException | SecurityException unavailable) {
+            return none();
+        }
+    }
+
+    /**
+     * A memory that forgets.
+     *
+     * @return remembers nothing
+     */
+    public static WindowMemory none() {
+        return new WindowMemory(new Store() {
+            @Override
+            public String get(String key) {
+                return "";
+            }
+
+            @Override
+            public void put(String key, String text) {
+                // Forgotten.
+            }
+        });
+    }
+
+    /**
+     * The theme that was chosen last.
+     *
+     * @return light where none was
+     */
+    public Theme theme() {
+        return store.get(THEME).equals(Theme.DARK.name()) ? Theme.DARK : Theme.LIGHT;
+    }
+
+    void keepTheme(Theme theme) {
+        store.put(THEME, theme.name());
+    }
+
+    /** Where the window was, empty where nobody knows. */
+    Optional<Rectangle> bounds() {
+        String[] numbers = store.get(BOUNDS).split(" ");
+        try {
+            return numbers.length == 4 ? Optional.of(new Rectangle(Integer.parseInt(numbers[0]), Integer.parseInt(numbers[1]),
+                    Integer.parseInt(numbers[2]), Integer.parseInt(numbers[3]))) : Optional.empty();
+        } catch (NumberFormatException damaged) {
+            return Optional.empty();
+        }
+    }
+
+    void keepBounds(Rectangle bounds) {
+        store.put(BOUNDS, bounds.x + " " + bounds.y + " " + bounds.width + " " + bounds.height);
+    }
+
+    /** How wide the control panel was, pixels, empty where nobody knows. */
+    Optional<Integer> panelWidth() {
+        String text = store.get(DIVIDER);
+        return text.matches("\\d{1,5}") ? Optional.of(Integer.valueOf(text)) : Optional.empty();
+    }
+
+    void keepPanelWidth(int width) {
+        store.put(DIVIDER, Integer.toString(width));
+    }
+}

@@ -1,0 +1,45 @@
+package faultline.gui.window;
+
+import java.awt.Component;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.JTable;
+import javax.swing.JTextArea;
+import javax.swing.table.TableCellRenderer;
+
+/** Shows the texts of a table in as many lines as they need. */
+final class WrappedCells extends JTextArea implements TableCellRenderer {
+
+    private WrappedCells() {
+        setLineWrap(true);
+        setWrapStyleWord(true);
+        setBorder(BorderFactory.createEmptyBorder(5, 6, 5, 6));
+    }
+
+    /** Gives columns their widths, pixels, and rows the heights that their texts need. */
+    static void install(JTable table, List<Integer> widths) {
+        WrappedCells cells = new WrappedCells();
+        table.setDefaultRenderer(Object.class, cells);
+        for (int column = 0; column < widths.size(); column++) {
+            table.getColumnModel().getColumn(column).setPreferredWidth(widths.get(column));
+            table.getColumnModel().getColumn(column).setWidth(widths.get(column));
+        }
+        for (int row = 0; row < table.getRowCount(); row++) {
+            int height = 0;
+            for (int column = 0; column < widths.size(); column++) {
+                cells.setSize(widths.get(column), Short.MAX_VALUE);
+                cells.setText(String.valueOf(table.getValueAt(row, column)));
+                height = Math.max(height, cells.getPreferredSize().height);
+            }
+            table.setRowHeight(row, height);
+        }
+    }
+
+    @Override
+    public Component getTableCellRendererComponent(JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+        setText(String.valueOf(value));
+        setForeground(selected ? table.getSelectionForeground() : table.getForeground());
+        setBackground(selected ? table.getSelectionBackground() : table.getBackground());
+        return this;
+    }
+}
