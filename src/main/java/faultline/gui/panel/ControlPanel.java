@@ -18,6 +18,7 @@ import javax.swing.ScrollPaneConstants;
 public final class ControlPanel extends JPanel {
 
     private static final int WHEEL = 16;
+    private static final int WIDTH = 396;
 
     private final RobotPanel robot;
     private final SensorsPanel sensors;
@@ -48,10 +49,15 @@ public final class ControlPanel extends JPanel {
         add(scroll, BorderLayout.CENTER);
     }
 
-    /** As wide as its rows, and room for the scroll bar, so that nothing moves when that comes. */
+    /** Wide enough for its rows before there are any, and for the scroll bar before it comes. */
     @Override
     public Dimension getMinimumSize() {
-        return new Dimension(getPreferredSize().width, super.getMinimumSize().height);
+        return new Dimension(WIDTH, super.getMinimumSize().height);
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(WIDTH, super.getPreferredSize().height);
     }
 
     /**

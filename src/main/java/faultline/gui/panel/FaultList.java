@@ -73,8 +73,8 @@ final class FaultList extends JPanel {
         JButton all = new JButton(Texts.text("faults.mendAll"));
         all.addActionListener(event -> shown.stream().map(Active::sensor).distinct()
                 .forEach(sensor -> commands.accept(new Command.ClearFaults(sensor))));
-        GridBagConstraints place = Grid.cell(0, row);
-        place.gridwidth = GridBagConstraints.REMAINDER;
+        GridBagConstraints place = Grid.rest(0, row);
+        place.fill = GridBagConstraints.NONE;
         place.anchor = GridBagConstraints.LINE_END;
         place.insets.top += 4;
         add(all, place);

@@ -70,15 +70,13 @@ public final class FaultsPanel extends JPanel {
     private JComponent form() {
         JPanel form = new JPanel(new GridBagLayout());
         form.add(label("faults.sensor", sensor), Grid.cell(0, 0));
-        form.add(sensor, Grid.wide(1, 0));
+        form.add(sensor, Grid.rest(1, 0));
         form.add(label("faults.kind", kind), Grid.cell(0, 1));
-        form.add(kind, Grid.wide(1, 1));
+        form.add(kind, Grid.rest(1, 1));
         form.add(label("faults.value", value), Grid.cell(0, 2));
-        JPanel number = new JPanel(new GridBagLayout());
-        number.add(value, Grid.cell(0, 0));
-        number.add(unit, Grid.wide(1, 0));
-        number.add(inject, Grid.cell(2, 0));
-        form.add(number, Grid.wide(1, 2));
+        form.add(value, Grid.cell(1, 2));
+        form.add(unit, Grid.wide(2, 2));
+        form.add(inject, Grid.cell(3, 2));
         return form;
     }
 

@@ -29,6 +29,13 @@ final class Grid {
         return place;
     }
 
+    /** A cell that takes all columns that are left. */
+    static GridBagConstraints rest(int column, int row) {
+        GridBagConstraints place = wide(column, row);
+        place.gridwidth = GridBagConstraints.REMAINDER;
+        return place;
+    }
+
     /** A cell for something without a base line, in the middle of its row. */
     static GridBagConstraints centred(int column, int row) {
         GridBagConstraints place = cell(column, row);

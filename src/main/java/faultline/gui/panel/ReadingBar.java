@@ -19,10 +19,10 @@ import javax.swing.UIManager;
 /** What a sensor reports: as a share of its range, as a number, and with a sign where it is faulty. */
 final class ReadingBar extends JComponent {
 
-    private static final int BAR = 44;
+    private static final int BAR = 38;
     private static final int THICKNESS = 8;
     private static final int SIGN = 14;
-    private static final int GAP = 4;
+    private static final int GAP = 3;
     private static final int HEIGHT = 20;
 
     private final String sensor;
@@ -34,7 +34,7 @@ final class ReadingBar extends JComponent {
     ReadingBar(String sensor) {
         this.sensor = sensor;
         setFont(UIManager.getFont("Label.font"));
-        this.width = BAR + GAP + getFontMetrics(getFont()).stringWidth("00.000") + GAP + SIGN;
+        this.width = BAR + GAP + getFontMetrics(getFont()).stringWidth("0.000") + GAP + SIGN;
         setPreferredSize(new Dimension(width, HEIGHT));
         setMinimumSize(getPreferredSize());
         getAccessibleContext().setAccessibleName(Texts.text("sensor.reading", sensor));

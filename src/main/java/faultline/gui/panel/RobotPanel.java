@@ -3,6 +3,7 @@ package faultline.gui.panel;
 import faultline.gui.text.Texts;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
@@ -18,6 +19,7 @@ public final class RobotPanel extends JPanel {
     private static final double LEAST = 0.01;
     private static final double MOST_SIZE = 10;
     private static final double MOST_SPEED = 100;
+    private static final int UNIT_WIDTH = 30;
 
     private final transient Echo<Command.SetPlatform> platform = new Echo<>(platform(RobotSpec.DEFAULT));
     private final transient Consumer<Command> commands;
@@ -50,8 +52,7 @@ public final class RobotPanel extends JPanel {
         drawPath.setIcon(null);
         drawPath.setText(Texts.text("robot.path"));
         drawPath.setMnemonic(0);
-        GridBagConstraints place = Grid.cell(0, 3);
-        place.gridwidth = GridBagConstraints.REMAINDER;
+        GridBagConstraints place = Grid.rest(0, 3);
         place.insets.top += 2;
         place.insets.left -= 2;
         add(drawPath, place);
@@ -63,7 +64,14 @@ public final class RobotPanel extends JPanel {
         label.setLabelFor(spinner);
         add(label, Grid.wide(0, row));
         add(spinner, Grid.cell(1, row));
-        add(new MutedLabel(unit), Grid.wide(2, row));
+        add(unit(unit), Grid.cell(2, row));
+    }
+
+    /** All as wide as the widest, so that the fields stand in line. */
+    private static JLabel unit(String text) {
+        JLabel label = new MutedLabel(text);
+        label.setPreferredSize(new Dimension(UNIT_WIDTH, label.getPreferredSize().height));
+        return label;
     }
 
     private static Command.SetPlatform platform(RobotSpec robot) {

@@ -17,7 +17,7 @@ final class SensorRow {
     private static final double LEAST_RANGE = 0.01;
     private static final double LEAST_CONE = 0.1;
     private static final double MOST_CONE = 179.9;
-    private static final int NAME_WIDTH = 96;
+    private static final int NAME_WIDTH = 92;
 
     private final Swatch swatch;
     private final JCheckBox onOff = new JCheckBox();
@@ -37,7 +37,7 @@ final class SensorRow {
         cone = new NumberSpinner("0.##", LEAST_CONE, MOST_CONE, 1, degrees -> tune(spec.value().withCone(Degrees.toRadians(degrees))));
         reading = new ReadingBar(first.id());
         range.named(Texts.text("sensor.range", first.id())).columns(4);
-        cone.named(Texts.text("sensor.cone", first.id())).columns(4);
+        cone.named(Texts.text("sensor.cone", first.id())).columns(3);
         prepareSwitch(first.id());
     }
 

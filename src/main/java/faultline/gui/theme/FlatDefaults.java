@@ -9,6 +9,7 @@ import javax.swing.border.EmptyBorder;
 import javax.swing.border.LineBorder;
 import javax.swing.border.MatteBorder;
 import javax.swing.plaf.BorderUIResource;
+import javax.swing.plaf.InsetsUIResource;
 
 /** The table of defaults that turns Metal flat. */
 final class FlatDefaults {
@@ -57,6 +58,7 @@ final class FlatDefaults {
         table.put("FormattedTextField.border", new BorderUIResource(new FieldBorder(4, 8)));
         table.put("Spinner.border", new BorderUIResource(new FieldBorder(2, 2)));
         table.put("Spinner.editorBorderPainted", false);
+        table.put("Spinner.arrowButtonInsets", new InsetsUIResource(2, 0, 2, 2));
         table.put("ComboBox.border", new BorderUIResource(new FieldBorder(2, 2)));
         table.put("ComboBox.selectionBackground", colours.accent());
         table.put("ComboBox.selectionForeground", colours.onAccent());

@@ -60,7 +60,7 @@ final class StatusBar extends JPanel {
                 : status.running() ? "status.runs" : "status.paused"));
         time.show(format("t %.3f s", world.time()));
         tick.show(format("tick %d", world.tick()));
-        pace.show(status.running() ? format("%.2f× ", status.achieved()) + Texts.text("status.realTime") : "–");
+        pace.show(status.achieved() > 0 ? format("%.2f× ", status.achieved()) + Texts.text("status.realTime") : "–");
         state.show(frame.control().state());
         pose.show(text(world.pose()));
         showNote(status);

@@ -5,6 +5,7 @@ import faultline.gui.text.Texts;
 import faultline.gui.theme.ButtonFace;
 import java.awt.Dimension;
 import javax.swing.AbstractButton;
+import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JButton;
@@ -17,6 +18,7 @@ final class ToolBar extends JToolBar {
 
     private static final int SIDE = 32;
     private static final int GROUP_GAP = 12;
+    private static final int RUN_PADDING = 12;
 
     private final transient UiActions actions;
 
@@ -48,33 +50,51 @@ final class ToolBar extends JToolBar {
     }
 
     private static AbstractButton button(UiAction action) {
-        AbstractButton button = action.isToggle() ? new JToggleButton(action) : new JButton(action);
+        AbstractButton button = action.isToggle() ? new Switch() : new Push();
         button.setHideActionText(true);
-        button.setFocusable(false);
+        button.setAction(action);
         button.getAccessibleContext().setAccessibleName(action.name());
-        fix(button, SIDE);
+        fix(button, 0, SIDE);
         return button;
     }
 
     /** Run or Pause, wide enough for both, so that nothing jumps. */
     private AbstractButton runButton() {
         UiAction action = actions.get("run");
-        JButton button = new JButton();
+        JButton button = new Push();
         button.putClientProperty(ButtonFace.PRIMARY, true);
         button.updateUI();
-        button.setFocusable(false);
         action.rename("pause");
         button.setAction(action);
         int width = button.getPreferredSize().width;
         action.rename("run");
-        fix(button, Math.max(width, button.getPreferredSize().width));
+        fix(button, RUN_PADDING, Math.max(width, button.getPreferredSize().width));
         return button;
     }
 
-    private static void fix(AbstractButton button, int width) {
+    /** The border is no resource of the look, which tool bars would exchange for one of their own. */
+    private static void fix(AbstractButton button, int padding, int width) {
+        button.setFocusable(false);
+        button.setBorder(BorderFactory.createEmptyBorder(0, padding, 0, padding));
         Dimension size = new Dimension(width, SIDE);
         button.setPreferredSize(size);
         button.setMinimumSize(size);
         button.setMaximumSize(size);
+    }
+
+    /** Alt and a letter are for the menus; a button with the same letter would be in their way. */
+    private static final class Push extends JButton {
+        @Override
+        public void setMnemonic(int mnemonic) {
+            super.setMnemonic(0);
+        }
+    }
+
+    /** The same for what is switched on and off. */
+    private static final class Switch extends JToggleButton {
+        @Override
+        public void setMnemonic(int mnemonic) {
+            super.setMnemonic(0);
+        }
     }
 }

@@ -1,0 +1,81 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+
+import faultline.engine.Frame;
+import faultline.gui.Components;
+import faultline.gui.GuiRobot;
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.theme.Theme;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Predicate;
+import javax.swing.JMenuItem;
+
+/** Drives the whole window by what a user sees of it: its menus, its controls and the frame that its canvas shows. */
+final class WindowDriver implements AutoCloseable {
+
+    private final GuiRobot robot = new GuiRobot();
+    private final SimulatorFrame window;
+
+    private WindowDriver(Theme theme) {
+        window = onEdt(() -> {
+            theme.install();
+            return new SimulatorFrame(WindowMemory.none());
+        });
+    }
+
+    /** Opens a window with a scenario, and waits until it shows. */
+    static WindowDriver open(Theme theme, Path scenario) {
+        WindowDriver driver = new WindowDriver(theme);
+        edt(() -> driver.window.open(scenario));
+        driver.robot.open(driver.window);
+        driver.robot.waitFor("the first frame shows", () -> driver.canvas().frame().isPresent());
+        return driver;
+    }
+
+    GuiRobot robot() {
+        return robot;
+    }
+
+    SimulatorFrame window() {
+        return window;
+    }
+
+    SimulationCanvas canvas() {
+        return Components.all(window, SimulationCanvas.class).findFirst().orElseThrow();
+    }
+
+    /** The frame that shows; on any thread. */
+    Frame frame() {
+        return onEdt(() -> canvas().frame().orElseThrow());
+    }
+
+    /** Chooses a menu item by the key of its action. */
+    void choose(String action) {
+        edt(() -> item(action).doClick(0));
+    }
+
+    private JMenuItem item(String action) {
+        return Components.all(window, JMenuItem.class).filter(item -> action.equals(item.getActionCommand())).findFirst().orElseThrow();
+    }
+
+    /** Whether time runs, as the menu has it. */
+    boolean isRunning() {
+        return item("run").getText().equals("Pause");
+    }
+
+    /** What a condition of the shown frame waits for. */
+    void waitForFrame(String what, Predicate<Frame> condition) {
+        robot.waitFor(what, () -> {
+            Optional<Frame> frame = canvas().frame();
+            return frame.isPresent() && condition.test(frame.get());
+        });
+    }
+
+    @Override
+    public void close() {
+        robot.close(window);
+    }
+}
