@@ -11,7 +11,7 @@ package faultline.geometry;
  * side an answer falls. The oracle therefore gives two readings, of a sector that is wider and of one that is narrower: its edges turned by
  * {@link #TURN} and shifted by some rounding. Everywhere else the two agree.
  */
-final class SectorOracle {
+public final class SectorOracle {
 
     private static final double NONE = Double.POSITIVE_INFINITY;
     private static final int STEPS = 120;
@@ -35,21 +35,21 @@ final class SectorOracle {
      * @param least the reading of the wider sector, metres
      * @param most the reading of the narrower sector, metres, not less
      */
-    record Bounds(double least, double most) {
+    public record Bounds(double least, double most) {
 
         /** Whether a reading is right within a tolerance. */
-        boolean allow(double reading, double tolerance) {
+        public boolean allow(double reading, double tolerance) {
             return reading >= least - tolerance && reading <= most + tolerance;
         }
 
         /** Whether the two sectors agree, so that there is one right answer. */
-        boolean tight(double tolerance) {
+        public boolean tight(double tolerance) {
             return least == most || most - least <= tolerance;
         }
     }
 
     /** What the reading of a figure in a sector may be. */
-    static Bounds reading(Sector sector, Convex figure) {
+    public static Bounds reading(Sector sector, Convex figure) {
         double gap = gap(figure, sector.apex());
         double scale = Math.max(1e-3 * sector.range(), sector.apex().length() + figure.centre().length() + figure.reach());
         double rounding = 1e-14 * scale;
