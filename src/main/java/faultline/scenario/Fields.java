@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 
 /**
  * The attributes of one element, asked for one by one. What is wrong is complained of and read as a stand-in value, so that reading goes on and
@@ -19,10 +20,12 @@ final class Fields {
     /** Where to find the schema; editors put it in, and it says nothing to us. */
     private static final Set<String> EDITORS_HINTS = Set.of("xsi:schemaLocation", "xsi:noNamespaceSchemaLocation");
 
+    private static final String ANY_ID = "1 to 100 characters, none of them a comma, a double quote or a control character";
+
     private final Node node;
     private final Complaints complaints;
     private final Set<String> known = new LinkedHashSet<>();
-    private final Map<String, String> missing = new LinkedHashMap<>();
+    private final Map<String, Supplier<String>> missing = new LinkedHashMap<>();
 
     Fields(Node node, Complaints complaints) {
         this.node = node;
@@ -41,7 +44,7 @@ final class Fields {
 
     /** A number that must be there. */
     double number(String name, Range range) {
-        return required(name, "a number " + range).map(text -> read(name, text, range)).orElse(standIn(range));
+        return required(name, () -> number(range)).map(text -> read(name, text, range)).orElse(standIn(range));
     }
 
     double number(String name, Range range, double fallback) {
@@ -50,7 +53,7 @@ final class Fields {
 
     /** An angle in degrees, read to radians. */
     double angle(String name, Range range) {
-        return required(name, plain(range)).map(text -> readAngle(name, text, range)).orElse(0.0);
+        return required(name, () -> plain(range)).map(text -> readAngle(name, text, range)).orElse(0.0);
     }
 
     double angle(String name, Range range, double fallback) {
@@ -68,7 +71,7 @@ final class Fields {
     }
 
     boolean flag(String name) {
-        return required(name, "true or false").map(text -> flag(name, text)).orElse(false);
+        return required(name, () -> "true or false").map(text -> flag(name, text)).orElse(false);
     }
 
     boolean flag(String name, boolean fallback) {
@@ -98,9 +101,8 @@ final class Fields {
 
     /** A name of something, which must be there. */
     String id(String name) {
-        String allowed = "1 to 100 characters, none of them a comma, a double quote or a control character";
-        Optional<String> given = required(name, allowed);
-        given.filter(text -> !isId(text)).ifPresent(text -> complain(name, text, allowed));
+        Optional<String> given = required(name, () -> ANY_ID);
+        given.filter(text -> !isId(text)).ifPresent(text -> complain(name, text, ANY_ID));
         return given.filter(Fields::isId).orElse("?");
     }
 
@@ -112,7 +114,7 @@ final class Fields {
     /** One of a few words, which must be there. */
     <T> Optional<T> choice(String name, Map<String, T> options) {
         List<String> words = List.copyOf(options.keySet());
-        return required(name, Quoting.list(words)).flatMap(text -> choice(name, text, options, words));
+        return required(name, () -> Quoting.list(words)).flatMap(text -> choice(name, text, options, words));
     }
 
     <T> T choice(String name, Map<String, T> options, T fallback) {
@@ -131,7 +133,7 @@ final class Fields {
     /** Points as "x,y x,y", which must be there; no more of them than there may be. */
     List<Vec> points(String name, int least, int most) {
         String allowed = least + " or more points as x,y with blanks between them, each number " + Range.COORDINATE;
-        Optional<List<Vec>> points = required(name, allowed).map(text -> points(name, text, most, allowed));
+        Optional<List<Vec>> points = required(name, () -> allowed).map(text -> points(name, text, most, allowed));
         points.filter(list -> list.size() < least).ifPresent(list -> complain(name, text(name).orElse(""), allowed));
         return points.filter(list -> list.size() >= least).orElse(List.of(Vec.ZERO, new Vec(1, 0), new Vec(0, 1)));
     }
@@ -174,10 +176,10 @@ final class Fields {
             }
         }
         missing.forEach((name, allowed) -> complaints.add(node,
-                "<" + node.name() + "> lacks the attribute \"" + name + "\", allowed is " + allowed));
+                "<" + node.name() + "> lacks the attribute \"" + name + "\", allowed is " + allowed.get()));
     }
 
-    private Optional<String> required(String name, String allowed) {
+    private Optional<String> required(String name, Supplier<String> allowed) {
         Optional<String> text = text(name);
         if (text.isEmpty()) {
             missing.put(name, allowed);
@@ -186,15 +188,12 @@ final class Fields {
     }
 
     private double read(String name, String text, Range range) {
-        Optional<BigDecimal> exact = Numbers.parse(text).filter(range::contains);
-        if (exact.isPresent()) {
-            double value = Numbers.toDouble(exact.get(), text);
-            if (range.contains(new BigDecimal(value)) || value == range.least().doubleValue() && range.leastAllowed()) {
-                return value;
-            }
+        Optional<Double> value = Numbers.parse(text).filter(range::contains).map(exact -> Numbers.toDouble(exact, text))
+                .filter(nearest -> nearest != 0 || range.leastAllowed());
+        if (value.isEmpty()) {
+            complain(name, text, number(range));
         }
-        complain(name, text, "a number " + range);
-        return standIn(range);
+        return value.orElse(standIn(range));
     }
 
     private double readAngle(String name, String text, Range range) {
@@ -204,6 +203,10 @@ final class Fields {
             complain(name, text, plain(range));
         }
         return exact.map(number -> Numbers.toRadians(number, text)).orElse(1.0);
+    }
+
+    private static String number(Range range) {
+        return "a number " + range;
     }
 
     private static String plain(Range range) {
