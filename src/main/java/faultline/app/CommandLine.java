@@ -58,7 +58,7 @@ final class CommandLine {
             return failed(ExitCode.BAD_INPUT, "faultline: " + e.getMessage());
         } catch (RunFailedException e) {
             return failed(ExitCode.BROKEN, "faultline: the run broke: " + e.getMessage());
-        } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
+        } catch (RuntimeException | Error e) {
             return failed(ExitCode.BROKEN, "faultline: the program failed, which is its own fault: " + e);
         }
     }
