@@ -78,7 +78,8 @@ final class RandomYards {
         return new Motion(random.nextDouble(topSpeed), random.nextBoolean(), points);
     }
 
-    private ObstacleShape shape() {
+    /** A shape of any kind, from a millimetre to two metres. */
+    ObstacleShape shape() {
         return switch (random.nextInt(5)) {
             case 0 -> new ObstacleShape.Rectangle(length(), length());
             case 1 -> new ObstacleShape.Circle(length());

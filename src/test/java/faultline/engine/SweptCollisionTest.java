@@ -13,6 +13,7 @@ import faultline.robot.DifferentialDrive;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.world.Collision;
+import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.Outline;
@@ -20,6 +21,7 @@ import faultline.world.WorldSpec;
 import java.util.Comparator;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -65,7 +67,7 @@ class SweptCollisionTest {
     }
 
     private static void overlapsNothing(Setup setup, Simulation simulation) {
-        Box core = new Box(simulation.pose(), BLIND.length() - 2 * NO_DEEPER, BLIND.width() - 2 * NO_DEEPER);
+        Box core = new Box(simulation.pose(), simulation.robot().length() - 2 * NO_DEEPER, simulation.robot().width() - 2 * NO_DEEPER);
         for (Obstacle obstacle : simulation.snapshot().obstacles()) {
             Outline outline = Outline.of(obstacle);
             assertTrue(!outline.contains(simulation.pose().position()), () -> "inside " + obstacle + " in " + setup);
@@ -147,6 +149,40 @@ class SweptCollisionTest {
                     .min(Comparator.comparingDouble(figure -> BoxOracle.distance(box(time), figure))).orElseThrow();
             return BoxOracle.nearest(box(time), touched);
         }
+    }
+
+    @Test
+    void whateverIsDoneToTheWorldTheRobotOverlapsNothing() {
+        SplittableRandom random = new SplittableRandom(47);
+        int refused = 0;
+        int collisions = 0;
+        for (int i = 0; i < 100; i++) {
+            RandomYards yards = new RandomYards(random.nextLong(), BLIND, 0.6);
+            Setup setup = yards.next(2);
+            try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+                for (int tick = 0; tick < TICKS; tick++) {
+                    refused += simulation.apply(meddling(random, yards, simulation)).isPresent() ? 1 : 0;
+                    overlapsNothing(setup, simulation);
+                    simulation.tick();
+                    overlapsNothing(setup, simulation);
+                }
+                collisions += simulation.collision().isPresent() ? 1 : 0;
+            }
+        }
+        assertTrue(refused > 50 && collisions > 50 && collisions < 100, refused + " refused, " + collisions + " collisions");
+    }
+
+    /** Things put on or near the robot, or taken away, and platforms that grow and shrink. */
+    private static Command meddling(SplittableRandom random, RandomYards yards, Simulation simulation) {
+        Vec near = simulation.pose().position().plus(Vec.direction(random.nextDouble(7)).times(random.nextDouble(1)));
+        String id = "o" + random.nextInt(6);
+        Pose pose = new Pose(near.x(), near.y(), random.nextDouble(7));
+        return switch (random.nextInt(4)) {
+            case 0 -> new Command.PutObstacle(new Obstacle(id, yards.shape(), pose));
+            case 1 -> new Command.RemoveObstacle(id);
+            case 2 -> new Command.SetPlatform(random.nextDouble(0.1, 0.4), random.nextDouble(0.1, 0.4), 0.3);
+            default -> new Command.MoveObstacle(id, pose);
+        };
     }
 
     @Test
