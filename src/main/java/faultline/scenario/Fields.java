@@ -22,6 +22,9 @@ final class Fields {
 
     private static final String ANY_ID = "1 to 100 characters, none of them a comma, a double quote or a control character";
 
+    /** Enough for any outline; stands in for points that could not be read. */
+    private static final List<Vec> ANY_POINTS = List.of(Vec.ZERO, new Vec(1, 0), new Vec(0, 1));
+
     private final Node node;
     private final Complaints complaints;
     private final Set<String> known = new LinkedHashSet<>();
@@ -133,27 +136,29 @@ final class Fields {
     /** Points as "x,y x,y", which must be there; no more of them than there may be. */
     List<Vec> points(String name, int least, int most) {
         String allowed = least + " or more points as x,y with blanks between them, each number " + Range.COORDINATE;
-        Optional<List<Vec>> points = required(name, () -> allowed).map(text -> points(name, text, most, allowed));
-        points.filter(list -> list.size() < least).ifPresent(list -> complain(name, text(name).orElse(""), allowed));
-        return points.filter(list -> list.size() >= least).orElse(List.of(Vec.ZERO, new Vec(1, 0), new Vec(0, 1)));
+        List<Vec> points = required(name, () -> allowed).map(text -> points(name, text, most, allowed)).orElse(ANY_POINTS);
+        if (points.size() < least) {
+            complain(name, text(name).orElse(""), allowed);
+            return ANY_POINTS;
+        }
+        return points;
     }
 
     private List<Vec> points(String name, String text, int most, String allowed) {
         List<Vec> points = new ArrayList<>();
         PointText pairs = new PointText(text);
-        while (pairs.hasNext()) {
-            if (points.size() == most) {
-                complaints.add(node, subject(name) + " has more points than are left of the " + Limits.MOST_PARTS
-                        + " obstacles and points that a file may hold");
-                return points;
-            }
+        while (pairs.hasNext() && points.size() < most) {
             String pair = pairs.next();
             Optional<Vec> point = PointText.point(pair);
             if (point.isEmpty()) {
                 complain(name, pair, allowed);
-                return List.of(Vec.ZERO, new Vec(1, 0), new Vec(0, 1));
+                return ANY_POINTS;
             }
             points.add(point.get());
+        }
+        if (pairs.hasNext()) {
+            complaints.add(node, subject(name) + " holds more points than are left of the " + Limits.MOST_PARTS
+                    + " obstacles and points that a file may hold");
         }
         return points;
     }

@@ -16,20 +16,25 @@ final class ScenarioBytes {
     static byte[] ofFile(Path file) throws ScenarioException {
         String name = file.toString();
         try {
-            if (Files.isDirectory(file)) {
-                throw complaint(name, "this is a folder, allowed is a scenario file");
-            }
-            if (Files.exists(file) && !Files.isRegularFile(file)) {
-                throw complaint(name, "this is no regular file, allowed is a scenario file");
-            }
-            if (Files.size(file) > Limits.MOST_BYTES) {
-                throw complaint(name, "the file has " + Files.size(file) + " bytes, allowed is " + Limits.MOST_BYTES);
-            }
+            checkKind(name, file);
             return notEmpty(name, Files.readAllBytes(file));
         } catch (NoSuchFileException e) {
             throw complaint(name, "there is no such file");
         } catch (IOException e) {
             throw complaint(name, "the file cannot be read");
+        }
+    }
+
+    /** Before anything is read: a device or a pipe could go on for ever. */
+    private static void checkKind(String name, Path file) throws ScenarioException, IOException {
+        if (Files.isDirectory(file)) {
+            throw complaint(name, "this is a folder, allowed is a scenario file");
+        }
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw complaint(name, "this is no regular file, allowed is a scenario file");
+        }
+        if (Files.size(file) > Limits.MOST_BYTES) {
+            throw complaint(name, "the file has " + Files.size(file) + " bytes, allowed is " + Limits.MOST_BYTES);
         }
     }
 

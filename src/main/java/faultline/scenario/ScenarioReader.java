@@ -13,9 +13,17 @@ final class ScenarioReader {
     private static final List<String> INSIDE = List.of("description", "world", "robot", "controller", "timeline", "expect");
 
     private final Complaints complaints;
+    private final ObstacleReader obstacles;
+    private final WorldReader worlds;
+
+    /** What the root element itself says. */
+    private record Head(String name, String description, double duration, double tick, long seed) {
+    }
 
     private ScenarioReader(Complaints complaints) {
         this.complaints = complaints;
+        this.obstacles = new ObstacleReader(complaints);
+        this.worlds = new WorldReader(complaints, obstacles);
     }
 
     /**
@@ -48,13 +56,10 @@ final class ScenarioReader {
         return scenario(root);
     }
 
-    /** Reads every section, so that all complaints come at once; the timeline only where there is something for it to name. */
+    /** Reads every section, so that all complaints come at once. */
     private Optional<Scenario> scenario(Node root) {
-        String name = new Fields(root, complaints).text("name").orElse("");
-        String description = root.first("description").map(node -> Content.text(node, complaints)).orElse("");
-        ObstacleReader obstacles = new ObstacleReader(complaints);
-        WorldReader worldReader = new WorldReader(complaints, obstacles);
-        Optional<WorldSpec> world = section(root, "world").map(worldReader::read);
+        Head head = head(root);
+        Optional<WorldSpec> world = section(root, "world").map(worlds::read);
         Optional<RobotReader.Placed> robot = section(root, "robot").map(new RobotReader(complaints)::read);
         ControllerSpec controller = root.first("controller").map(node -> ControllerReader.read(node, complaints))
                 .orElse(ControllerSpec.WallFollowing.DEFAULT);
@@ -62,23 +67,26 @@ final class ScenarioReader {
         if (world.isEmpty() || robot.isEmpty()) {
             return Optional.empty();
         }
-        List<Timed> timeline = root.first("timeline")
-                .map(new TimelineReader(complaints, obstacles, robot.get().spec(), worldReader.ids())::read).orElse(List.of());
-        Setup setup = setup(root, world.get(), robot.get(), controller, timeline);
+        Setup setup = new Setup(world.get(), robot.get().spec(), robot.get().start(), controller, timeline(root, robot.get()),
+                head.tick, head.seed, head.duration);
         if (complaints.isEmpty()) {
             StartCheck.check(root.first("robot").orElseThrow(), setup, complaints);
         }
-        return Optional.of(new Scenario(name, description, setup, expect));
+        return Optional.of(new Scenario(head.name, head.description, setup, expect));
     }
 
-    private Setup setup(Node root, WorldSpec world, RobotReader.Placed robot, ControllerSpec controller, List<Timed> timeline) {
+    private Head head(Node root) {
         Fields fields = new Fields(root, complaints);
-        fields.text("name");
-        double duration = fields.number("duration", Range.TIME, Scenario.DEFAULT_DURATION);
-        double tick = fields.number("tick", Range.TICK, Scenario.DEFAULT_TICK);
-        long seed = fields.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, Scenario.DEFAULT_SEED);
+        Head head = new Head(fields.text("name").orElse(""), root.first("description").map(node -> Content.text(node, complaints)).orElse(""),
+                fields.number("duration", Range.TIME, Scenario.DEFAULT_DURATION), fields.number("tick", Range.TICK, Scenario.DEFAULT_TICK),
+                fields.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, Scenario.DEFAULT_SEED));
         fields.done();
-        return new Setup(world, robot.spec(), robot.start(), controller, timeline, tick, seed, duration);
+        return head;
+    }
+
+    /** Comes after the world and the robot, whose ids it names. */
+    private List<Timed> timeline(Node root, RobotReader.Placed robot) {
+        return root.first("timeline").map(new TimelineReader(complaints, obstacles, robot.spec(), worlds.ids())::read).orElse(List.of());
     }
 
     private Optional<Node> section(Node root, String name) {

@@ -88,7 +88,7 @@ class HostileFilesTest {
     void megabytesOfAttributesComeToOneLine() throws IOException {
         String points = OPEN + "<world width=\"6\" height=\"4\"><wall id=\"w\" x=\"0\" y=\"0\" points=\"" + "1,1 ".repeat(3_000_000)
                 + "\"/></world><robot x=\"1\" y=\"1\"/></scenario>";
-        assertEquals("points of <wall> has more points than are left of the 100000 obstacles and points that a file may hold",
+        assertEquals("points of <wall> holds more points than are left of the 100000 obstacles and points that a file may hold",
                 complaintOn(points).split(": ", 2)[1]);
         String id = OPEN + "<world width=\"6\" height=\"4\"><circle radius=\"1\" x=\"3\" y=\"3\" id=\"" + "i".repeat(12_000_000)
                 + "\"/></world><robot x=\"1\" y=\"1\"/></scenario>";
