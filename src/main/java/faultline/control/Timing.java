@@ -14,6 +14,9 @@ public enum Timing {
      */
     RANGE;
 
+    /** How far above the nearest reading equal readings are taken, as a share of that reading: by then the foot has left the cone and readings rise fast. */
+    public static final double MARGIN = 0.08;
+
     /**
      * The name in scenario files.
      *
