@@ -26,6 +26,7 @@ final class CommandLine {
         this.console = console;
         commands.put("run", new RunCommand(console)::run);
         commands.put("check", new CheckCommand(console)::run);
+        commands.put("figures", new FiguresCommand(console)::run);
         commands.put("--help", arguments -> tell(HelpText.LINES));
         commands.put("--version", arguments -> tell(HelpText.version()));
     }

@@ -18,6 +18,7 @@ final class HelpText {
               --image OUT.png              write a picture of the end of the run
               --journal OUT.xml            write the scenario that replays this run
             faultline check FILE...        tell everything that is wrong with scenario files
+            faultline figures --out DIR    make the paper's figures and the studies behind its claims
             faultline --help | --version
 
             "faultline" stands for: java -jar target/faultline.jar

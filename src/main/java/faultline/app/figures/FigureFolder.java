@@ -1,0 +1,38 @@
+package faultline.app.figures;
+
+import faultline.paint.plot.SvgDrawing;
+import faultline.scenario.AtomicFile;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * Where figures go.
+ *
+ * @param path an existing folder
+ */
+record FigureFolder(Path path) {
+
+    /** The folder of a path, made where it is not there. */
+    static FigureFolder at(Path path) throws IOException {
+        return new FigureFolder(Files.createDirectories(path));
+    }
+
+    /** Writes a picture. */
+    void svg(String name, SvgDrawing drawing) throws IOException {
+        write(name + ".svg", drawing.toFile());
+    }
+
+    /** Writes a table. */
+    void csv(String name, Table table) throws IOException {
+        write(name + ".csv", table.toFile());
+    }
+
+    private void write(String name, String text) throws IOException {
+        try (AtomicFile file = AtomicFile.create(path.resolve(name))) {
+            file.stream().write(text.getBytes(StandardCharsets.UTF_8));
+            file.commit();
+        }
+    }
+}

@@ -1,0 +1,82 @@
+package faultline.app.figures;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+
+/** All figures and studies, and how they are made: on every core, each by itself. */
+public final class Figures {
+
+    private Figures() {
+    }
+
+    /** Told how far the work is. */
+    @FunctionalInterface
+    public interface Progress {
+
+        /**
+         * Called on the caller's thread when a figure is done.
+         *
+         * @param done how many figures are
+         * @param all how many there are to be
+         */
+        void made(int done, int all);
+    }
+
+    static List<Figure> all() {
+        return List.copyOf(EquationFour.sweeps());
+    }
+
+    /**
+     * Makes all figures.
+     *
+     * @param path the folder; made where it is not there
+     * @param progress told of each figure
+     * @throws IOException if a file cannot be written
+     */
+    public static void make(Path path, Progress progress) throws IOException {
+        make(FigureFolder.at(path), all(), progress);
+    }
+
+    static void make(FigureFolder folder, List<Figure> figures, Progress progress) throws IOException {
+        ExecutorService workers = Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
+        try {
+            List<Future<?>> futures = new ArrayList<>();
+            figures.forEach(figure -> futures.add(workers.submit(() -> make(figure, folder))));
+            for (int i = 0; i < futures.size(); i++) {
+                await(futures.get(i));
+                progress.made(i + 1, futures.size());
+            }
+        } finally {
+            workers.shutdownNow();
+        }
+    }
+
+    private static void make(Figure figure, FigureFolder folder) {
+        try {
+            figure.make(folder);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static void await(Future<?> future) throws IOException {
+        try {
+            future.get();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IOException("the figures were interrupted", e);
+        } catch (ExecutionException e) {
+            if (e.getCause() instanceof UncheckedIOException unwritten) {
+                throw unwritten.getCause();
+            }
+            throw new IllegalStateException(e.getCause());
+        }
+    }
+}

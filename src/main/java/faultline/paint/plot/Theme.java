@@ -1,0 +1,48 @@
+package faultline.paint.plot;
+
+import faultline.paint.Palette;
+import java.awt.Color;
+import java.util.List;
+
+/**
+ * The colours of a chart. Series differ in lightness, dash and marker, not in hue alone.
+ *
+ * @param palette of the scene that goes with it; its text and canvas serve the chart too
+ * @param grid lines behind the data
+ * @param series of lines and points, in turn
+ * @param classes of a map's cells, in turn, from the best to the worst
+ */
+public record Theme(Palette palette, Color grid, List<Color> series, List<Color> classes) {
+
+    /** For paper and light windows. */
+    public static final Theme LIGHT = new Theme(new Palette(false, Color.WHITE, Palette.LIGHT.grid(), Palette.LIGHT.gridMajor(), Palette.LIGHT.text(),
+            Palette.LIGHT.muted(), Palette.LIGHT.accent(), Palette.LIGHT.obstacle(), Palette.LIGHT.obstacleOutline(), Palette.LIGHT.moving(),
+            Palette.LIGHT.movingOutline(), Palette.LIGHT.robot(), Palette.LIGHT.robotOutline(), Palette.LIGHT.path(), Palette.LIGHT.hit(),
+            Palette.LIGHT.sensors()), new Color(0xE3E7EC),
+            List.of(new Color(0x0B4F79), new Color(0xD55E00), new Color(0x009E73), new Color(0x7A4B8C)),
+            List.of(new Color(0xEAF3FA), new Color(0x8DB9D9), new Color(0x3A5F7D)));
+
+    /** For dark windows. */
+    public static final Theme DARK = new Theme(Palette.DARK, new Color(0x2C323A),
+            List.of(new Color(0x7FC8F2), new Color(0xFF9A52), new Color(0x2BC48A), new Color(0xD9A6E8)),
+            List.of(new Color(0x24435A), new Color(0x4C86AE), new Color(0xB7DDF5)));
+
+    /** Copies the lists. */
+    public Theme {
+        series = List.copyOf(series);
+        classes = List.copyOf(classes);
+    }
+
+    Color series(int index) {
+        return series.get(index % series.size());
+    }
+
+    Pen linePen(int index) {
+        return new Pen(series(index), 1.8, Dash.values()[index % Dash.values().length]);
+    }
+
+    /** A colour made translucent; opacity in [0, 1]. */
+    static Color faint(Color colour, double opacity) {
+        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), (int) Math.round(255 * opacity));
+    }
+}
