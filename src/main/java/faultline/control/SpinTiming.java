@@ -29,8 +29,8 @@ final class SpinTiming {
     private int nearestIndex;
     private double farthestSince;
     private double turnMargin;
-    private double tF3;
-    private double tF4;
+    private double tF3 = Double.NaN;
+    private double tF4 = Double.NaN;
 
     SpinTiming(Timing rule) {
         this.rule = rule;

@@ -1,0 +1,58 @@
+package faultline.control;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.sensor.Reading;
+import java.util.SplittableRandom;
+import java.util.stream.DoubleStream;
+import org.junit.jupiter.api.Test;
+
+class NoiseMeterTest {
+
+    private static double deviation(DoubleStream readings) {
+        NoiseMeter meter = new NoiseMeter();
+        readings.forEach(meter::learn);
+        return meter.deviation();
+    }
+
+    @Test
+    void atFirstNoNoiseIsKnown() {
+        assertEquals(0, deviation(DoubleStream.empty()));
+        assertEquals(0, deviation(DoubleStream.of(0.3, 0.4)));
+    }
+
+    @Test
+    void aSteadyApproachIsNoNoise() {
+        assertEquals(0, deviation(DoubleStream.iterate(0.8, reading -> reading - 0.003).limit(200)), 1e-12);
+    }
+
+    @Test
+    void readingsThatJumpToAndFroBy2MillimetresHaveSecondDifferencesOf4() {
+        assertEquals(0.004 / Math.sqrt(6), deviation(DoubleStream.of(0.3, 0.302, 0.3, 0.302, 0.3)), 1e-9);
+    }
+
+    @Test
+    void gaussianNoiseOnAnApproachIsMeasured() {
+        SplittableRandom random = new SplittableRandom(1);
+        double[] mean = {0};
+        for (int run = 0; run < 50; run++) {
+            mean[0] += deviation(DoubleStream.iterate(0.8, reading -> reading - 0.001).limit(300).map(reading -> reading + 0.002 * gaussian(random))) / 50;
+        }
+        assertEquals(0.002, mean[0], 0.0001);
+    }
+
+    /** The sum of twelve even ones is near enough to a normal one. */
+    private static double gaussian(SplittableRandom random) {
+        return random.doubles(12).sum() - 6;
+    }
+
+    @Test
+    void somethingElseComingIntoSightIsNoNoise() {
+        assertEquals(0, deviation(DoubleStream.of(0.7, 0.7, 0.7, 0.2, 0.2, 0.2, Reading.NOTHING, 0.5, 0.5, 0.5)), 1e-12);
+    }
+
+    @Test
+    void nothingInSightTeachesNothing() {
+        assertEquals(0, deviation(DoubleStream.of(Reading.NOTHING, Reading.NOTHING, Reading.NOTHING, Reading.OFF, 0.3)));
+    }
+}

@@ -1,0 +1,71 @@
+package faultline.control;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class OdometerTest {
+
+    private static final double EXACT = 1e-12;
+    private static final double DT = 0.01;
+    private static final RobotSpec PROMPT = robot(0);
+    private static final RobotSpec LAZY = robot(0.1);
+
+    private final Odometer odometer = new Odometer();
+
+    private static RobotSpec robot(double timeConstant) {
+        return new RobotSpec(0.25, 0.2, 0.18, 0.3, 1, new MotorSpec(timeConstant, 0.1, 6), List.of());
+    }
+
+    @Test
+    void aSecondAt30CentimetresPerSecondIs30Centimetres() {
+        odometer.advance(PROMPT, 0.3, 0, DT, 100);
+        assertEquals(0.3, odometer.rolled(), EXACT);
+        assertEquals(0, odometer.turned());
+    }
+
+    @Test
+    void headingAddsUpAndTheLastTurnDoesNot() {
+        odometer.advance(PROMPT, 0, 2, DT, 50);
+        odometer.advance(PROMPT, 0, -0.5, DT, 100);
+        assertEquals(-0.5, odometer.turned(), EXACT);
+        assertEquals(0.5, odometer.heading(), EXACT);
+        assertEquals(-0.5, odometer.omega(PROMPT), EXACT);
+    }
+
+    @Test
+    void wheelsGoNoFasterThanTheSupplyAllows() {
+        odometer.advance(PROMPT, 5, 0, DT, 100);
+        assertEquals(0.6, odometer.rolled(), EXACT);
+    }
+
+    @Test
+    void beforeAnyTickNothingHasMoved() {
+        odometer.advance(LAZY, 0.3, 1, DT, 0);
+        assertEquals(0, odometer.rolled());
+        assertEquals(0, odometer.heading());
+    }
+
+    @Test
+    void motorsWithoutLagHaveNone() {
+        assertEquals(0, Odometer.lag(PROMPT, DT));
+    }
+
+    @Test
+    void forShortTicksTheLagIsTheTimeConstant() {
+        assertEquals(0.1, Odometer.lag(LAZY, 1e-6), 1e-6);
+    }
+
+    @Test
+    void aSpinNoLongerCommandedGoesOnForTheLag() {
+        odometer.advance(LAZY, 0, 1, DT, 1000);
+        assertEquals(1, odometer.omega(LAZY), 1e-9);
+        odometer.advance(LAZY, 0, 0, DT, 1000);
+        assertEquals(Odometer.lag(LAZY, DT), odometer.turned(), 1e-9);
+        assertTrue(odometer.turned() > 0.09, "about 1 rad/s for 0.1 s");
+    }
+}

@@ -1,0 +1,115 @@
+package faultline.control;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.sensor.Reading;
+import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Test;
+
+/** Spins past walls that are given as readings over time, sampled every 0.1 s from 0. */
+class SpinTimingTest {
+
+    private static final double STEP = 0.1;
+    private static final int MOST = 200;
+
+    private static SpinTiming spin(Timing rule, double noise, DoubleUnaryOperator readings) {
+        SpinTiming timing = new SpinTiming(rule);
+        timing.start(noise);
+        int i = 0;
+        do {
+            timing.approach(i * STEP, readings.applyAsDouble(i * STEP));
+        } while (!timing.comesToWall() && ++i < MOST);
+        do {
+            i++;
+            timing.pass(i * STEP, readings.applyAsDouble(i * STEP));
+        } while (!timing.leavesWall() && i < MOST);
+        assertTrue(i < MOST, "the wall was not timed");
+        return timing;
+    }
+
+    /** A wall that is nearest, 0.25 m, at a moment, and farther by 0.1 m for every second before and after; seen up to 0.45 m. */
+    private static DoubleUnaryOperator wallAt(double moment) {
+        return t -> {
+            double reading = 0.25 + 0.1 * Math.abs(t - moment);
+            return reading <= 0.45 ? reading : Reading.NOTHING;
+        };
+    }
+
+    @Test
+    void beforeASpinNoMomentIsKnown() {
+        SpinTiming timing = new SpinTiming(Timing.EQUAL_READINGS);
+        assertTrue(Double.isNaN(timing.tF3()) && Double.isNaN(timing.tF4()) && Double.isNaN(timing.tP()));
+    }
+
+    @Test
+    void equalReadingsLieEvenlyOnEitherSideOfTheNearestEvenBetweenSamples() {
+        for (double moment : new double[] {3, 3.02, 3.05, 3.09}) {
+            SpinTiming timing = spin(Timing.EQUAL_READINGS, 0, wallAt(moment));
+            assertEquals(moment, (timing.tF3() + timing.tF4()) / 2, 1e-3);
+            assertTrue(timing.tF3() < moment && timing.tF4() > moment);
+        }
+    }
+
+    @Test
+    void theTurnBackIsHalfOfTheTimeBetween() {
+        SpinTiming timing = spin(Timing.EQUAL_READINGS, 0, wallAt(3));
+        assertEquals((timing.tF4() - timing.tF3()) / 2, timing.tP(), 1e-12);
+    }
+
+    @Test
+    void byRangeTheMomentsAreTheFirstSampleWithTheWallAndTheFirstWithoutIt() {
+        SpinTiming timing = spin(Timing.RANGE, 0, wallAt(3.04));
+        assertEquals(1.1, timing.tF3(), 1e-12, "the wall comes into range at 1.04");
+        assertEquals(5.1, timing.tF4(), 1e-12, "and leaves it at 5.04");
+        assertEquals(2, timing.tP(), 1e-12);
+    }
+
+    @Test
+    void byRangeAWallInSightFromTheStartIsNotComeTo() {
+        SpinTiming timing = new SpinTiming(Timing.RANGE);
+        timing.start(0);
+        timing.approach(0, 0.4);
+        timing.approach(0.1, 0.3);
+        assertFalse(timing.comesToWall());
+    }
+
+    @Test
+    void byEqualReadingsAWallInSightFromTheStartIsComeToAsSoonAsReadingsFall() {
+        SpinTiming timing = new SpinTiming(Timing.EQUAL_READINGS);
+        timing.start(0);
+        timing.approach(0, 0.3);
+        timing.approach(0.1, 0.4);
+        assertFalse(timing.comesToWall(), "the wall behind goes");
+        timing.approach(0.2, 0.38);
+        assertTrue(timing.comesToWall());
+    }
+
+    @Test
+    void ofTwoWallsThatMergeTheFirstIsTimedByItself() {
+        DoubleUnaryOperator first = wallAt(3);
+        DoubleUnaryOperator second = wallAt(4);
+        SpinTiming timing = spin(Timing.EQUAL_READINGS, 0, t -> Math.min(first.applyAsDouble(t), second.applyAsDouble(t)));
+        assertEquals(3, (timing.tF3() + timing.tF4()) / 2, 0.05);
+    }
+
+    @Test
+    void aWiggleOfTheNoiseIsNoWall() {
+        SpinTiming timing = new SpinTiming(Timing.EQUAL_READINGS);
+        timing.start(0.005);
+        for (int i = 0; i < 50; i++) {
+            timing.approach(i * STEP, 0.4 + (i % 2 == 0 ? 0.008 : -0.008));
+            assertFalse(timing.comesToWall());
+        }
+    }
+
+    @Test
+    void aNewSpinForgetsTheOneBefore() {
+        SpinTiming timing = spin(Timing.EQUAL_READINGS, 0, wallAt(3));
+        timing.start(0);
+        assertTrue(Double.isNaN(timing.tF3()) && Double.isNaN(timing.tF4()));
+        timing.approach(7, Reading.NOTHING);
+        assertFalse(timing.comesToWall());
+    }
+}

@@ -1,0 +1,96 @@
+package faultline.control;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.sensor.Reading;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+/** Steering at a wanted reading of 0.25 m; the robot's centre is 0.1 m farther off. */
+class WallSteeringTest {
+
+    private static final double WANTED = 0.25;
+
+    private final Perception perception = Observed.perception(WANTED);
+    private final WallSteering steering = new WallSteering(perception, WANTED);
+    private long tick;
+
+    /** A tick of rolling straight on at 0.3 m/s, after which the left sensor reads this. */
+    private void roll(double left) {
+        perception.look(Observed.at(++tick, Map.of("left", left)), 0.3, 0);
+    }
+
+    @Test
+    void beforeTheFirstDecisionThereAreNoTerms() {
+        assertTrue(Double.isNaN(steering.proportional()) && Double.isNaN(steering.derivative()));
+    }
+
+    @Test
+    void atTheWantedDistanceItGoesStraight() {
+        steering.begin();
+        assertEquals(0, steering.alongWall());
+    }
+
+    @Test
+    void aroundACornerItKeepsToTheCircleAboutIt() {
+        steering.begin();
+        assertEquals(0.3 / 0.35, steering.aroundCorner(), 1e-12, "speed over radius");
+    }
+
+    @Test
+    void tooNearItTurnsAway() {
+        roll(0.2);
+        steering.begin();
+        assertTrue(steering.alongWall() < 0);
+        assertEquals(steering.alongWall(), steering.proportional() + steering.derivative(), 1e-12);
+    }
+
+    @Test
+    void aWallIsLostWhenNothingOrSomethingElseIsSeen() {
+        steering.begin();
+        assertTrue(steering.inSight());
+        roll(Reading.NOTHING);
+        assertFalse(steering.inSight());
+        roll(0.7);
+        assertFalse(steering.inSight());
+        roll(0.24);
+        assertTrue(steering.inSight());
+    }
+
+    @Test
+    void aStraightWallNeverBends() {
+        steering.begin();
+        for (int i = 0; i < 100; i++) {
+            roll(WANTED);
+            steering.trackWall();
+            assertFalse(steering.bendsAway() || steering.bendsBack());
+        }
+    }
+
+    @Test
+    void rollingStraightPastACornerItIsSeenToBendAwayWithinSixCentimetres() {
+        steering.begin();
+        double way = 0;
+        while (!steering.bendsAway() && way < 1) {
+            way += 0.003;
+            roll(Math.hypot(0.35, way) - 0.1);
+            steering.trackWall();
+        }
+        assertTrue(way < 0.06, "seen after " + way + " m");
+    }
+
+    @Test
+    void roundACornerReadingsThatFallBelowTheCirclesSayThatAWallFollows() {
+        steering.begin();
+        steering.takeCorner();
+        double way = 0;
+        while (!steering.bendsBack() && way < 1) {
+            way += 0.003;
+            perception.look(Observed.at(++tick, Map.of("left", 0.25 - way * way / 0.7)), 0.3, 0.3 / 0.35);
+            steering.trackCorner();
+        }
+        assertTrue(way < 0.08, "seen after " + way + " m");
+    }
+}
