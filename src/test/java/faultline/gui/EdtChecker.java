@@ -1,0 +1,64 @@
+package faultline.gui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.EventQueue;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import javax.swing.JComponent;
+import javax.swing.RepaintManager;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
+
+/** Fails a test in which a component was changed on another thread than the event dispatch thread, or in which anything was thrown and not caught. */
+public final class EdtChecker implements BeforeEachCallback, AfterEachCallback {
+
+    private final List<String> offences = new CopyOnWriteArrayList<>();
+    private RepaintManager before;
+    private Thread.UncaughtExceptionHandler handlerBefore;
+
+    @Override
+    public void beforeEach(ExtensionContext context) {
+        before = RepaintManager.currentManager(null);
+        handlerBefore = Thread.getDefaultUncaughtExceptionHandler();
+        offences.clear();
+        RepaintManager.setCurrentManager(new Strict());
+        Thread.setDefaultUncaughtExceptionHandler((thread, fault) -> {
+            fault.printStackTrace();
+            offences.add("uncaught on " + thread.getName() + ": " + fault);
+        });
+    }
+
+    @Override
+    public void afterEach(ExtensionContext context) {
+        RepaintManager.setCurrentManager(before);
+        Thread.setDefaultUncaughtExceptionHandler(handlerBefore);
+        assertEquals(List.of(), offences);
+    }
+
+    List<String> offences() {
+        return offences;
+    }
+
+    /** Sees every change of a component that shows. */
+    private final class Strict extends RepaintManager {
+        @Override
+        public synchronized void addInvalidComponent(JComponent component) {
+            check(component);
+            super.addInvalidComponent(component);
+        }
+
+        @Override
+        public void addDirtyRegion(JComponent component, int x, int y, int width, int height) {
+            check(component);
+            super.addDirtyRegion(component, x, y, width, height);
+        }
+
+        private void check(JComponent component) {
+            if (!EventQueue.isDispatchThread()) {
+                offences.add(component.getClass().getName() + " was changed on thread " + Thread.currentThread().getName());
+            }
+        }
+    }
+}

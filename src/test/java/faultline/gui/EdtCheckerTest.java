@@ -1,0 +1,21 @@
+package faultline.gui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.List;
+import javax.swing.JLabel;
+import org.junit.jupiter.api.Test;
+
+class EdtCheckerTest {
+
+    @Test
+    void aLabelChangedOnTheTestsOwnThreadIsFound() {
+        EdtChecker checker = new EdtChecker();
+        checker.beforeEach(null);
+        JLabel label = GuiRobot.onEdt(() -> new JLabel("before"));
+        assertEquals(List.of(), checker.offences());
+        label.setText("after");
+        assertThrows(AssertionError.class, () -> checker.afterEach(null));
+    }
+}

@@ -1,0 +1,63 @@
+package faultline.gui.theme;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class ThemeColoursTest {
+
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void textStandsOutFromEveryGroundItIsWrittenOn(Theme theme) {
+        ThemeColours c = theme.colours();
+        for (Color ground : List.of(c.background(), c.field(), c.hover(), c.pressed())) {
+            assertContrast(4.5, c.text(), ground);
+        }
+        assertContrast(4.5, c.muted(), c.background());
+        assertContrast(4.5, c.muted(), c.field());
+        assertContrast(4.5, c.onAccent(), c.accent());
+    }
+
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void whatShowsAControlOrItsStateStandsOutFromItsGround(Theme theme) {
+        ThemeColours c = theme.colours();
+        for (Color ground : List.of(c.background(), c.field())) {
+            assertContrast(3, c.border(), ground);
+            assertContrast(3, c.accent(), ground);
+            assertContrast(3, c.warning(), ground);
+        }
+    }
+
+    @Test
+    void theContrastOfBlackAndWhiteIsTwentyOne() {
+        assertEquals(21, contrast(Color.BLACK, Color.WHITE), 1e-9);
+        assertEquals(1, contrast(Color.GRAY, Color.GRAY), 1e-9);
+    }
+
+    private static void assertContrast(double least, Color one, Color other) {
+        double contrast = contrast(one, other);
+        assertTrue(contrast >= least, one + " on " + other + ": " + contrast);
+    }
+
+    /** The WCAG's contrast ratio, from 1 to 21. */
+    static double contrast(Color one, Color other) {
+        double a = luminance(one);
+        double b = luminance(other);
+        return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    }
+
+    private static double luminance(Color colour) {
+        return 0.2126 * linear(colour.getRed()) + 0.7152 * linear(colour.getGreen()) + 0.0722 * linear(colour.getBlue());
+    }
+
+    private static double linear(int channel) {
+        double share = channel / 255.0;
+        return share <= 0.04045 ? share / 12.92 : Math.pow((share + 0.055) / 1.055, 2.4);
+    }
+}

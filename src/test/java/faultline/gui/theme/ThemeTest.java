@@ -1,0 +1,117 @@
+package faultline.gui.theme;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import javax.swing.BoxLayout;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollBar;
+import javax.swing.JSlider;
+import javax.swing.JSpinner;
+import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class ThemeTest {
+
+    @AfterEach
+    void light() {
+        edt(Theme.LIGHT::install);
+    }
+
+    @Test
+    void aLiveSwitchLeavesNoPixelOfTheOtherThemesGround() {
+        JPanel panel = onEdt(() -> {
+            Theme.LIGHT.install();
+            return everyControl();
+        });
+        BufferedImage light = onEdt(() -> picture(panel));
+        edt(() -> {
+            Theme.DARK.install();
+            SwingUtilities.updateComponentTreeUI(panel);
+        });
+        BufferedImage switched = onEdt(() -> picture(panel));
+        BufferedImage fresh = onEdt(() -> picture(everyControl()));
+        assertEquals(0, differing(switched, fresh), "a switched panel and a fresh one look alike");
+        assertTrue(differing(light, switched) > light.getWidth() * light.getHeight() / 2);
+        Color ground = ThemeColours.LIGHT.background();
+        assertEquals(0, count(switched, ground.getRGB()), "light ground on dark");
+    }
+
+    @Test
+    void theThemeThatIsInstalledIsTheCurrentOne() {
+        edt(Theme.DARK::install);
+        assertEquals(Theme.DARK, onEdt(Theme::current));
+        assertEquals(Theme.LIGHT, Theme.DARK.other());
+    }
+
+    private static JPanel everyControl() {
+        JPanel panel = new JPanel();
+        panel.setLayout(new BoxLayout(panel, BoxLayout.PAGE_AXIS));
+        JToggleButton down = new JToggleButton("Down");
+        down.setSelected(true);
+        JCheckBox ticked = new JCheckBox("Ticked");
+        ticked.setSelected(true);
+        JButton primary = new JButton("Primary");
+        primary.putClientProperty(ButtonFace.PRIMARY, true);
+        primary.updateUI();
+        Component[] controls = {new JLabel("Label"), new JButton("Button"), primary, down, ticked, new JCheckBox("Empty"), new JTextField("Text"),
+            new JSpinner(), new JComboBox<>(new String[] {"One"}), new JSlider(), new JScrollBar(JScrollBar.HORIZONTAL)};
+        for (Component control : controls) {
+            panel.add(control);
+        }
+        return panel;
+    }
+
+    private static BufferedImage picture(JPanel panel) {
+        panel.setSize(240, 420);
+        lay(panel);
+        BufferedImage image = new BufferedImage(240, 420, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        panel.paint(graphics);
+        graphics.dispose();
+        return image;
+    }
+
+    private static void lay(Container container) {
+        container.doLayout();
+        for (Component component : container.getComponents()) {
+            if (component instanceof Container inner) {
+                lay(inner);
+            }
+        }
+    }
+
+    private static int differing(BufferedImage one, BufferedImage other) {
+        int differing = 0;
+        for (int x = 0; x < one.getWidth(); x++) {
+            for (int y = 0; y < one.getHeight(); y++) {
+                differing += one.getRGB(x, y) == other.getRGB(x, y) ? 0 : 1;
+            }
+        }
+        return differing;
+    }
+
+    private static int count(BufferedImage image, int rgb) {
+        int count = 0;
+        for (int x = 0; x < image.getWidth(); x++) {
+            for (int y = 0; y < image.getHeight(); y++) {
+                count += image.getRGB(x, y) == rgb ? 1 : 0;
+            }
+        }
+        return count;
+    }
+}
