@@ -1,0 +1,230 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.engine.SampleFrames;
+import faultline.engine.Session;
+import faultline.gui.Components;
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.document.Bench;
+import faultline.gui.theme.Theme;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.AbstractButton;
+import javax.swing.Box;
+import javax.swing.CellRendererPane;
+import javax.swing.DefaultBoundedRangeModel;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JScrollBar;
+import javax.swing.JSlider;
+import javax.swing.JSpinner;
+import javax.swing.JTextField;
+import javax.swing.JViewport;
+import javax.swing.MenuElement;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** All of the window but its frame, without a display. */
+class WorkAreaTest {
+
+    private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, Optional.empty(), Optional.empty());
+    private static final Session.Status FAST = new Session.Status(true, 100, 12345.67, 0, Optional.empty(), Optional.empty());
+
+    private final UiActions actions = new UiActions();
+    private SimulationCanvas canvas;
+    private WorkArea area;
+    private JMenuBar menus;
+
+    @BeforeEach
+    void build() {
+        edt(() -> {
+            Theme.LIGHT.install();
+            DefaultBoundedRangeModel speed = new DefaultBoundedRangeModel(SpeedScale.REAL_TIME, 0, 0, SpeedScale.MOST);
+            Bench bench = new Bench(new Deaf());
+            canvas = new SimulationCanvas(bench::send);
+            new FileDesk(canvas, bench).addTo(actions, () -> {
+            });
+            ViewActions.addTo(actions, canvas, theme -> {
+            });
+            new RunActions(bench, speed).addTo(actions, sensor -> {
+            });
+            new Dialogs(null).addTo(actions);
+            area = new WorkArea(canvas, bench::send, actions, speed);
+            menus = Menus.of(actions);
+            area.show(SampleFrames.everything(), PAUSED);
+        });
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1360, 840", "1024, 560"})
+    void nothingIsCutOffAtTheUsualAndAtTheLeastSize(int width, int height) {
+        edt(() -> lay(width, height));
+        List<String> cut = new ArrayList<>();
+        onEdt(() -> Components.tree(area).filter(WorkAreaTest::mustBeWhole).filter(part -> !fits(part)).map(WorkAreaTest::describe).toList())
+                .forEach(cut::add);
+        assertEquals(List.of(), cut);
+    }
+
+    @Test
+    void nothingMovesWhenNumbersChange() {
+        edt(() -> lay(1360, 840));
+        Map<Component, Rectangle> before = onEdt(this::places);
+        Frame frame = SampleFrames.everything();
+        edt(() -> {
+            area.show(frame, FAST);
+            lay(1360, 840);
+        });
+        assertEquals(before, onEdt(this::places));
+    }
+
+    @Test
+    void everythingThatCanBeUsedHasANameForReadersOfTheScreen() {
+        List<String> nameless = onEdt(() -> Components.tree(area).filter(WorkAreaTest::isUsed).filter(part -> Components.name(part).isBlank())
+                .map(WorkAreaTest::describe).toList());
+        assertEquals(List.of(), nameless);
+        assertTrue(onEdt(() -> Components.tree(area).filter(WorkAreaTest::isUsed).count()) > 40);
+    }
+
+    @Test
+    void everyMenuHasMnemonicsAndNoneTwice() {
+        List<JMenu> all = onEdt(() -> Components.all(menus, JMenu.class).toList());
+        assertEquals(5, all.size());
+        assertDistinct(all.stream().filter(menu -> menu.getParent() == menus).map(menu -> (AbstractButton) menu).toList());
+        all.forEach(menu -> assertDistinct(Components.all(menu, AbstractButton.class).filter(item -> item != menu)
+                .filter(item -> !(item.getParent() instanceof MenuElement popup) || popup == menu.getPopupMenu()).toList()));
+    }
+
+    @Test
+    void noTwoActionsHaveTheSameKey() {
+        List<String> strokes = actions.all().stream().flatMap(action -> action.stroke().stream()).map(Object::toString).toList();
+        assertEquals(strokes.stream().distinct().toList(), strokes);
+        assertTrue(strokes.size() > 20);
+    }
+
+    @Test
+    void theTipOfAToolNamesItsKey() {
+        assertEquals("Make one tick and hold (.)",
+                onEdt(() -> Components.named(area, AbstractButton.class, "Step").getToolTipText()));
+    }
+
+    @Test
+    void theWholePaintsInBothThemes() {
+        for (Theme theme : Theme.values()) {
+            edt(theme::install);
+            build(theme);
+            BufferedImage image = onEdt(this::picture);
+            assertEquals(theme.palette().canvas().getRGB(), image.getRGB(3, 600));
+            assertEquals(theme.colours().background().getRGB(), image.getRGB(1355, 835));
+        }
+        edt(Theme.LIGHT::install);
+    }
+
+    private void build(Theme theme) {
+        edt(() -> {
+            SwingUtilities.updateComponentTreeUI(area);
+            canvas.setPalette(theme.palette());
+        });
+    }
+
+    private BufferedImage picture() {
+        lay(1360, 840);
+        BufferedImage image = new BufferedImage(1360, 840, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        area.paint(graphics);
+        graphics.dispose();
+        return image;
+    }
+
+    private void lay(int width, int height) {
+        area.setSize(width, height);
+        // The second pass gives a scroll pane what its bars left.
+        layout(area);
+        area.split().setDividerLocation(width - area.panel().getMinimumSize().width - area.split().getDividerSize());
+        layout(area);
+    }
+
+    private static void layout(Container container) {
+        container.doLayout();
+        for (Component component : container.getComponents()) {
+            if (component instanceof Container inner) {
+                layout(inner);
+            }
+        }
+    }
+
+    private Map<Component, Rectangle> places() {
+        Map<Component, Rectangle> places = new HashMap<>();
+        Components.tree(area).forEach(part -> places.put(part, part.getBounds()));
+        return places;
+    }
+
+    private static boolean mustBeWhole(Component part) {
+        boolean text = part instanceof JLabel label && !label.getText().isBlank() && !(label.getParent() instanceof CellRendererPane);
+        return (text || part instanceof AbstractButton || part instanceof JSpinner || part instanceof JSlider) && part.isVisible()
+                && part.getPreferredSize().width > 0 && !(part.getParent() instanceof Box.Filler);
+    }
+
+    /** Whether a part has the room that it wants, and lies within its parent; what scrolls may be higher than what shows. */
+    private static boolean fits(Component part) {
+        Component parent = part.getParent();
+        boolean roomy = part.getWidth() >= part.getPreferredSize().width || part instanceof JSpinner || parent instanceof JSpinner;
+        boolean inside = parent instanceof JViewport || part.getX() >= 0 && part.getX() + part.getWidth() <= parent.getWidth()
+                && part.getY() >= 0 && part.getY() + part.getHeight() <= parent.getHeight();
+        return roomy && inside;
+    }
+
+    private static boolean isUsed(Component part) {
+        boolean arrow = part.getParent() instanceof JScrollBar || part.getParent() instanceof JComboBox;
+        return !arrow && (part instanceof AbstractButton || part instanceof JSpinner || part instanceof JSlider || part instanceof JTextField
+                || part instanceof SimulationCanvas || part instanceof JComboBox);
+    }
+
+    private static void assertDistinct(List<AbstractButton> items) {
+        List<Integer> mnemonics = items.stream().map(AbstractButton::getMnemonic).toList();
+        assertTrue(mnemonics.stream().allMatch(mnemonic -> mnemonic > 0), () -> items.stream().map(AbstractButton::getText).toList().toString());
+        assertEquals(mnemonics.stream().distinct().toList(), mnemonics, () -> items.stream().map(AbstractButton::getText).toList().toString());
+    }
+
+    private static String describe(Component part) {
+        String text = part instanceof JLabel label ? label.getText() : part instanceof AbstractButton button ? button.getText() : "";
+        return part.getClass().getSimpleName() + " \"" + text + "\" " + Components.name(part) + " " + part.getBounds() + " wants "
+                + part.getPreferredSize().width + " in " + part.getParent().getClass().getSimpleName();
+    }
+
+    /** Nothing is opened here. */
+    private static final class Deaf implements Bench.Listener {
+        @Override
+        public void begun() {
+            throw new AssertionError();
+        }
+
+        @Override
+        public void renamed() {
+            throw new AssertionError();
+        }
+
+        @Override
+        public void failed(Bench.Task what, Path file, Throwable why) {
+            throw new AssertionError(why);
+        }
+    }
+}
