@@ -28,6 +28,16 @@ public final class Keystrokes {
     }
 
     /**
+     * A sign, whichever keys make it on this keyboard.
+     *
+     * @param sign the sign
+     * @return the stroke
+     */
+    public static KeyStroke sign(char sign) {
+        return KeyStroke.getKeyStroke(sign);
+    }
+
+    /**
      * A key with the platform's menu key, which is Ctrl on most.
      *
      * @param key a code of {@link KeyEvent}
@@ -61,9 +71,7 @@ public final class Keystrokes {
     public static String text(KeyStroke stroke) {
         String modifiers = InputEvent.getModifiersExText(stroke.getModifiers());
         String key = switch (stroke.getKeyCode()) {
-            case KeyEvent.VK_PERIOD -> ".";
-            case KeyEvent.VK_OPEN_BRACKET -> "[";
-            case KeyEvent.VK_CLOSE_BRACKET -> "]";
+            case KeyEvent.VK_UNDEFINED -> String.valueOf(stroke.getKeyChar());
             case KeyEvent.VK_EQUALS -> "=";
             case KeyEvent.VK_MINUS -> "-";
             default -> KeyEvent.getKeyText(stroke.getKeyCode());

@@ -6,10 +6,10 @@ import java.text.DecimalFormatSymbols;
 import java.text.ParseException;
 import java.util.Locale;
 import java.util.regex.Pattern;
-import javax.swing.JFormattedTextField;
+import javax.swing.text.DefaultFormatter;
 
 /** Numbers in fields: written with a point in every country, read with a point or a comma, and only within their limits. */
-final class PlainNumber extends JFormattedTextField.AbstractFormatter {
+final class PlainNumber extends DefaultFormatter {
 
     private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d{1,12}(\\.\\d{0,12})?|\\.\\d{1,12})");
 
@@ -21,6 +21,7 @@ final class PlainNumber extends JFormattedTextField.AbstractFormatter {
     PlainNumber(String pattern, double least, double most) {
         this.format = new DecimalFormat(pattern, DecimalFormatSymbols.getInstance(Locale.ROOT));
         limit(least, most);
+        setOverwriteMode(false);
     }
 
     void limit(double newLeast, double newMost) {

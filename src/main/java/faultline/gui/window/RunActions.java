@@ -2,6 +2,7 @@ package faultline.gui.window;
 
 import static faultline.gui.action.Keystrokes.menu;
 import static faultline.gui.action.Keystrokes.plain;
+import static faultline.gui.action.Keystrokes.sign;
 
 import faultline.engine.Session;
 import faultline.gui.action.UiAction;
@@ -31,11 +32,11 @@ final class RunActions {
 
     void addTo(UiActions actions, IntConsumer toggleSensor) {
         actions.add(run);
-        actions.add(UiAction.of("step", bench::step).on(plain(KeyEvent.VK_PERIOD)).drawn(Glyph.STEP));
+        actions.add(UiAction.of("step", bench::step).on(sign('.')).drawn(Glyph.STEP));
         actions.add(UiAction.of("restart", bench::restart).on(menu(KeyEvent.VK_R)).drawn(Glyph.RESTART));
-        actions.add(UiAction.of("slower", () -> change(SpeedScale::slower)).on(plain(KeyEvent.VK_OPEN_BRACKET)));
-        actions.add(UiAction.of("faster", () -> change(SpeedScale::faster)).on(plain(KeyEvent.VK_CLOSE_BRACKET)));
-        actions.add(UiAction.of("realTime", () -> speed.setValue(SpeedScale.REAL_TIME)).on(plain(KeyEvent.VK_BACK_SLASH)));
+        actions.add(UiAction.of("slower", () -> change(SpeedScale::slower)).on(sign('[')));
+        actions.add(UiAction.of("faster", () -> change(SpeedScale::faster)).on(sign(']')));
+        actions.add(UiAction.of("realTime", () -> speed.setValue(SpeedScale.REAL_TIME)).on(sign('\\')));
         for (int i = 0; i < SENSOR_KEYS; i++) {
             int index = i;
             actions.add(UiAction.of("sensor" + (i + 1), () -> toggleSensor.accept(index)).on(plain(KeyEvent.VK_1 + i)));

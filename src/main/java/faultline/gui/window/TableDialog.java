@@ -16,6 +16,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
+import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableModel;
 
 /** A window in front of the window: a heading, a table to read, and a button that closes it, as Esc and Enter do. */
@@ -60,6 +61,9 @@ final class TableDialog extends JDialog {
         rows.forEach(row -> ((DefaultTableModel) table.getModel()).addRow(row.toArray()));
         table.setShowVerticalLines(false);
         table.getTableHeader().setReorderingAllowed(false);
+        if (table.getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
+            headings.setHorizontalAlignment(SwingConstants.LEADING);
+        }
         return table;
     }
 

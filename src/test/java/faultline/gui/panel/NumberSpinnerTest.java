@@ -3,6 +3,7 @@ package faultline.gui.panel;
 import static faultline.gui.GuiRobot.edt;
 import static faultline.gui.GuiRobot.onEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.gui.theme.Theme;
@@ -44,6 +45,7 @@ class NumberSpinnerTest {
         edt(() -> spinner.follow(0.8));
         edt(() -> {
             spinner.text().setText("500");
+            assertFalse(spinner.text().isEditValid(), "the outline shows it while it is typed");
             assertThrows(ParseException.class, spinner.text()::commitEdit);
         });
         assertEquals(List.of(), told);

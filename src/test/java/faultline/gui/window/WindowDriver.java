@@ -8,10 +8,15 @@ import faultline.gui.Components;
 import faultline.gui.GuiRobot;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.theme.Theme;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Predicate;
 import javax.swing.JMenuItem;
+import javax.swing.JTextField;
 
 /** Drives the whole window by what a user sees of it: its menus, its controls and the frame that its canvas shows. */
 final class WindowDriver implements AutoCloseable {
@@ -64,6 +69,23 @@ final class WindowDriver implements AutoCloseable {
     /** Whether time runs, as the menu has it. */
     boolean isRunning() {
         return item("run").getText().equals("Pause");
+    }
+
+    /** Clicks on the middle of a component. */
+    void click(Component component) {
+        Dimension size = onEdt(component::getSize);
+        robot.click(component, size.width / 2.0, size.height / 2.0, InputEvent.BUTTON1_DOWN_MASK);
+    }
+
+    /** Puts the focus into a field for a number by clicking on it, and types keys of {@link java.awt.event.KeyEvent} in place of what is there. */
+    void typeInto(String spinner, int... keys) {
+        JTextField field = Components.named(window, JTextField.class, spinner);
+        click(field);
+        robot.waitFor("the field has the focus", field::isFocusOwner);
+        robot.type(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        for (int key : keys) {
+            robot.type(key);
+        }
     }
 
     /** What a condition of the shown frame waits for. */

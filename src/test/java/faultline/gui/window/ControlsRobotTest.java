@@ -1,0 +1,155 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Degrees;
+import faultline.gui.Components;
+import faultline.gui.EdtChecker;
+import faultline.gui.theme.Theme;
+import faultline.paint.Layer;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** The control panel and the keys in a real window, as a user finds them: mouse and keyboard only. */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+class ControlsRobotTest {
+
+    private final Locale locale = Locale.getDefault();
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() {
+        // The country of this program's first users, where a comma is the decimal sign.
+        Locale.setDefault(Locale.forLanguageTag("pl-PL"));
+        driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/office.xml"));
+    }
+
+    @AfterEach
+    void close() {
+        driver.close();
+        Locale.setDefault(locale);
+    }
+
+    @Test
+    void everySensorIsSwitchedOffByItsBoxAndOnAgainByItsKey() {
+        List<String> ids = robot().sensors().stream().map(SensorSpec::id).toList();
+        assertEquals(8, ids.size());
+        for (String id : ids) {
+            driver.click(Components.named(driver.window(), JCheckBox.class, "Switch " + id));
+            driver.waitForFrame(id + " is off", frame -> !frame.world().robot().sensor(id).orElseThrow().on());
+        }
+        for (int i = 0; i < ids.size(); i++) {
+            String id = ids.get(i);
+            driver.robot().type(KeyEvent.VK_1 + i);
+            driver.waitForFrame(id + " is on", frame -> frame.world().robot().sensor(id).orElseThrow().on());
+        }
+    }
+
+    @Test
+    void rangeIsTypedWithACommaAndConeWithAPoint() {
+        driver.typeInto("Range of left, metres", KeyEvent.VK_1, KeyEvent.VK_COMMA, KeyEvent.VK_2, KeyEvent.VK_5, KeyEvent.VK_ENTER);
+        driver.waitForFrame("the range is 1.25 m", frame -> frame.world().robot().sensor("left").orElseThrow().range() == 1.25);
+        driver.typeInto("Cone of left, degrees", KeyEvent.VK_3, KeyEvent.VK_5, KeyEvent.VK_PERIOD, KeyEvent.VK_5, KeyEvent.VK_ENTER);
+        driver.waitForFrame("the cone is 35.5 deg",
+                frame -> frame.world().robot().sensor("left").orElseThrow().cone() == Degrees.toRadians(35.5));
+        assertEquals(1.25, robot().sensor("left").orElseThrow().range());
+        assertEquals(0, driver.frame().world().tick(), "the point made no tick");
+    }
+
+    @Test
+    void spaceAndPointAreTypedWhileAFieldHasTheFocusAndActOtherwise() {
+        driver.typeInto("Linear velocity", KeyEvent.VK_SPACE, KeyEvent.VK_PERIOD, KeyEvent.VK_P);
+        assertFalse(onEdt(driver::isRunning));
+        assertEquals(0, driver.frame().world().tick());
+        assertTrue(onEdt(() -> driver.canvas().isLayerOn(Layer.PATH)));
+        focusCanvas();
+        driver.robot().type(KeyEvent.VK_PERIOD);
+        driver.waitForFrame("one tick is made", frame -> frame.world().tick() == 1);
+        driver.robot().type(KeyEvent.VK_SPACE);
+        driver.robot().waitFor("time runs", driver::isRunning);
+    }
+
+    @Test
+    void whatCannotBeTakenGoesBackToWhatIsTrue() {
+        driver.typeInto("Cone of left, degrees", KeyEvent.VK_2, KeyEvent.VK_0, KeyEvent.VK_0, KeyEvent.VK_ENTER);
+        focusCanvas();
+        JTextField field = Components.named(driver.window(), JTextField.class, "Cone of left, degrees");
+        driver.robot().waitFor("the field shows 20 again", () -> field.getText().equals("20"));
+    }
+
+    @Test
+    void aPlatformThatTheRobotHasNoRoomForGoesBack() {
+        driver.typeInto("Platform length", KeyEvent.VK_9, KeyEvent.VK_ENTER);
+        JTextField field = Components.named(driver.window(), JTextField.class, "Platform length");
+        driver.robot().waitFor("the field shows 0.25 again", () -> field.getText().equals("0.25"));
+        assertEquals(RobotSpec.DEFAULT.length(), robot().length());
+    }
+
+    @Test
+    void theArrowsOfASpinnerSetTheVelocity() {
+        double before = robot().speed();
+        driver.click(Components.named(driver.window(), JButton.class, "Linear velocity, more"));
+        driver.waitForFrame("the velocity is higher", frame -> frame.world().robot().speed() > before);
+    }
+
+    @Test
+    void runPauseStepAndRestartGoByKeys() {
+        focusCanvas();
+        driver.robot().type(KeyEvent.VK_SPACE);
+        driver.waitForFrame("time has run", frame -> frame.world().tick() > 20);
+        driver.robot().type(KeyEvent.VK_SPACE);
+        driver.robot().waitFor("time is held", () -> !driver.isRunning());
+        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_R);
+        driver.waitForFrame("time is 0 again", frame -> frame.world().tick() == 0);
+        driver.robot().type(KeyEvent.VK_PERIOD);
+        driver.waitForFrame("one tick is made", frame -> frame.world().tick() == 1);
+    }
+
+    @Test
+    void aFaultIsInjectedAndMended() {
+        driver.click(Components.named(driver.window(), JButton.class, "Inject"));
+        driver.waitForFrame("the front sensor is broken", frame -> frame.world().sensors().get(0).faults().size() == 1);
+        driver.robot().waitFor("it is listed",
+                () -> Components.all(driver.window(), JButton.class).anyMatch(button -> Components.name(button).startsWith("Mend front")));
+        driver.click(Components.all(driver.window(), JButton.class).filter(button -> Components.name(button).startsWith("Mend front"))
+                .findFirst().orElseThrow());
+        driver.waitForFrame("it is mended", frame -> frame.world().sensors().get(0).faults().isEmpty());
+    }
+
+    @Test
+    void theThemeIsSwitchedWhileTheRunGoesOn() {
+        driver.choose("run");
+        driver.waitForFrame("time runs", frame -> frame.world().tick() > 0);
+        driver.choose("dark");
+        assertEquals(Theme.DARK, onEdt(Theme::current));
+        long tick = driver.frame().world().tick();
+        driver.waitForFrame("time still runs", frame -> frame.world().tick() > tick);
+        assertEquals(Theme.DARK.colours().background().getRGB(), onEdt(() -> driver.window().getContentPane().getBackground().getRGB()));
+    }
+
+    private void focusCanvas() {
+        driver.click(driver.canvas());
+        onEdt(() -> driver.canvas().requestFocusInWindow());
+        driver.robot().waitFor("the canvas has the focus", driver.canvas()::isFocusOwner);
+    }
+
+    private RobotSpec robot() {
+        return driver.frame().world().robot();
+    }
+}
