@@ -1,6 +1,7 @@
 package faultline.engine;
 
 import faultline.world.Command;
+import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
@@ -8,14 +9,15 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /**
  * An interactive run: owns the world thread and the controller's, takes commands and orders from any thread without ever blocking the caller, and
- * publishes frames. It starts paused at tick 0. A restart is a new session from the same setup.
+ * publishes frames. It starts paused. A restart is a new session from the same setup; a step back is a new session that replays the journal of the old one.
  */
 public final class Session implements AutoCloseable {
 
-    private final Queue<Consumer<Simulation>> orders = new ConcurrentLinkedQueue<>();
+    private final Queue<Consumer<LiveRun>> orders = new ConcurrentLinkedQueue<>();
     private final AtomicReference<Frame> newest = new AtomicReference<>();
     private final AtomicReference<Status> status;
     private final Thread thread;
@@ -30,10 +32,10 @@ public final class Session implements AutoCloseable {
     private Optional<String> lastRefusal = Optional.empty();
     private Optional<String> failure = Optional.empty();
 
-    private Session(Simulation simulation) {
-        newest.set(simulation.frame());
+    private Session(LiveRun run) {
+        newest.set(run.frame());
         status = new AtomicReference<>(describe());
-        thread = new Thread(() -> live(simulation), "faultline-world");
+        thread = new Thread(() -> live(run), "faultline-world");
         thread.setDaemon(true);
     }
 
@@ -44,7 +46,20 @@ public final class Session implements AutoCloseable {
      * @return the session, its first frame published
      */
     public static Session start(Setup setup) {
-        Session session = new Session(new Simulation(setup, ControllerMode.OWN_THREAD));
+        return replay(new Journal(setup, List.of(), 0), 0);
+    }
+
+    /**
+     * Starts a session where an earlier run was at the end of a tick, paused, with all that is remembered of the way there. It takes as long as the run needs to
+     * come there, at full speed. What the journal has for later ticks is done when they come, until a new command is carried out: from then on this is another run.
+     *
+     * @param journal of the earlier run, as {@link #wholeJournal} gives it
+     * @param tick not negative
+     * @return the session, its first frame published
+     * @throws RunFailedException if the controller threw or did not answer on the way
+     */
+    public static Session replay(Journal journal, long tick) {
+        Session session = new Session(LiveRun.at(journal, tick));
         session.thread.start();
         return session;
     }
@@ -65,8 +80,8 @@ public final class Session implements AutoCloseable {
      * @param command what is to be done
      */
     public void send(Command command) {
-        order(simulation -> {
-            Optional<String> refusal = simulation.apply(command);
+        order(run -> {
+            Optional<String> refusal = run.apply(command);
             if (refusal.isPresent()) {
                 refusals++;
                 lastRefusal = refusal;
@@ -77,7 +92,7 @@ public final class Session implements AutoCloseable {
 
     /** Lets time run. */
     public void run() {
-        order(simulation -> {
+        order(run -> {
             running = failure.isEmpty();
             pacer.restart();
         });
@@ -85,15 +100,15 @@ public final class Session implements AutoCloseable {
 
     /** Holds time. */
     public void pause() {
-        order(simulation -> running = false);
+        order(run -> running = false);
     }
 
     /** Makes one tick and holds. */
     public void step() {
-        order(simulation -> {
+        order(run -> {
             running = false;
             if (failure.isEmpty()) {
-                tick(simulation);
+                tick(run);
             }
         });
     }
@@ -108,7 +123,7 @@ public final class Session implements AutoCloseable {
         if (!(factor > 0)) {
             throw new IllegalArgumentException("the speed must be positive: " + factor);
         }
-        order(simulation -> pacer.setSpeed(factor));
+        order(run -> pacer.setSpeed(factor));
     }
 
     /**
@@ -126,8 +141,21 @@ public final class Session implements AutoCloseable {
      * @return completed on the world thread, soon; exceptionally if the session is closed before
      */
     public CompletableFuture<Journal> journal() {
+        return ask(LiveRun::journal);
+    }
+
+    /**
+     * What was done so far, and what a session that replays an earlier run still has before it.
+     *
+     * @return completed on the world thread, soon; exceptionally if the session is closed before
+     */
+    public CompletableFuture<Journal> wholeJournal() {
+        return ask(LiveRun::wholeJournal);
+    }
+
+    private CompletableFuture<Journal> ask(Function<LiveRun, Journal> question) {
         CompletableFuture<Journal> journal = new CompletableFuture<>();
-        order(simulation -> journal.complete(simulation.journal()));
+        order(run -> journal.complete(question.apply(run)));
         if (closed) {
             journal.completeExceptionally(new IllegalStateException("the session is closed"));
         }
@@ -141,62 +169,62 @@ public final class Session implements AutoCloseable {
         LockSupport.unpark(thread);
     }
 
-    private void order(Consumer<Simulation> order) {
+    private void order(Consumer<LiveRun> order) {
         orders.add(order);
         LockSupport.unpark(thread);
     }
 
-    private void live(Simulation simulation) {
-        try (simulation) {
+    private void live(LiveRun run) {
+        try (run) {
             while (!closed) {
-                obey(simulation);
+                obey(run);
                 if (running) {
-                    tick(simulation);
+                    tick(run);
                 }
-                publish(simulation);
+                publish(run);
                 rest();
             }
             // What was asked before the end is answered.
-            obey(simulation);
+            obey(run);
         }
     }
 
-    private void obey(Simulation simulation) {
-        Consumer<Simulation> order = orders.poll();
+    private void obey(LiveRun run) {
+        Consumer<LiveRun> order = orders.poll();
         while (order != null) {
             try {
-                order.accept(simulation);
+                order.accept(run);
             } catch (RuntimeException broken) {
-                fail(broken, simulation);
+                fail(broken, run);
             }
             order = orders.poll();
         }
     }
 
-    private void tick(Simulation simulation) {
+    private void tick(LiveRun run) {
         try {
-            simulation.tick();
-            pacer.ticked(simulation.setup().dt());
+            run.tick();
+            pacer.ticked(run.dt());
             changed = true;
         } catch (RuntimeException broken) {
-            fail(broken, simulation);
+            fail(broken, run);
         }
     }
 
-    private void fail(RuntimeException broken, Simulation simulation) {
+    private void fail(RuntimeException broken, LiveRun run) {
         running = false;
         failure = Optional.of(broken instanceof RunFailedException
-                ? broken.getMessage() : "the run broke at tick " + simulation.ticks() + ": " + broken);
+                ? broken.getMessage() : "the run broke at tick " + run.ticks() + ": " + broken);
     }
 
-    private void publish(Simulation simulation) {
+    private void publish(LiveRun run) {
         if (changed && (frameWanted || !running)) {
             frameWanted = false;
             changed = false;
             if (!running) {
-                simulation.look();
+                run.look();
             }
-            newest.set(simulation.frame());
+            newest.set(run.frame());
         }
         Status now = describe();
         if (!now.equals(status.get())) {

@@ -28,6 +28,7 @@ public final class Simulation implements AutoCloseable {
     private final TrajectoryHash hash = new TrajectoryHash();
     private final PathRecorder path = new PathRecorder();
     private final List<Journal.Entry> journal = new ArrayList<>();
+    private final CommandListener listener;
     private Decision acting;
     private boolean opened;
 
@@ -38,7 +39,12 @@ public final class Simulation implements AutoCloseable {
      * @param mode where the controller runs
      */
     public Simulation(Setup setup, ControllerMode mode) {
+        this(setup, mode, CommandListener.NONE);
+    }
+
+    Simulation(Setup setup, ControllerMode mode, CommandListener listener) {
         this.setup = setup;
+        this.listener = listener;
         this.world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
         this.controller = ControllerLink.connect(setup.controller().create(), mode);
         this.timeline = new Timeline(setup);
@@ -70,8 +76,14 @@ public final class Simulation implements AutoCloseable {
 
     private void applyDue(long tick) {
         while (timeline.isDue(tick)) {
-            world.apply(timeline.take());
+            carryOut(timeline.take(), tick);
         }
+    }
+
+    private Optional<String> carryOut(Command command, long tick) {
+        Optional<String> refusal = world.apply(command);
+        listener.commanded(tick, command, refusal);
+        return refusal;
     }
 
     /** Steps 6 and 7: sense, record, and ask the controller. */
@@ -102,7 +114,7 @@ public final class Simulation implements AutoCloseable {
      */
     public Optional<String> apply(Command command) {
         openTick();
-        Optional<String> refusal = world.apply(command);
+        Optional<String> refusal = carryOut(command, ticks() + 1);
         if (refusal.isEmpty()) {
             journal.add(new Journal.Entry(ticks() + 1, command));
         }
@@ -225,6 +237,24 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
+     * What the controller gave the left motors in the last tick.
+     *
+     * @return volts
+     */
+    public double leftVolts() {
+        return acting.leftVolts();
+    }
+
+    /**
+     * What the controller gave the right motors in the last tick.
+     *
+     * @return volts
+     */
+    public double rightVolts() {
+        return acting.rightVolts();
+    }
+
+    /**
      * The robot's first contact.
      *
      * @return empty before it
@@ -257,7 +287,7 @@ public final class Simulation implements AutoCloseable {
      * @return an immutable value
      */
     public Frame frame() {
-        return new Frame(world.snapshot(), telemetry(), acting.leftVolts(), acting.rightVolts(), path.view(), trajectoryHash());
+        return new Frame(world.snapshot(), telemetry(), leftVolts(), rightVolts(), path.view(), trajectoryHash(), Recording.EMPTY);
     }
 
     /**

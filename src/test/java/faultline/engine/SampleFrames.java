@@ -44,7 +44,7 @@ public final class SampleFrames {
     public static Frame frame(Pose robot, Path path, List<SensorSnapshot> sensors, List<Obstacle> obstacles, List<Vec> contacts,
             Optional<Collision> collision) {
         Snapshot world = new Snapshot(1, 0.01, 6, 4, true, BLIND, robot, 0, 0, sensors, obstacles, contacts, collision);
-        return new Frame(world, Telemetry.named("FOLLOW"), 0, 0, path, 0);
+        return new Frame(world, Telemetry.named("FOLLOW"), 0, 0, path, 0, Recording.EMPTY);
     }
 
     /** A path through points. */

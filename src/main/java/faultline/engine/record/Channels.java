@@ -1,0 +1,53 @@
+package faultline.engine.record;
+
+/** The numbers that are traced: six of the controller, and two of each sensor. */
+public final class Channels {
+
+    /** The distance that the controller holds, metres. */
+    public static final int WANTED = 0;
+    /** The distance that it goes by, metres. */
+    public static final int MEASURED = 1;
+    /** The PD controller's P term, radians per second. */
+    public static final int PROPORTIONAL = 2;
+    /** The PD controller's D term, radians per second. */
+    public static final int DERIVATIVE = 3;
+    /** What the controller gives the left motors, volts. */
+    public static final int LEFT_VOLTS = 4;
+    /** What the controller gives the right motors, volts. */
+    public static final int RIGHT_VOLTS = 5;
+
+    private static final int FIRST_SENSOR = 6;
+
+    private Channels() {
+    }
+
+    /**
+     * What a sensor would read without noise and faults.
+     *
+     * @param sensor its place in the robot's list, from 0
+     * @return the channel, metres
+     */
+    public static int truth(int sensor) {
+        return FIRST_SENSOR + 2 * sensor;
+    }
+
+    /**
+     * What a sensor reports.
+     *
+     * @param sensor its place in the robot's list, from 0
+     * @return the channel, metres
+     */
+    public static int reported(int sensor) {
+        return FIRST_SENSOR + 2 * sensor + 1;
+    }
+
+    /**
+     * How many channels a robot has.
+     *
+     * @param sensors how many sensors it has
+     * @return all channels
+     */
+    public static int count(int sensors) {
+        return FIRST_SENSOR + 2 * sensors;
+    }
+}

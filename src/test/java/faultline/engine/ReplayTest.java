@@ -1,0 +1,138 @@
+package faultline.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WorldSpec;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Going back in a run by running it again: the same bits at every tick, and what was done later is done again unless something else is. */
+@Timeout(value = 2, unit = TimeUnit.MINUTES)
+class ReplayTest {
+
+    private static final Obstacle POLE = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(3, 2, 0));
+    private static final Setup ROOM = new Setup(new WorldSpec(4, 3, true, 3, List.of(POLE)), RobotSpec.DEFAULT, new Pose(0.6, 0.6, 0.3),
+            ControllerSpec.WallFollowing.DEFAULT, List.of(new Setup.Timed(1, new Command.SwitchSensor("rear", false))), 0.01, 7, 60);
+
+    /** What was done to a run of a thousand ticks. */
+    private static final Journal JOURNAL = new Journal(ROOM, List.of(
+            new Journal.Entry(1, new Command.SetPlatform(0.25, 0.2, 0.25)),
+            new Journal.Entry(400, new Command.InjectFault("left", new Fault.Bias(0.05))),
+            new Journal.Entry(400, new Command.MoveObstacle("pole", new Pose(2.5, 1, 0))),
+            new Journal.Entry(700, new Command.ClearFaults("left"))), 1000);
+
+    private static final RecordedRun ORIGINAL = RecordedRun.of(JOURNAL);
+
+    private static Frame stepped(Session session, long tick) {
+        while (session.frame().world().tick() < tick) {
+            long before = session.frame().world().tick();
+            session.step();
+            while (session.frame().world().tick() == before) {
+                LockSupport.parkNanos(10_000);
+            }
+        }
+        return session.frame();
+    }
+
+    @Test
+    void atEveryTickTheReplayedSessionHasTheBitsOfTheOriginal() {
+        for (long tick : new long[] {0, 1, 399, 400, 401, 699, 700, 1000}) {
+            try (Session session = Session.replay(JOURNAL, tick)) {
+                assertEquals(tick, session.frame().world().tick());
+                assertEquals(ORIGINAL.hash(tick), session.frame().trajectoryHash(), "at tick " + tick);
+                assertFalse(session.status().running());
+            }
+        }
+    }
+
+    @Test
+    void steppingOnDoesAgainWhatWasDone() {
+        try (Session session = Session.replay(JOURNAL, 398)) {
+            assertEquals(ORIGINAL.hash(420), stepped(session, 420).trajectoryHash());
+        }
+    }
+
+    @Test
+    void aNewCommandMakesItAnotherRun() throws Exception {
+        try (Session session = Session.replay(JOURNAL, 398)) {
+            session.send(new Command.SwitchSensor("front", false));
+            stepped(session, 420);
+            assertEquals(List.of(JOURNAL.entries().get(0), new Journal.Entry(399, new Command.SwitchSensor("front", false))),
+                    session.wholeJournal().get().entries());
+            assertEquals(420, session.wholeJournal().get().ticks());
+        }
+    }
+
+    @Test
+    void aRefusedCommandLeavesTheReplayAsItIs() throws Exception {
+        try (Session session = Session.replay(JOURNAL, 398)) {
+            session.send(new Command.RemoveObstacle("ghost"));
+            assertEquals(JOURNAL, session.wholeJournal().get());
+            assertEquals(ORIGINAL.hash(420), stepped(session, 420).trajectoryHash());
+        }
+    }
+
+    @Test
+    void theJournalSaysWhatWasDoneAndTheWholeOneAlsoWhatIsStillToCome() throws Exception {
+        try (Session session = Session.replay(JOURNAL, 399)) {
+            assertEquals(new Journal(ROOM, JOURNAL.entries().subList(0, 1), 399), session.journal().get());
+            assertEquals(JOURNAL, session.wholeJournal().get());
+            stepped(session, 400);
+            assertEquals(3, session.journal().get().entries().size());
+            assertEquals(JOURNAL, session.wholeJournal().get());
+        }
+    }
+
+    @Test
+    void steppingBackTwiceLosesNothing() throws Exception {
+        try (Session once = Session.replay(JOURNAL, 999); Session twice = Session.replay(once.wholeJournal().get(), 398)) {
+            assertEquals(ORIGINAL.hash(398), twice.frame().trajectoryHash());
+            assertEquals(JOURNAL, twice.wholeJournal().get());
+        }
+    }
+
+    @Test
+    void theWayThereIsRememberedToo() {
+        try (Session session = Session.replay(JOURNAL, 1000)) {
+            Recording recording = session.frame().recording();
+            assertEquals(1001, recording.trace().end());
+            assertEquals(400, recording.events().get(recording.events().since(400)).tick());
+            assertEquals(500, recording.keyframes().at(500).orElseThrow().world().tick());
+        }
+    }
+
+    @Test
+    void anEarlierRunKnowsWhereTheRobotWas() {
+        assertEquals(1000, ORIGINAL.lastTick());
+        assertEquals(ROOM.start(), ORIGINAL.pose(0));
+        try (Session session = Session.replay(JOURNAL, 600)) {
+            assertEquals(session.frame().world().pose(), ORIGINAL.pose(600));
+        }
+        assertEquals(ORIGINAL.pose(1000), ORIGINAL.pose(5000), "it stays at the end");
+        assertTrue(ORIGINAL.path().size() > 100);
+    }
+
+    @Test
+    void twoRunsDivergeAtTheFirstTickThatDiffersByABit() {
+        // A bias on a sensor that looks at the followed wall shows in its reading in the very tick of the command.
+        Journal without = new Journal(ROOM, JOURNAL.entries().subList(0, 1), 1000);
+        assertEquals(OptionalLong.of(400), ORIGINAL.firstDivergence(RecordedRun.of(without)));
+        assertEquals(OptionalLong.empty(), ORIGINAL.firstDivergence(RecordedRun.of(JOURNAL)));
+        assertEquals(OptionalLong.empty(), ORIGINAL.firstDivergence(RecordedRun.of(new Journal(ROOM, JOURNAL.entries().subList(0, 1), 399))));
+        assertNotEquals(ORIGINAL.hash(400), RecordedRun.of(without).hash(400));
+    }
+}
