@@ -1,5 +1,6 @@
 package faultline.app;
 
+import faultline.scenario.Quoting;
 import faultline.scenario.Spelling;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -26,7 +27,7 @@ final class Arguments {
         int next = 0;
         while (next < arguments.size()) {
             String argument = arguments.get(next++);
-            if (!argument.startsWith("--")) {
+            if (!argument.startsWith("-")) {
                 files.add(argument);
                 continue;
             }
@@ -41,7 +42,7 @@ final class Arguments {
 
     private void check(String option, List<String> known) throws UsageException {
         if (!known.contains(option)) {
-            throw new UsageException("there is no option \"" + option + "\" here, allowed is "
+            throw new UsageException("there is no option " + Quoting.quoted(option) + " here, allowed is "
                     + (known.isEmpty() ? "none" : String.join(", ", known)) + Spelling.hint(option, known));
         }
         if (options.containsKey(option)) {
@@ -74,6 +75,6 @@ final class Arguments {
         } catch (InvalidPathException e) {
             // Told below, like the empty name.
         }
-        throw new UsageException("\"" + name + "\" is no name for a file");
+        throw new UsageException(Quoting.quoted(name) + " is no name for a file");
     }
 }

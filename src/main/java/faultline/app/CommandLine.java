@@ -1,6 +1,7 @@
 package faultline.app;
 
 import faultline.engine.RunFailedException;
+import faultline.scenario.Quoting;
 import faultline.scenario.ScenarioException;
 import faultline.scenario.Spelling;
 import java.io.IOException;
@@ -78,11 +79,11 @@ final class CommandLine {
             return commands.get(first).run(args.subList(1, args.size()));
         }
         if (!looksLikeFile(first)) {
-            throw new UsageException("there is no command \"" + first + "\", allowed is " + String.join(", ", commands.keySet())
+            throw new UsageException("there is no command " + Quoting.quoted(first) + ", allowed is " + String.join(", ", commands.keySet())
                     + " or a scenario file" + Spelling.hint(first, commands.keySet()));
         }
         if (args.size() > 1) {
-            throw new UsageException("the window takes one scenario file, not also \"" + args.get(1) + "\"");
+            throw new UsageException("the window takes one scenario file, not also " + Quoting.quoted(args.get(1)));
         }
         return new WindowCommand(console).run(Path.of(first));
     }

@@ -3,6 +3,7 @@ package faultline.app;
 import faultline.engine.ControllerMode;
 import faultline.engine.Setup;
 import faultline.scenario.Numbers;
+import faultline.scenario.Quoting;
 import faultline.scenario.Scenario;
 import faultline.scenario.Spelling;
 import java.math.BigDecimal;
@@ -46,14 +47,14 @@ record RunOptions(Path file, OptionalDouble until, OptionalLong seed, Controller
         }
         Optional<BigDecimal> seconds = Numbers.parse(text.get()).filter(value -> value.signum() >= 0 && value.compareTo(LONGEST) <= 0);
         return OptionalDouble.of(seconds.orElseThrow(
-                () -> new UsageException("--until is \"" + text.get() + "\", allowed is a number from 0 to " + LONGEST + " seconds")).doubleValue());
+                () -> new UsageException("--until is " + Quoting.quoted(text.get()) + ", allowed is a number from 0 to " + LONGEST + " seconds")).doubleValue());
     }
 
     private static OptionalLong seed(Optional<String> text) throws UsageException {
         try {
             return text.isEmpty() ? OptionalLong.empty() : OptionalLong.of(Long.parseLong(text.get()));
         } catch (NumberFormatException e) {
-            throw new UsageException("--seed is \"" + text.get() + "\", allowed is a whole number from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE);
+            throw new UsageException("--seed is " + Quoting.quoted(text.get()) + ", allowed is a whole number from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE);
         }
     }
 
@@ -61,7 +62,7 @@ record RunOptions(Path file, OptionalDouble until, OptionalLong seed, Controller
         return switch (text) {
             case "controller" -> ControllerMode.OWN_THREAD;
             case "none" -> ControllerMode.DIRECT;
-            default -> throw new UsageException("--threads is \"" + text + "\", allowed is controller or none"
+            default -> throw new UsageException("--threads is " + Quoting.quoted(text) + ", allowed is controller or none"
                     + Spelling.hint(text, List.of("controller", "none")));
         };
     }

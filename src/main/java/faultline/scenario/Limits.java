@@ -15,6 +15,15 @@ final class Limits {
     /** How deep elements may stand in each other; the format itself needs five. */
     static final int DEEPEST = 20;
 
+    /** A moving obstacle takes at least this to go round its way-points, seconds: otherwise one tick could hold millions of legs. */
+    static final double QUICKEST_LOOP = 0.01;
+
+    /** The fastest wheels, metres per second. */
+    static final double FASTEST_WHEEL = 1000;
+
+    /** The fastest pivot in place, radians per second: otherwise one tick could hold thousands of turns. */
+    static final double FASTEST_SPIN = 100_000;
+
     private Limits() {
     }
 }

@@ -2,6 +2,7 @@ package faultline.scenario;
 
 import faultline.geometry.Degrees;
 import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Optional;
 import java.util.regex.Pattern;
 
@@ -66,6 +67,11 @@ public final class Numbers {
         BigDecimal shortest = new BigDecimal(Double.toString(value)).stripTrailingZeros();
         int power = shortest.precision() - shortest.scale();
         return Math.abs(power) <= PLAIN_POWERS ? shortest.toPlainString() : shortest.toString();
+    }
+
+    /** Writes a number for people, to three digits. */
+    static String toRoughText(double value) {
+        return new BigDecimal(value).round(new MathContext(3)).stripTrailingZeros().toPlainString();
     }
 
     /**

@@ -54,7 +54,19 @@ final class ObstacleReader {
         Fields fields = new Fields(node, complaints);
         Motion motion = new Motion(fields.number("speed", Range.SPEED), fields.flag("loop", true), points(fields, 1));
         fields.done();
+        checkLoop(node, motion);
         return motion;
+    }
+
+    private void checkLoop(Node node, Motion motion) {
+        double length = 0;
+        for (int i = 0; i < motion.points().size(); i++) {
+            length += motion.points().get(i).distanceTo(motion.points().get((i + 1) % motion.points().size()));
+        }
+        if (motion.loop() && length > 0 && length < motion.speed() * Limits.QUICKEST_LOOP) {
+            complaints.add(node, "<motion> goes round its way-points in " + Numbers.toRoughText(length / motion.speed()) + " s, allowed is "
+                    + Numbers.toText(Limits.QUICKEST_LOOP) + " s or more");
+        }
     }
 
     private List<Vec> points(Fields fields, int least) {

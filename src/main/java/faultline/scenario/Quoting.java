@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /** Puts a user's own words into a complaint: on one line, and not more of them than a line holds. */
-final class Quoting {
+public final class Quoting {
 
     private static final int LONGEST = 60;
     private static final int MOST_NAMES = 12;
@@ -13,8 +13,13 @@ final class Quoting {
     private Quoting() {
     }
 
-    /** A text in double quotes, without control characters, cut where it is long. */
-    static String quoted(String text) {
+    /**
+     * A text to be shown as the value that was given.
+     *
+     * @param text any text
+     * @return in double quotes, on one line, cut where it is long
+     */
+    public static String quoted(String text) {
         String shown = text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text;
         return '"' + oneLine(shown) + '"';
     }

@@ -47,8 +47,20 @@ final class RobotReader {
         boolean defaults = fields.flag("defaultSensors", true);
         fields.done();
         MotorSpec motor = node.first("motor").map(this::motor).orElse(MotorSpec.DEFAULT);
+        checkDrive(node, motor, track);
         List<SensorSpec> sensors = sensors(node, defaults ? RobotSpec.standardSensors(length, width) : List.of());
         return new Placed(new RobotSpec(length, width, track, speed, turnRate, motor, sensors), start);
+    }
+
+    private void checkDrive(Node node, MotorSpec motor, double track) {
+        double spin = 2 * motor.maxSpeed() / track;
+        if (motor.maxSpeed() > Limits.FASTEST_WHEEL) {
+            complaints.add(node.first("motor").orElse(node), "<motor> drives its wheels at up to " + Numbers.toRoughText(motor.maxSpeed())
+                    + " m/s (speedConstant times maxVoltage), allowed is " + Numbers.toText(Limits.FASTEST_WHEEL) + " m/s or less");
+        } else if (spin > Limits.FASTEST_SPIN) {
+            complaints.add(node, "<robot> could spin at " + Numbers.toRoughText(spin) + " rad/s (twice its wheels' top speed by its track), allowed is "
+                    + Numbers.toText(Limits.FASTEST_SPIN) + " rad/s or less");
+        }
     }
 
     private MotorSpec motor(Node node) {

@@ -135,6 +135,7 @@ class CommandLineTest {
             check                           | check takes one or more scenario files, not none
             check --all a.xml               | there is no option "--all" here, allowed is none
             run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --image, --journal; did you mean "--seed"?
+            run a.xml -x                    | there is no option "-x" here, allowed is --until, --seed, --threads, --trace, --image, --journal
             run a.xml --seed                | --seed needs a value
             run a.xml --seed 1 --seed 2     | --seed is there twice
             run a.xml --seed 1.5            | --seed is "1.5", allowed is a whole number from -9223372036854775808 to 9223372036854775807
@@ -148,6 +149,13 @@ class CommandLineTest {
             """)
     void badUsageIsExitCodeTwoAndOneLine(String arguments, String complaint) {
         assertEquals(new Outcome(2, "", "faultline: " + complaint + " (faultline --help tells more)\n"), command(arguments.split(" ")));
+    }
+
+    @Test
+    void aHostileArgumentIsCutAndKeptOnOneLine() {
+        Outcome outcome = command("--" + "x\n".repeat(10_000));
+        assertEquals(2, outcome.code);
+        assertTrue(outcome.err.lines().count() == 1 && outcome.err.length() < 250, outcome.err);
     }
 
     @ParameterizedTest

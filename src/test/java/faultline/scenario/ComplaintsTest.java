@@ -69,6 +69,9 @@ class ComplaintsTest {
             # Sense
             until="20"         | until="10"         | 20:72: until of <fault> is 10, allowed is a time after at, which is 10
             maxMoving="1"      | maxMoving="0"      | 9:52: <circle> "visitor" is moving obstacle number 1, allowed is 0 (maxMoving of <world>)
+            points="5,3 5,1"   | points="5,3 5,3.00001" | 10:51: <motion> goes round its way-points in 0.0001 s, allowed is 0.01 s or more
+            timeConstant="0.05"| speedConstant="200" | 14:33: <motor> drives its wheels at up to 1200 m/s (speedConstant times maxVoltage), allowed is 1000 m/s or less
+            <robot x="1" y="1" | <robot x="1" y="1" track="0.000001" | 13:39: <robot> could spin at 1200000 rad/s (twice its wheels' top speed by its track), allowed is 100000 rad/s or less
             <robot x="1"       | <robot x="6.5"     | 13:24: <robot> starts at 6.5,1 outside of the enclosed world, allowed is x from 0 to 6 and y from 0 to 4
             <robot x="1"       | <robot x="0.1"     | 13:24: <robot> starts at 0.1,1 where it touches or overlaps "enclosure", allowed is a place with room for the whole platform
             <robot x="1"       | <robot x="3"       | 13:22: <robot> starts at 3,1 where it touches or overlaps "pole", allowed is a place with room for the whole platform

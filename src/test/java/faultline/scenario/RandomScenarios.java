@@ -55,8 +55,8 @@ final class RandomScenarios {
         List<SensorSpec> sensors = new ArrayList<>(random.nextBoolean() ? RobotSpec.standardSensors(length, width) : List.of());
         sensors.replaceAll(sensor -> random.nextInt(4) == 0 ? sensor(sensor.id()) : sensor);
         IntStream.range(0, 1 + random.nextInt(3)).forEach(i -> sensors.add(sensor(name() + i)));
-        MotorSpec motor = new MotorSpec(awkward(0, 1000), positive(1000), positive(10_000));
-        return new RobotSpec(length, width, size(), positive(1000), Degrees.toRadians(0.001 + 1000 * random.nextDouble()), motor, sensors);
+        MotorSpec motor = new MotorSpec(awkward(0, 1000), positive(10), positive(100));
+        return new RobotSpec(length, width, Math.max(0.1, size()), positive(1000), Degrees.toRadians(0.001 + 1000 * random.nextDouble()), motor, sensors);
     }
 
     private SensorSpec sensor(String id) {
@@ -66,8 +66,14 @@ final class RandomScenarios {
 
     private Obstacle obstacle(String id, boolean mayMove) {
         Optional<Motion> motion = mayMove && random.nextBoolean()
-                ? Optional.of(new Motion(awkward(0, 1000), random.nextBoolean(), points(1))) : Optional.empty();
+                ? Optional.of(motion(points(1))) : Optional.empty();
         return new Obstacle(id, shape(), new Pose(coordinate(), coordinate(), angle()), motion);
+    }
+
+    /** Where the last way-point leads back to the first, not quicker than a file may have it. */
+    private Motion motion(List<Vec> points) {
+        boolean loop = points.get(0).distanceTo(points.get(points.size() - 1)) > 10 && random.nextBoolean();
+        return new Motion(awkward(0, 1000), loop, points);
     }
 
     private ObstacleShape shape() {
