@@ -17,7 +17,10 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** What whole simulated scenes give every sensor, against the {@link SectorOracle} over every piece of every outline. */
+/**
+ * What whole simulated scenes give every sensor, against the {@link SectorOracle} over every piece of every outline. The oracle knows where movers are only until
+ * one of them has to wait for the robot, so that a yard is left at the first contact.
+ */
 class ReadingsTest {
 
     private static final int YARDS = 400;
@@ -31,7 +34,7 @@ class ReadingsTest {
         for (int i = 0; i < YARDS; i++) {
             Setup setup = new RandomYards(random.nextLong(), robot(random), 0.5).next(random.nextInt(4));
             try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
-                for (int tick = 0; tick < 3; tick++) {
+                for (int tick = 0; tick < 3 && simulation.collision().isEmpty(); tick++) {
                     for (int sensor = 0; sensor < setup.robot().sensors().size(); sensor++) {
                         SectorOracle.Bounds bounds = bounds(setup, simulation, sensor);
                         double reading = simulation.trueReading(sensor);
@@ -46,8 +49,7 @@ class ReadingsTest {
                 }
             }
         }
-        int readings = YARDS * 3 * 8;
-        assertTrue(seen > readings / 5 && loose < readings / 100, seen + " readings, " + loose + " in doubt, of " + readings);
+        assertTrue(seen > 5 * YARDS && loose < YARDS / 4, seen + " readings, " + loose + " in doubt, in " + YARDS + " yards");
     }
 
     private static SectorOracle.Bounds bounds(Setup setup, Simulation simulation, int index) {
