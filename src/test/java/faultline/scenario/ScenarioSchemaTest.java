@@ -1,16 +1,19 @@
 package faultline.scenario;
 
+import static java.util.Map.entry;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.sensor.FaultKind;
 import java.io.StringReader;
+import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -37,6 +40,27 @@ class ScenarioSchemaTest {
         NodeList kinds = type.getElementsByTagName("xs:enumeration");
         assertEquals(Arrays.stream(FaultKind.values()).map(FaultKind::fileName).toList(),
                 IntStream.range(0, kinds.getLength()).mapToObj(i -> ((Element) kinds.item(i)).getAttribute("value")).toList());
+    }
+
+    @Test
+    void theRangesOfTheReaderAreThoseOfTheSchema() throws Exception {
+        Map<String, Range> ranges = Map.ofEntries(entry("size", Range.SIZE), entry("coordinate", Range.COORDINATE), entry("noise", Range.NOISE),
+                entry("angle", Range.ANGLE), entry("cone", Range.CONE), entry("turnRate", Range.TURN_RATE), entry("speed", Range.SPEED),
+                entry("positiveSpeed", Range.POSITIVE_SPEED), entry("time", Range.TIME), entry("tick", Range.TICK),
+                entry("timeConstant", Range.TIME_CONSTANT), entry("voltage", Range.VOLTAGE), entry("positiveVoltage", Range.POSITIVE_VOLTAGE),
+                entry("share", Range.SHARE));
+        List<Element> types = elements("simpleType").filter(type -> type.getElementsByTagName("xs:restriction").item(0) instanceof Element base
+                && List.of("xs:double", "xs:decimal").contains(base.getAttribute("base"))).toList();
+        assertEquals(ranges.keySet(), types.stream().map(type -> type.getAttribute("name")).collect(Collectors.toSet()));
+        for (Element type : types) {
+            Range range = ranges.get(type.getAttribute("name"));
+            assertEquals(range.least(), facet(type, range.leastAllowed() ? "minInclusive" : "minExclusive"), type.getAttribute("name"));
+            assertEquals(range.most(), facet(type, range.mostAllowed() ? "maxInclusive" : "maxExclusive"), type.getAttribute("name"));
+        }
+    }
+
+    private static BigDecimal facet(Element type, String name) {
+        return new BigDecimal(((Element) type.getElementsByTagName("xs:" + name).item(0)).getAttribute("value"));
     }
 
     @Test
