@@ -3,7 +3,6 @@ package faultline.paint;
 import faultline.engine.Frame;
 import faultline.world.Obstacle;
 import faultline.world.Snapshot;
-import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -31,15 +30,7 @@ public final class FrameImage {
      * @return a new opaque picture
      */
     public static BufferedImage render(Frame frame, Palette palette, int width, int height) {
-        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = image.createGraphics();
-        try {
-            Brush brush = new Brush(graphics, camera(frame.world(), width, height), palette);
-            new ScenePainter(Layer.usual()).paint(brush, frame);
-        } finally {
-            graphics.dispose();
-        }
-        return image;
+        return new Shot(frame, camera(frame.world(), width, height), palette, Layer.usual()).image(1);
     }
 
     /**

@@ -1,0 +1,55 @@
+package faultline.paint;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.Stroke;
+import java.awt.font.FontRenderContext;
+
+/**
+ * Pixels, or a printer's page.
+ *
+ * @param graphics whose user space is the picture; its rendering hints are set
+ */
+record GraphicsSurface(Graphics2D graphics) implements Surface {
+
+    GraphicsSurface {
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        // Pure strokes: normalised ones jump by half a pixel while they move.
+        graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    }
+
+    @Override
+    public void fill(Shape shape, Color colour) {
+        graphics.setColor(colour);
+        graphics.fill(shape);
+    }
+
+    @Override
+    public void draw(Shape shape, Color colour, Stroke stroke) {
+        graphics.setColor(colour);
+        graphics.setStroke(stroke);
+        graphics.draw(shape);
+    }
+
+    @Override
+    public void text(String text, double x, double y, Color colour) {
+        graphics.setFont(Brush.FONT);
+        graphics.setColor(colour);
+        graphics.drawString(text, (float) x, (float) y);
+    }
+
+    @Override
+    public void haloedText(String text, double x, double y, Color colour, Color halo) {
+        Shape outline = Brush.FONT.createGlyphVector(fonts(), text).getOutline((float) x, (float) y);
+        draw(outline, halo, Brush.HALO);
+        fill(outline, colour);
+    }
+
+    @Override
+    public FontRenderContext fonts() {
+        return graphics.getFontRenderContext();
+    }
+}

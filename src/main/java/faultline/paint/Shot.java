@@ -1,0 +1,74 @@
+package faultline.paint;
+
+import faultline.engine.Frame;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.Set;
+
+/**
+ * All that a picture of a frame hangs on, so that it can be made on any thread, as pixels of any fineness or as lines.
+ *
+ * @param frame what to paint
+ * @param camera what part of the world, and how large the picture is
+ * @param palette the colours; {@link Palette#LIGHT} for files
+ * @param layers the layers that show
+ */
+public record Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layers) {
+
+    public Shot {
+        layers = Set.copyOf(layers);
+    }
+
+    /**
+     * The same view of another moment.
+     *
+     * @param other what to paint
+     * @return the same shot otherwise
+     */
+    public Shot of(Frame other) {
+        return new Shot(other, camera, palette, layers);
+    }
+
+    /**
+     * Paints the picture.
+     *
+     * @param graphics whose user space is the picture
+     */
+    public void paint(Graphics2D graphics) {
+        paint(new Brush(graphics, camera, palette));
+    }
+
+    private void paint(Brush brush) {
+        new ScenePainter(layers).paint(brush, frame);
+    }
+
+    /**
+     * The picture as pixels.
+     *
+     * @param fineness how many of them go to each side of a pixel of the camera's picture, positive
+     * @return a new opaque picture
+     */
+    public BufferedImage image(double fineness) {
+        BufferedImage image = new BufferedImage((int) Math.ceil(camera.width() * fineness), (int) Math.ceil(camera.height() * fineness),
+                BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        try {
+            graphics.scale(fineness, fineness);
+            paint(graphics);
+        } finally {
+            graphics.dispose();
+        }
+        return image;
+    }
+
+    /**
+     * The picture as lines.
+     *
+     * @return the text of an SVG file
+     */
+    public String svg() {
+        SvgSurface surface = new SvgSurface(camera.width(), camera.height());
+        paint(new Brush(surface, camera, palette));
+        return surface.toFile();
+    }
+}

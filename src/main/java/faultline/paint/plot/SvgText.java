@@ -1,0 +1,50 @@
+package faultline.paint.plot;
+
+import java.awt.Color;
+import java.util.Locale;
+
+/** How numbers, colours and words are written in an SVG file. Places go to a hundredth of a pixel, so that the bytes hang on nothing but the picture. */
+public final class SvgText {
+
+    /** Fonts that look alike, the one that pictures are measured with first. */
+    public static final String FONTS = "DejaVu Sans, Verdana, Arial, sans-serif";
+
+    private SvgText() {
+    }
+
+    /**
+     * The attributes of a colour.
+     *
+     * @param attribute fill or stroke
+     * @param colour may be translucent
+     * @return with a blank in front
+     */
+    public static String paint(String attribute, Color colour) {
+        String solid = String.format(Locale.ROOT, " %s=\"#%06x\"", attribute, colour.getRGB() & 0xFFFFFF);
+        return colour.getAlpha() == 255 ? solid : solid + " " + attribute + "-opacity=\"" + number(colour.getAlpha() / 255.0) + "\"";
+    }
+
+    /**
+     * A number with at most two decimals, no zeros at the end, and no sign on a zero.
+     *
+     * @param value finite
+     * @return its text
+     */
+    public static String number(double value) {
+        long hundredths = Math.round(value * 100);
+        long rest = Math.abs(hundredths % 100);
+        String sign = hundredths < 0 ? "-" : "";
+        String decimals = rest == 0 ? "" : rest % 10 == 0 ? "." + rest / 10 : (rest < 10 ? ".0" : ".") + rest;
+        return sign + Math.abs(hundredths / 100) + decimals;
+    }
+
+    /**
+     * A text that is taken as it is read.
+     *
+     * @param text any
+     * @return with what SVG takes for itself written otherwise
+     */
+    public static String escaped(String text) {
+        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+    }
+}
