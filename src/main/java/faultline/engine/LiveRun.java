@@ -1,6 +1,7 @@
 package faultline.engine;
 
 import faultline.world.Command;
+import java.util.List;
 import java.util.Optional;
 
 /** A simulation with all that is remembered of it, and with what it replays of an earlier run. Used by the world thread. */
@@ -43,6 +44,11 @@ final class LiveRun implements AutoCloseable {
             replay.drop();
         }
         return refusal;
+    }
+
+    /** What would take a command back. */
+    List<Command> undoing(Command command) {
+        return simulation.undoing(command);
     }
 
     void look() {

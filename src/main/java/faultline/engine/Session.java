@@ -80,14 +80,28 @@ public final class Session implements AutoCloseable {
      * @param command what is to be done
      */
     public void send(Command command) {
-        order(run -> {
-            Optional<String> refusal = run.apply(command);
-            if (refusal.isPresent()) {
-                refusals++;
-                lastRefusal = refusal;
-            }
-            changed = true;
-        });
+        send(List.of(command), outcomes -> { });
+    }
+
+    /**
+     * Gives several commands, which are applied one after the other at the start of the same tick.
+     *
+     * @param commands what is to be done
+     * @param told gets what became of each, on the world thread; it must be quick
+     */
+    public void send(List<Command> commands, Consumer<List<Outcome>> told) {
+        order(run -> told.accept(commands.stream().map(command -> carryOut(run, command)).toList()));
+    }
+
+    private Outcome carryOut(LiveRun run, Command command) {
+        List<Command> undo = run.undoing(command);
+        Optional<String> refusal = run.apply(command);
+        if (refusal.isPresent()) {
+            refusals++;
+            lastRefusal = refusal;
+        }
+        changed = true;
+        return new Outcome(command, undo, refusal);
     }
 
     /** Lets time run. */
@@ -248,6 +262,19 @@ public final class Session implements AutoCloseable {
             if (wait > 0) {
                 LockSupport.parkNanos(this, wait);
             }
+        }
+    }
+
+    /**
+     * What became of a command.
+     *
+     * @param command what was to be done
+     * @param undo the commands, in order, that restore what it changed
+     * @param refusal why it was refused, empty where it was done
+     */
+    public record Outcome(Command command, List<Command> undo, Optional<String> refusal) {
+        public Outcome {
+            undo = List.copyOf(undo);
         }
     }
 

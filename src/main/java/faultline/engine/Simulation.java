@@ -121,6 +121,17 @@ public final class Simulation implements AutoCloseable {
         return refusal;
     }
 
+    /**
+     * What would take a command back.
+     *
+     * @param command that is not applied yet
+     * @return the commands, in order, that restore what it is about to change
+     */
+    List<Command> undoing(Command command) {
+        openTick();
+        return world.undoing(command);
+    }
+
     /** Reads the sensors again, so that a frame taken between two ticks shows what commands have changed. The run itself does not notice. */
     void look() {
         world.sense();

@@ -61,7 +61,8 @@ final class CommandDesk {
         return DONE;
     }
 
-    private static String sensorOf(Command command) {
+    /** The id of the sensor that a command of none of the other kinds is about. */
+    static String sensorOf(Command command) {
         if (command instanceof Command.SwitchSensor change) {
             return change.sensor();
         }

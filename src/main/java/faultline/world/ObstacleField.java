@@ -8,6 +8,7 @@ import faultline.geometry.Segment;
 import faultline.geometry.Vec;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** All obstacles as they stand now, the enclosing wall among them; mutable, on the world's thread. */
 final class ObstacleField {
@@ -76,6 +77,12 @@ final class ObstacleField {
             }
         }
         return -1;
+    }
+
+    /** The obstacle of an id as it stands now. */
+    Optional<Obstacle> obstacle(String id) {
+        int at = indexOf(id);
+        return at < 0 ? Optional.empty() : Optional.of(obstacles.get(at));
     }
 
     /** The id of a candidate's owner. */

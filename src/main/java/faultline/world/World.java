@@ -20,6 +20,7 @@ public final class World {
     private final SensorBank sensors;
     private final Traffic traffic;
     private final CommandDesk desk;
+    private final CommandUndo undo;
     private final double decay;
     private long tick;
     private Optional<Collision> collision = Optional.empty();
@@ -42,7 +43,19 @@ public final class World {
         this.sensors = new SensorBank(robot, seed);
         this.traffic = new Traffic(field, body);
         this.desk = new CommandDesk(spec, field, body, sensors, traffic);
+        this.undo = new CommandUndo(field, body, sensors);
         this.decay = robot.motor().decay(dt);
+    }
+
+    /**
+     * What would take a command back.
+     *
+     * @param command that is not applied yet
+     * @return the commands, in order, that restore what it is about to change; a collision that it brings about stays. Empty where it will be refused
+     *         because it names something unknown
+     */
+    public List<Command> undoing(Command command) {
+        return undo.of(command);
     }
 
     /**

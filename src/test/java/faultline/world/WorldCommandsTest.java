@@ -2,6 +2,7 @@ package faultline.world;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
@@ -135,5 +136,42 @@ class WorldCommandsTest {
         assertEquals(DONE, world.apply(new Command.RemoveObstacle("desk")));
         world.sense();
         assertFalse(Double.isFinite(world.trueReading(FRONT)));
+    }
+
+    /** Takes what it finds back and forth: a command, its undoing and the command again. */
+    private void assertUndoneExactly(Command command) {
+        Snapshot before = world.snapshot();
+        List<Command> undo = world.undoing(command);
+        assertEquals(DONE, world.apply(command));
+        assertNotEquals(before, world.snapshot());
+        undo.forEach(back -> assertEquals(DONE, world.apply(back)));
+        assertEquals(before, world.snapshot());
+    }
+
+    @Test
+    void everyCommandCanBeTakenBackExactly() {
+        assertUndoneExactly(new Command.MoveObstacle("desk", new Pose(5, 3, 1)));
+        assertUndoneExactly(new Command.PutObstacle(new Obstacle("desk", new ObstacleShape.Circle(0.1), new Pose(1, 3, 0))));
+        assertUndoneExactly(new Command.PutObstacle(new Obstacle("lamp", new ObstacleShape.Circle(0.1), new Pose(1, 3, 0))));
+        assertUndoneExactly(new Command.RemoveObstacle("desk"));
+        assertUndoneExactly(new Command.SetPlatform(0.3, 0.2, 0.1));
+        assertUndoneExactly(new Command.SwitchSensor("front", false));
+        assertUndoneExactly(new Command.TuneSensor(RobotSpec.DEFAULT.sensors().get(FRONT).withRange(0.4)));
+    }
+
+    @Test
+    void faultsComeBackInTheirOrder() {
+        world.apply(new Command.InjectFault("front", new Fault.Stuck(0.3)));
+        world.apply(new Command.InjectFault("front", new Fault.Bias(0.2)));
+        assertUndoneExactly(new Command.InjectFault("front", new Fault.Stuck(0.3)));
+        assertUndoneExactly(new Command.ClearFault("front", new Fault.Stuck(0.3)));
+        assertUndoneExactly(new Command.ClearFaults("front"));
+    }
+
+    @Test
+    void whatIsUnknownHasNothingToTakeBack() {
+        assertEquals(List.of(), world.undoing(new Command.MoveObstacle("sofa", new Pose(1, 3, 0))));
+        assertEquals(List.of(), world.undoing(new Command.RemoveObstacle("sofa")));
+        assertEquals(List.of(), world.undoing(new Command.SwitchSensor("nose", false)));
     }
 }

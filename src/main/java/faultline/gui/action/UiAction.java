@@ -71,6 +71,17 @@ public final class UiAction extends AbstractAction {
     }
 
     /**
+     * Gives the action a name with a gap, and the texts of its own key otherwise.
+     *
+     * @param textKey of the name
+     * @param value goes into the gap
+     */
+    public void rename(String textKey, String value) {
+        rename(key);
+        putValue(Action.NAME, Texts.text("action." + textKey, value).replaceFirst("&", ""));
+    }
+
+    /**
      * Gives the action the texts of another key.
      *
      * @param textKey of the texts

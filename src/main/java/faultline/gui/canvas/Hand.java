@@ -50,13 +50,20 @@ final class Hand extends MouseAdapter {
     boolean cancel() {
         drag.ifPresent(DragInProgress::cancel);
         boolean cancelled = drag.isPresent();
-        drag = Optional.empty();
+        letGo();
         return cancelled;
+    }
+
+    private void letGo() {
+        drag.ifPresent(d -> mover.end());
+        drag = Optional.empty();
     }
 
     /** Lets go of an obstacle that is no longer there. */
     void frameShown() {
-        drag = drag.filter(d -> scene.obstacle(d.obstacle()).isPresent());
+        if (drag.filter(d -> scene.obstacle(d.obstacle()).isEmpty()).isPresent()) {
+            letGo();
+        }
     }
 
     void paint(Brush brush) {
@@ -84,6 +91,7 @@ final class Hand extends MouseAdapter {
     }
 
     private void start(Drag started, Vec at) {
+        mover.begin();
         drag = Optional.of(new DragInProgress(started, at, mover));
     }
 
@@ -102,7 +110,7 @@ final class Hand extends MouseAdapter {
         if (pan.filter(Pan::clickClears).isPresent()) {
             scene.selection().set(Optional.empty());
         }
-        drag = Optional.empty();
+        letGo();
         pan = Optional.empty();
         event.getComponent().repaint();
     }

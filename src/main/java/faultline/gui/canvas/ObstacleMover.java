@@ -1,10 +1,10 @@
 package faultline.gui.canvas;
 
 import faultline.geometry.Pose;
+import faultline.gui.edit.Editor;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import java.util.Optional;
-import java.util.function.Consumer;
 
 /** Sends obstacles elsewhere, each place once, and knows where the last one was sent until the frames show it there. */
 final class ObstacleMover {
@@ -12,12 +12,21 @@ final class ObstacleMover {
     /** After so many frames an obstacle that was sent elsewhere is there, or never will be because the world refused. */
     private static final int PATIENCE = 10;
 
-    private final Consumer<Command> commands;
+    private final Editor editor;
     private Optional<Command.MoveObstacle> underway = Optional.empty();
     private int framesSince;
 
-    ObstacleMover(Consumer<Command> commands) {
-        this.commands = commands;
+    ObstacleMover(Editor editor) {
+        this.editor = editor;
+    }
+
+    /** A hand has taken hold of an obstacle: all that it sends until it lets go is one edit. */
+    void begin() {
+        editor.begin();
+    }
+
+    void end() {
+        editor.end();
     }
 
     /** Sends an obstacle to a pose, unless it is on its way there. */
@@ -26,7 +35,7 @@ final class ObstacleMover {
         if (!underway.equals(Optional.of(move))) {
             underway = Optional.of(move);
             framesSince = 0;
-            commands.accept(move);
+            editor.send(move);
         }
     }
 

@@ -2,11 +2,11 @@ package faultline.gui.canvas;
 
 import faultline.engine.Frame;
 import faultline.geometry.Vec;
+import faultline.gui.edit.Editor;
 import faultline.paint.Brush;
 import faultline.paint.Camera;
 import faultline.paint.Layer;
 import faultline.paint.Palette;
-import faultline.world.Command;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
@@ -38,10 +38,10 @@ public final class SimulationCanvas extends JComponent {
     /**
      * A canvas without a frame.
      *
-     * @param commands where moves of obstacles go; called on the event dispatch thread
+     * @param editor gets what the hand does
      */
-    public SimulationCanvas(Consumer<Command> commands) {
-        mover = new ObstacleMover(Objects.requireNonNull(commands, "commands"));
+    public SimulationCanvas(Editor editor) {
+        mover = new ObstacleMover(Objects.requireNonNull(editor, "editor"));
         hand = new Hand(scene, viewpoint, mover);
         new Keys(scene, mover, hand).install(this);
         addMouseListener(hand);

@@ -8,10 +8,12 @@ import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.awt.EventQueue;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 
 /** Holds the open scenario and its run. A new file or a restart is a new session; the old one is closed when the new one is there. */
 public final class Bench implements AutoCloseable {
@@ -40,6 +42,14 @@ public final class Bench implements AutoCloseable {
          * @param why the exception
          */
         void failed(Task what, Path file, Throwable why);
+
+        /** Another scenario is on the bench; told before its session begins. */
+        default void opened() {
+        }
+
+        /** The scenario is in its file as it is edited by now. */
+        default void saved() {
+        }
     }
 
     /** What takes a while. */
@@ -129,10 +139,10 @@ public final class Bench implements AutoCloseable {
 
     private void begin(Task task, Path file, Callable<Work> maker) {
         int order = ++orders;
-        Background.run(maker, made -> adopt(made, order), why -> listener.failed(task, file, why));
+        Background.run(maker, made -> adopt(made, task, order), why -> listener.failed(task, file, why));
     }
 
-    private void adopt(Work made, int order) {
+    private void adopt(Work made, Task task, int order) {
         if (order != orders) {
             made.session().close();
             return;
@@ -140,6 +150,9 @@ public final class Bench implements AutoCloseable {
         close();
         made.session().setSpeed(speed);
         work = Optional.of(made);
+        if (task == Task.OPEN) {
+            listener.opened();
+        }
         listener.begun();
         listener.renamed();
     }
@@ -168,6 +181,7 @@ public final class Bench implements AutoCloseable {
     private void noteSaved(Work before, Path file, Scenario scenario) {
         work = work.map(now -> now.session() == before.session() ? now.savedAs(file, scenario) : now);
         stale = true;
+        listener.saved();
         listener.renamed();
     }
 
@@ -227,6 +241,18 @@ public final class Bench implements AutoCloseable {
         assert EventQueue.isDispatchThread();
         stale = true;
         work.ifPresent(now -> now.session().send(command));
+    }
+
+    /**
+     * Gives several commands to the run, which are carried out at the start of the same tick.
+     *
+     * @param commands what is to be done, in order
+     * @param told gets what became of each, on the event dispatch thread, soon; never, where there is no run
+     */
+    public void send(List<Command> commands, Consumer<List<Session.Outcome>> told) {
+        assert EventQueue.isDispatchThread();
+        stale = true;
+        work.ifPresent(now -> now.session().send(commands, outcomes -> EventQueue.invokeLater(() -> told.accept(outcomes))));
     }
 
     /** Lets time run, or holds it. */

@@ -20,13 +20,14 @@ import java.util.Optional;
 final class EditedSetup {
 
     private final Setup base;
-    private final Map<String, Obstacle> obstacles = new LinkedHashMap<>();
+    /** By id, empty where it was taken away: one that comes back, because that was undone, comes back to its place in the order. */
+    private final Map<String, Optional<Obstacle>> obstacles = new LinkedHashMap<>();
     private RobotSpec robot;
 
     private EditedSetup(Setup base) {
         this.base = base;
         this.robot = base.robot();
-        base.world().obstacles().forEach(obstacle -> obstacles.put(obstacle.id(), obstacle));
+        base.world().obstacles().forEach(obstacle -> obstacles.put(obstacle.id(), Optional.of(obstacle)));
     }
 
     /**
@@ -44,11 +45,11 @@ final class EditedSetup {
 
     private void take(Command command) {
         if (command instanceof Command.MoveObstacle move) {
-            obstacles.computeIfPresent(move.obstacle(), (id, obstacle) -> obstacle.at(move.pose()));
+            obstacles.computeIfPresent(move.obstacle(), (id, obstacle) -> obstacle.map(moved -> moved.at(move.pose())));
         } else if (command instanceof Command.PutObstacle put) {
-            obstacles.put(put.obstacle().id(), put.obstacle());
+            obstacles.put(put.obstacle().id(), Optional.of(put.obstacle()));
         } else if (command instanceof Command.RemoveObstacle remove) {
-            obstacles.remove(remove.obstacle());
+            obstacles.replace(remove.obstacle(), Optional.empty());
         } else if (command instanceof Command.SetPlatform platform) {
             robot = robot.withPlatform(platform.length(), platform.width(), platform.speed());
         } else if (command instanceof Command.TuneSensor tune) {
@@ -75,8 +76,8 @@ final class EditedSetup {
 
     private boolean takeBack(String id) {
         Optional<Obstacle> before = base.world().obstacles().stream().filter(obstacle -> obstacle.id().equals(id)).findFirst();
-        if (obstacles.containsKey(id) && !before.equals(Optional.of(obstacles.get(id)))) {
-            before.ifPresentOrElse(obstacle -> obstacles.put(id, obstacle), () -> obstacles.remove(id));
+        if (obstacles.containsKey(id) && !before.equals(obstacles.get(id))) {
+            obstacles.put(id, before);
             return true;
         }
         RobotSpec smaller = robot.withPlatform(base.robot().length(), base.robot().width(), robot.speed());
@@ -87,7 +88,7 @@ final class EditedSetup {
 
     private WorldSpec world() {
         WorldSpec world = base.world();
-        return new WorldSpec(world.width(), world.height(), world.enclosed(), world.maxMoving(), List.copyOf(obstacles.values()));
+        return new WorldSpec(world.width(), world.height(), world.enclosed(), world.maxMoving(), obstacles.values().stream().flatMap(Optional::stream).toList());
     }
 
     private Setup setup() {

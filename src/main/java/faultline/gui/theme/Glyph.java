@@ -14,6 +14,10 @@ public enum Glyph {
     OPEN("M 2 14.5 L 2 4 L 7 4 L 8.5 6 L 14 6 L 14 8 M 2 14.5 L 4.5 8 L 16.5 8 L 14 14.5 Z", ""),
     /** Save. */
     SAVE("M 3 3 L 12.5 3 L 15 5.5 L 15 15 L 3 15 Z M 6 3 L 6 7 L 11.5 7 L 11.5 3 M 5.5 15 L 5.5 10.5 L 12.5 10.5 L 12.5 15", ""),
+    /** Take the last edit back. */
+    UNDO("M 6.5 3.5 L 3 7 L 6.5 10.5 M 3 7 L 10.5 7 C 16.5 7 16.5 14.5 10.5 14.5 L 7 14.5", ""),
+    /** Do it again. */
+    REDO("M 11.5 3.5 L 15 7 L 11.5 10.5 M 15 7 L 7.5 7 C 1.5 7 1.5 14.5 7.5 14.5 L 11 14.5", ""),
     /** Let time run. */
     RUN("", "M 5 3 L 15 9 L 5 15 Z"),
     /** Hold time. */

@@ -22,6 +22,7 @@ final class Menus {
         Menus menus = new Menus(actions);
         JMenuBar bar = new GuardedMenuBar();
         bar.add(menus.menu("file", "open", RULE, "save", "saveAs", "saveJournal", RULE, "quit"));
+        bar.add(menus.menu("edit", "undo", "redo"));
         bar.add(menus.menu("view", "fit", "zoomIn", "zoomOut", "follow", RULE, "path", "cones", "hits", "routes", "labels", "grid", "scaleBar", RULE,
                 "dark"));
         JMenu simulation = menus.menu("simulation", "run", "step", "restart", RULE, "slower", "faster", "realTime", RULE);

@@ -2,6 +2,7 @@ package faultline.gui.window;
 
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
+import faultline.gui.edit.EditDesk;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
@@ -26,10 +27,12 @@ public final class SimulatorFrame extends JFrame {
     private static final Dimension LEAST = new Dimension(1024, 600);
 
     private final transient Bench bench = new Bench(new Events());
+    private final transient EditDesk edits = new EditDesk(bench::send, this::showEdits);
+    private final transient EditActions editActions = new EditActions(edits);
     private final transient UiActions actions = new UiActions();
     private final transient Dialogs dialogs = new Dialogs(this);
     private final transient FileDesk files = new FileDesk(this, bench);
-    private final SimulationCanvas canvas = new SimulationCanvas(bench::send);
+    private final SimulationCanvas canvas = new SimulationCanvas(edits);
     private final transient RunActions runActions;
     private final transient WindowMemory memory;
     private final WorkArea area;
@@ -46,7 +49,7 @@ public final class SimulatorFrame extends JFrame {
         BoundedRangeModel speed = new DefaultBoundedRangeModel(SpeedScale.REAL_TIME, 0, 0, SpeedScale.MOST);
         runActions = new RunActions(bench, speed);
         addActions();
-        area = new WorkArea(canvas, bench::send, actions, speed);
+        area = new WorkArea(canvas, edits::send, actions, speed);
         setJMenuBar(Menus.of(actions));
         setContentPane(area);
         setIconImages(AppIcon.images());
@@ -59,10 +62,16 @@ public final class SimulatorFrame extends JFrame {
 
     private void addActions() {
         files.addTo(actions, this::quit);
+        editActions.addTo(actions);
+        editActions.bindTo(getRootPane());
         ViewActions.addTo(actions, canvas, this::setTheme);
         runActions.addTo(actions, this::toggleSensor);
         dialogs.addTo(actions);
         actions.get("dark").drawn(Theme.current() == Theme.DARK ? Glyph.SUN : Glyph.MOON);
+    }
+
+    private void showEdits() {
+        editActions.show();
     }
 
     private void toggleSensor(int index) {
@@ -146,6 +155,16 @@ public final class SimulatorFrame extends JFrame {
 
     /** What the bench tells. */
     private final class Events implements Bench.Listener {
+        @Override
+        public void opened() {
+            edits.forget();
+        }
+
+        @Override
+        public void saved() {
+            edits.seal();
+        }
+
         @Override
         public void begun() {
             area.status().reset();

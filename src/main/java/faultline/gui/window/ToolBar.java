@@ -26,6 +26,7 @@ final class ToolBar extends JToolBar {
         this.actions = actions;
         setFloatable(false);
         addGroup("open", "save");
+        addGroup("undo", "redo");
         add(runButton());
         addGroup("step", "restart");
         JLabel label = new JLabel(Texts.text("speed"));

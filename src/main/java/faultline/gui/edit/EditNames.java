@@ -1,0 +1,77 @@
+package faultline.gui.edit;
+
+import faultline.geometry.Pose;
+import faultline.gui.text.Texts;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import java.util.List;
+
+/** What edits are called in menus. */
+final class EditNames {
+
+    private EditNames() {
+    }
+
+    static String of(List<Step> steps) {
+        Step first = steps.get(0);
+        if (steps.size() == 1) {
+            return of(first.redo(), first.undo());
+        }
+        boolean alike = steps.stream().allMatch(step -> step.redo().getClass() == first.redo().getClass());
+        return Texts.text(alike ? several(first) : "edit.several", Integer.toString(steps.size()));
+    }
+
+    private static String several(Step first) {
+        if (first.redo() instanceof Command.MoveObstacle) {
+            return "edit.moveSeveral";
+        }
+        if (first.redo() instanceof Command.RemoveObstacle) {
+            return "edit.removeSeveral";
+        }
+        return first.redo() instanceof Command.PutObstacle ? "edit.addSeveral" : "edit.several";
+    }
+
+    private static String of(Command redo, List<Command> undo) {
+        if (redo instanceof Command.MoveObstacle move) {
+            boolean turns = undo.get(0) instanceof Command.MoveObstacle back && isTurn(back.pose(), move.pose());
+            return Texts.text(turns ? "edit.turn" : "edit.move", move.obstacle());
+        }
+        if (redo instanceof Command.PutObstacle put) {
+            return Texts.text(undo.get(0) instanceof Command.RemoveObstacle ? "edit.add" : "edit.change", put.obstacle().id());
+        }
+        if (redo instanceof Command.RemoveObstacle remove) {
+            return Texts.text("edit.remove", remove.obstacle());
+        }
+        return redo instanceof Command.SetPlatform platform ? Texts.text(platform(platform, undo)) : ofSensor(redo, undo);
+    }
+
+    private static boolean isTurn(Pose before, Pose after) {
+        return before.heading() != after.heading();
+    }
+
+    private static String platform(Command.SetPlatform platform, List<Command> undo) {
+        boolean speed = undo.get(0) instanceof Command.SetPlatform back && back.speed() != platform.speed();
+        return speed ? "edit.speed" : "edit.platform";
+    }
+
+    private static String ofSensor(Command redo, List<Command> undo) {
+        if (redo instanceof Command.SwitchSensor change) {
+            return Texts.text(change.on() ? "edit.switchOn" : "edit.switchOff", change.sensor());
+        }
+        if (redo instanceof Command.TuneSensor tune) {
+            return Texts.text(tuned(tune.sensor(), undo), tune.sensor().id());
+        }
+        if (redo instanceof Command.InjectFault fault) {
+            return Texts.text("edit.fault", fault.sensor());
+        }
+        return Texts.text("edit.mend", redo instanceof Command.ClearFault one ? one.sensor() : ((Command.ClearFaults) redo).sensor());
+    }
+
+    private static String tuned(SensorSpec now, List<Command> undo) {
+        SensorSpec before = undo.get(0) instanceof Command.TuneSensor back ? back.sensor() : now;
+        if (now.equals(before.withRange(now.range()))) {
+            return "edit.range";
+        }
+        return now.equals(before.withCone(now.cone())) ? "edit.cone" : "edit.tune";
+    }
+}
