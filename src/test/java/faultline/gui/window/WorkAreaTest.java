@@ -11,6 +11,7 @@ import faultline.engine.Session;
 import faultline.gui.Components;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
+import faultline.gui.edit.EditDesk;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
 import java.awt.Container;
@@ -63,6 +64,8 @@ class WorkAreaTest {
             canvas = new SimulationCanvas(bench::send);
             new FileDesk(canvas, bench).addTo(actions, () -> {
             });
+            new EditActions(new EditDesk(bench::send, () -> {
+            })).addTo(actions);
             ViewActions.addTo(actions, canvas, theme -> {
             });
             new RunActions(bench, speed).addTo(actions, sensor -> {
