@@ -37,6 +37,7 @@ final class RunCommand {
         List<String> unmet = scenario.expect().unmet(result);
         console.tell(RunSummary.lines(result));
         console.tell("expectations: " + (unmet.isEmpty() ? "held" : "failed"));
+        result.refused().forEach(refusal -> console.complain("refused " + refusal));
         unmet.forEach(console::complain);
         return unmet.isEmpty() ? ExitCode.DONE : ExitCode.UNMET;
     }

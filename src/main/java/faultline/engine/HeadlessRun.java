@@ -3,7 +3,6 @@ package faultline.engine;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.OptionalDouble;
 import java.util.Set;
 
 /** Runs a setup to its end without a window. */
@@ -30,7 +29,9 @@ public final class HeadlessRun {
         all.add(wall);
         all.add(simulation -> states.add(simulation.telemetry().state()));
         long start = System.nanoTime();
-        try (Simulation simulation = new Simulation(setup, mode)) {
+        List<String> refused = new ArrayList<>();
+        CommandListener noting = (tick, command, refusal) -> refusal.ifPresent(why -> refused.add("at " + tick * setup.dt() + " s: " + why));
+        try (Simulation simulation = new Simulation(setup, mode, noting)) {
             long ticks = setup.ticks();
             all.forEach(observer -> observer.observe(simulation));
             while (simulation.ticks() < ticks) {
@@ -40,14 +41,14 @@ public final class HeadlessRun {
                 }
             }
             double seconds = (System.nanoTime() - start) / NANOS;
-            return result(simulation, wall, states, seconds);
+            return result(simulation, wall, states, refused, seconds);
         }
     }
 
-    private static RunResult result(Simulation simulation, WallRecord wall, Set<String> states, double seconds) {
-        OptionalDouble coverage = wall.coverage();
+    private static RunResult result(Simulation simulation, WallRecord wall, Set<String> states, List<String> refused,
+            double seconds) {
         return new RunResult(simulation.ticks(), simulation.time(), simulation.time() / seconds, simulation.telemetry().state(),
-                List.copyOf(states), simulation.collision(), coverage, wall.distanceRms(), simulation.trajectoryHash(),
-                simulation.setup().seed(), simulation.snapshot());
+                List.copyOf(states), simulation.collision(), wall.coverage(), wall.distanceRms(), simulation.trajectoryHash(),
+                simulation.setup().seed(), refused, simulation.snapshot());
     }
 }

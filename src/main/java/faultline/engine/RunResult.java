@@ -19,13 +19,15 @@ import java.util.OptionalDouble;
  * @param distanceRms the distance error on straight walls, metres, root mean square; empty where none was followed
  * @param trajectoryHash of all ticks
  * @param seed that the run used
+ * @param refused what the timeline asked for and the world refused, one sentence each, in order
  * @param last the world at the end
  */
 public record RunResult(long ticks, double simulatedSeconds, double realTimeFactor, String state, List<String> states,
         Optional<Collision> collision, OptionalDouble coverage, OptionalDouble distanceRms, long trajectoryHash, long seed,
-        Snapshot last) {
+        List<String> refused, Snapshot last) {
 
     public RunResult {
         states = List.copyOf(states);
+        refused = List.copyOf(refused);
     }
 }

@@ -44,7 +44,7 @@ public final class RunSummary {
     }
 
     private static String place(Collision collision) {
-        return String.format(Locale.ROOT, "%.6f,%.6f at %.6f", collision.point().x(), collision.point().y(), collision.time());
+        return String.format(Locale.ROOT, "%.9f,%.9f at %.9f", collision.point().x(), collision.point().y(), collision.time());
     }
 
     private static String fixed(OptionalDouble value, String format) {

@@ -55,7 +55,7 @@ class CommandLineTest {
         assertEquals("2000", run.value("ticks"));
         assertEquals("20", run.value("simulated_s"));
         assertEquals("NONE", run.value("state"));
-        assertTrue(run.value("collision").matches("2\\.125000,2\\.100000 at 8\\.9\\d{5}"), run.value("collision"));
+        assertTrue(run.value("collision").matches("2\\.125000000,2\\.100000000 at 8\\.9166666\\d{2}"), run.value("collision"));
         assertEquals("visitor", run.value("collided_with"));
         assertTrue(run.value("trajectory_hash").matches("[0-9a-f]{16}"), run.value("trajectory_hash"));
         assertEquals("held", run.value("expectations"));

@@ -20,7 +20,7 @@ class ExpectationTest {
 
     private static RunResult result(Optional<Collision> collision, OptionalDouble coverage, OptionalDouble rms) {
         Snapshot last = new Snapshot(0, 0, 6, 4, true, RobotSpec.DEFAULT, Pose.ORIGIN, 0, 0, List.of(), List.of(), List.of(), collision);
-        return new RunResult(100, 1, 50, "FOLLOW", List.of("SEARCH", "FOLLOW"), collision, coverage, rms, 1, 1, last);
+        return new RunResult(100, 1, 50, "FOLLOW", List.of("SEARCH", "FOLLOW"), collision, coverage, rms, 1, 1, List.of(), last);
     }
 
     private static Expectation expect(Optional<Boolean> collision, OptionalDouble coverage, OptionalDouble rms, List<String> states, String last) {
