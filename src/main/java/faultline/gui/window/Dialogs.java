@@ -42,7 +42,7 @@ final class Dialogs {
         }
         String reason = Optional.ofNullable(why.getMessage()).orElse(why.getClass().getSimpleName());
         String sentence = Texts.text("failed." + task, String.valueOf(file.getFileName()), reason);
-        JOptionPane.showMessageDialog(owner, sentence, Texts.text("failed.title"), JOptionPane.ERROR_MESSAGE);
+        JOptionPane.showMessageDialog(owner, Lines.broken(sentence), Texts.text("failed.title"), JOptionPane.ERROR_MESSAGE);
     }
 
     private JDialog badFile(Path file, List<Complaint> complaints) {

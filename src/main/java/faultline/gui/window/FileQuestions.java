@@ -64,7 +64,7 @@ final class FileQuestions {
             return true;
         }
         String question = Texts.text("files.replace", file.getFileName().toString());
-        return JOptionPane.showConfirmDialog(parent, question, Texts.text("files.replace.title"), JOptionPane.OK_CANCEL_OPTION,
+        return JOptionPane.showConfirmDialog(parent, Lines.broken(question), Texts.text("files.replace.title"), JOptionPane.OK_CANCEL_OPTION,
                 JOptionPane.WARNING_MESSAGE) == JOptionPane.OK_OPTION;
     }
 }

@@ -67,11 +67,14 @@ final class StatusBar extends JPanel {
     }
 
     private static String text(Pose pose) {
-        double degrees = Math.toDegrees(Math.IEEEremainder(pose.heading(), 2 * Math.PI));
+        // Whole tenths, because a rounded -0.04 would be written as -0.0.
+        double degrees = Math.round(10 * Math.toDegrees(Math.IEEEremainder(pose.heading(), 2 * Math.PI))) / 10.0;
         return format("x %.3f  y %.3f  θ %.1f°", pose.x(), pose.y(), degrees);
     }
 
+    /** Why a run broke off stays; why a command was refused goes after a while. */
     private void showNote(Session.Status status) {
+        status.failure().ifPresent(this::showNote);
         if (status.refusals() != refusals) {
             refusals = status.refusals();
             status.lastRefusal().ifPresent(this::showNote);

@@ -26,7 +26,8 @@ public final class UncaughtDialog implements Thread.UncaughtExceptionHandler {
     private void show(Throwable fault) {
         try {
             String reason = Optional.ofNullable(fault.getMessage()).orElse(fault.getClass().getSimpleName());
-            JOptionPane.showMessageDialog(null, Texts.text("uncaught.sentence", reason), Texts.text("uncaught.title"), JOptionPane.ERROR_MESSAGE);
+            String sentence = Lines.broken(Texts.text("uncaught.sentence", reason));
+            JOptionPane.showMessageDialog(null, sentence, Texts.text("uncaught.title"), JOptionPane.ERROR_MESSAGE);
         } finally {
             showing.set(false);
         }

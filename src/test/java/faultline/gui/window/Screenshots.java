@@ -18,7 +18,12 @@ import javax.swing.JComboBox;
 
 /**
  * Writes pictures of the window, light and dark, for the documentation. Arguments: a scenario, a folder, and how far the run is to have come in
- * seconds. Needs a display, see {@code docs/}.
+ * seconds. Needs a display, and {@code mvn test-compile} before:
+ * <pre>{@code
+ * mvn -q dependency:build-classpath -Dmdep.outputFile=target/classpath.txt
+ * xvfb-run -a -s "-screen 0 1600x1000x24" java -cp "target/classes:target/test-classes:$(cat target/classpath.txt)" \
+ *     faultline.gui.window.Screenshots scenarios/office.xml docs/images 62
+ * }</pre>
  */
 public final class Screenshots {
 
@@ -48,7 +53,8 @@ public final class Screenshots {
         driver.choose("run");
         driver.waitForFrame("the run has come far enough", frame -> frame.world().time() > seconds);
         driver.choose("realTime");
-        driver.waitForFrame("the pace has settled", frame -> frame.world().time() > seconds + 1.2);
+        double settled = driver.frame().world().time() + 1.5;
+        driver.waitForFrame("the pace has settled", frame -> frame.world().time() > settled);
     }
 
     private static void write(WindowDriver driver, Path file) throws IOException, AWTException {

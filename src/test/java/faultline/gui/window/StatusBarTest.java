@@ -1,0 +1,80 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.engine.SampleFrames;
+import faultline.engine.Session;
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
+import faultline.geometry.Vec;
+import faultline.gui.Components;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JLabel;
+import org.junit.jupiter.api.Test;
+
+class StatusBarTest {
+
+    private final StatusBar bar = onEdt(StatusBar::new);
+
+    @Test
+    void aRunIsToldInOneLine() {
+        show(SampleFrames.of(new Pose(1.5, 2, Degrees.toRadians(-90))), running(0.98));
+        assertEquals(List.of("Running", "t 0.010 s", "tick 1", "0.98× real time", "FOLLOW", "x 1.500  y 2.000  θ -90.0°"), texts().subList(0, 6));
+    }
+
+    @Test
+    void aHeadingIsWithinHalfATurnAndNeverMinusNothing() {
+        show(SampleFrames.of(new Pose(1, 1, 7 * Math.PI - 1e-3)), running(1));
+        assertTrue(texts().get(5).endsWith("θ 179.9°"), texts().get(5));
+        show(SampleFrames.of(new Pose(1, 1, -1e-4)), running(1));
+        assertTrue(texts().get(5).endsWith("θ 0.0°"), texts().get(5));
+    }
+
+    @Test
+    void thePlaceUnderTheMouseShowsWhileItIsOnTheCanvas() {
+        edt(() -> bar.showCursor(Optional.of(new Vec(1.234, -2))));
+        assertEquals("cursor 1.23, -2.00", texts().get(6));
+        edt(() -> bar.showCursor(Optional.empty()));
+        assertEquals("", texts().get(6));
+    }
+
+    @Test
+    void aRefusalShowsForAWhile() {
+        Frame frame = SampleFrames.of(new Pose(1, 1, 0));
+        Session.Status refused = new Session.Status(true, 1, 1, 1, Optional.of("there is no obstacle box"), Optional.empty());
+        show(frame, refused);
+        assertTrue(texts().contains("there is no obstacle box"));
+        for (int i = 0; i < 400; i++) {
+            show(frame, refused);
+        }
+        assertFalse(texts().contains("there is no obstacle box"));
+    }
+
+    @Test
+    void whyARunBrokeOffStays() {
+        Frame frame = SampleFrames.of(new Pose(1, 1, 0));
+        for (int i = 0; i < 400; i++) {
+            show(frame, new Session.Status(false, 1, 0, 0, Optional.empty(), Optional.of("the controller does not answer")));
+        }
+        assertEquals("Failed", texts().get(0));
+        assertTrue(texts().contains("the controller does not answer"));
+    }
+
+    private static Session.Status running(double achieved) {
+        return new Session.Status(true, 1, achieved, 0, Optional.empty(), Optional.empty());
+    }
+
+    private void show(Frame frame, Session.Status status) {
+        edt(() -> bar.show(frame, status));
+    }
+
+    private List<String> texts() {
+        return onEdt(() -> Components.all(bar, JLabel.class).map(JLabel::getText).toList());
+    }
+}
