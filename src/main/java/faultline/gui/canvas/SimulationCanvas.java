@@ -7,6 +7,7 @@ import faultline.paint.Brush;
 import faultline.paint.Camera;
 import faultline.paint.Layer;
 import faultline.paint.Palette;
+import faultline.paint.Shot;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
@@ -75,6 +76,17 @@ public final class SimulationCanvas extends JComponent {
      */
     public Optional<Frame> frame() {
         return scene.frame();
+    }
+
+    /**
+     * What shows now, to be painted elsewhere; the marks of a hand at work are left out.
+     *
+     * @param colours to paint it in
+     * @return empty before the first frame
+     */
+    public Optional<Shot> shot(Palette colours) {
+        assert EventQueue.isDispatchThread();
+        return frame().map(now -> new Shot(now, camera(), colours, layers));
     }
 
     /**

@@ -202,6 +202,15 @@ public final class Bench implements AutoCloseable {
     }
 
     /**
+     * The scenario that replays the run so far, to the bit.
+     *
+     * @return completed soon, off the event dispatch thread; exceptionally if the session is closed before; empty before the first session
+     */
+    public Optional<CompletableFuture<Scenario>> replay() {
+        return work.map(now -> now.session().journal().thenApplyAsync(journal -> Journals.toScenario(now.begun(), journal)));
+    }
+
+    /**
      * The newest frame; asking orders the next one.
      *
      * @return empty before the first session

@@ -55,19 +55,24 @@ final class FileDesk {
     }
 
     private void saveAs(Runnable then) {
-        questions.fileToSave("saveAs", suggestion("")).ifPresent(file -> bench.save(file, then));
+        questions.fileToSave("saveAs", suggestion(".xml")).ifPresent(file -> bench.save(file, then));
     }
 
     private void saveJournal() {
-        questions.fileToSave("saveJournal", suggestion("-journal")).ifPresent(bench::saveJournal);
+        questions.fileToSave("saveJournal", suggestion("-journal.xml")).ifPresent(bench::saveJournal);
+    }
+
+    /** Asks which file of another kind to write; its name is suggested after the open file's. */
+    Optional<Path> fileFor(String action, String extension) {
+        return questions.fileToSave(action, suggestion(extension));
     }
 
     /** The name of the open file, or of the scenario, with something behind it. */
-    private Path suggestion(String suffix) {
+    private Path suggestion(String ending) {
         String scenario = bench.scenario().map(open -> open.name().replaceAll("[^\\p{L}\\p{N} ._-]", "_")).orElse("scenario");
         Path file = bench.file().orElse(Path.of(scenario + ".xml"));
         String name = file.getFileName().toString().replaceFirst("\\.xml$", "");
-        return file.resolveSibling(name + suffix + ".xml");
+        return file.resolveSibling(name + ending);
     }
 
     /** Does something that would lose unsaved changes, after asking what is to become of them. */

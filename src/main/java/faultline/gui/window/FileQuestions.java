@@ -13,8 +13,6 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 /** Asks which file. */
 final class FileQuestions {
 
-    private static final String EXTENSION = ".xml";
-
     private final Component parent;
     private File folder = new File("").getAbsoluteFile();
 
@@ -24,25 +22,27 @@ final class FileQuestions {
 
     /** The file to open, empty where the user thinks better of it. */
     Optional<Path> fileToOpen(Optional<Path> open) {
-        JFileChooser chooser = chooser("open");
+        JFileChooser chooser = chooser("open", "xml");
         open.map(Path::toAbsolutePath).map(Path::toFile).ifPresent(chooser::setSelectedFile);
         return answer(chooser, chooser.showOpenDialog(parent));
     }
 
-    /** The file to write, empty where the user thinks better of it; asks before a file is replaced. */
+    /** The file to write, of the suggestion's kind; empty where the user thinks better of it; asks before a file is replaced. */
     Optional<Path> fileToSave(String action, Path suggestion) {
-        JFileChooser chooser = chooser(action);
-        chooser.setSelectedFile(new File(folder, suggestion.getFileName().toString()));
+        String name = suggestion.getFileName().toString();
+        String extension = name.substring(name.lastIndexOf('.') + 1);
+        JFileChooser chooser = chooser(action, extension);
+        chooser.setSelectedFile(new File(folder, name));
         if (suggestion.isAbsolute()) {
             chooser.setSelectedFile(suggestion.toFile());
         }
-        return answer(chooser, chooser.showSaveDialog(parent)).map(FileQuestions::withExtension).filter(this::mayReplace);
+        return answer(chooser, chooser.showSaveDialog(parent)).map(file -> withExtension(file, extension)).filter(this::mayReplace);
     }
 
-    private JFileChooser chooser(String action) {
+    private JFileChooser chooser(String action, String extension) {
         JFileChooser chooser = new JFileChooser(folder);
         chooser.setDialogTitle(Texts.text("files." + action));
-        chooser.setFileFilter(new FileNameExtensionFilter(Texts.text("files.filter"), "xml"));
+        chooser.setFileFilter(new FileNameExtensionFilter(Texts.text("files.filter." + extension), extension));
         return chooser;
     }
 
@@ -54,9 +54,9 @@ final class FileQuestions {
         return Optional.of(chooser.getSelectedFile().toPath());
     }
 
-    private static Path withExtension(Path file) {
+    private static Path withExtension(Path file, String extension) {
         String name = file.getFileName().toString();
-        return name.contains(".") ? file : file.resolveSibling(name + EXTENSION);
+        return name.contains(".") ? file : file.resolveSibling(name + "." + extension);
     }
 
     private boolean mayReplace(Path file) {

@@ -21,21 +21,33 @@ final class Menus {
     static JMenuBar of(UiActions actions) {
         Menus menus = new Menus(actions);
         JMenuBar bar = new GuardedMenuBar();
-        bar.add(menus.menu("file", "open", RULE, "save", "saveAs", "saveJournal", RULE, "quit"));
+        bar.add(menus.file());
         bar.add(menus.menu("edit", "undo", "redo"));
         bar.add(menus.menu("view", "fit", "zoomIn", "zoomOut", "follow", RULE, "path", "cones", "hits", "routes", "labels", "grid", "scaleBar", RULE,
                 "dark"));
-        JMenu simulation = menus.menu("simulation", "run", "step", "restart", RULE, "slower", "faster", "realTime", RULE);
+        JMenu simulation = menus.menu("simulation", "run", "step", "restart", RULE, "record", RULE, "slower", "faster", "realTime", RULE);
         simulation.add(menus.menu("sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8"));
         bar.add(simulation);
         bar.add(menus.menu("help", "shortcuts", "about"));
         return bar;
     }
 
+    private JMenu file() {
+        JMenu file = menu("file", "open", RULE, "save", "saveAs", "saveJournal", RULE);
+        file.add(menu("export", "exportPng", "exportSvg", "exportGif", "exportCsv", RULE, "exportDark"));
+        fill(file, "copyPicture", "print", RULE, "quit");
+        return file;
+    }
+
     private JMenu menu(String key, String... items) {
         String name = Texts.text("menu." + key);
         JMenu menu = new JMenu(name.replace("&", ""));
         menu.setMnemonic(name.charAt(name.indexOf('&') + 1));
+        fill(menu, items);
+        return menu;
+    }
+
+    private void fill(JMenu menu, String... items) {
         for (String item : items) {
             if (item.equals(RULE)) {
                 menu.addSeparator();
@@ -43,7 +55,6 @@ final class Menus {
                 menu.add(item(actions.get(item)));
             }
         }
-        return menu;
     }
 
     private static JMenuItem item(UiAction action) {

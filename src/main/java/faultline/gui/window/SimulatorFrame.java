@@ -3,6 +3,7 @@ package faultline.gui.window;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
 import faultline.gui.edit.EditDesk;
+import faultline.gui.export.ExportDesk;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
@@ -64,6 +65,7 @@ public final class SimulatorFrame extends JFrame {
         files.addTo(actions, this::quit);
         editActions.addTo(actions);
         editActions.bindTo(getRootPane());
+        new ExportDesk(this, bench, canvas, files::fileFor).actions().forEach(actions::add);
         ViewActions.addTo(actions, canvas, this::setTheme);
         runActions.addTo(actions, this::toggleSensor);
         dialogs.addTo(actions);

@@ -12,6 +12,7 @@ import faultline.gui.Components;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
 import faultline.gui.edit.EditDesk;
+import faultline.gui.export.ExportDesk;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
 import java.awt.Container;
@@ -62,10 +63,12 @@ class WorkAreaTest {
             DefaultBoundedRangeModel speed = new DefaultBoundedRangeModel(SpeedScale.REAL_TIME, 0, 0, SpeedScale.MOST);
             Bench bench = new Bench(new Deaf());
             canvas = new SimulationCanvas(bench::send);
-            new FileDesk(canvas, bench).addTo(actions, () -> {
+            FileDesk files = new FileDesk(canvas, bench);
+            files.addTo(actions, () -> {
             });
             new EditActions(new EditDesk(bench::send, () -> {
             })).addTo(actions);
+            new ExportDesk(canvas, bench, canvas, files::fileFor).actions().forEach(actions::add);
             ViewActions.addTo(actions, canvas, theme -> {
             });
             new RunActions(bench, speed).addTo(actions, sensor -> {

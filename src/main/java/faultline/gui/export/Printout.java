@@ -1,0 +1,47 @@
+package faultline.gui.export;
+
+import faultline.paint.Shot;
+import faultline.paint.ShotPage;
+import java.awt.print.PrinterException;
+import java.awt.print.PrinterJob;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
+import javax.swing.SwingWorker;
+
+/** Sends a picture to the printer that the user chooses. */
+final class Printout extends SwingWorker<Void, Void> {
+
+    private final PrinterJob job;
+    private final Consumer<Throwable> failed;
+
+    private Printout(PrinterJob job, Consumer<Throwable> failed) {
+        this.job = job;
+        this.failed = failed;
+    }
+
+    static void offer(Shot shot, String name, Consumer<Throwable> failed) {
+        PrinterJob job = PrinterJob.getPrinterJob();
+        job.setJobName(name);
+        job.setPrintable(new ShotPage(shot));
+        if (job.printDialog()) {
+            new Printout(job, failed).execute();
+        }
+    }
+
+    @Override
+    protected Void doInBackground() throws PrinterException {
+        job.print();
+        return null;
+    }
+
+    @Override
+    protected void done() {
+        try {
+            get();
+        } catch (ExecutionException broken) {
+            failed.accept(broken.getCause());
+        } catch (InterruptedException broken) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,27 @@
+package faultline.gui.export;
+
+import faultline.engine.TraceWriter;
+import faultline.scenario.Scenario;
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.CompletableFuture;
+
+/**
+ * One row for every tick of the run so far, as {@code run --trace} writes it.
+ *
+ * @param run completed with the scenario that replays it
+ */
+record TraceExport(CompletableFuture<Scenario> run) implements Export {
+
+    @Override
+    public void write(OutputStream out, Progress progress) throws IOException {
+        Writer text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+        TraceWriter trace = new TraceWriter(text);
+        Replay.of(run).run(trace::observe, progress);
+        text.flush();
+    }
+}

@@ -1,0 +1,205 @@
+package faultline.gui.export;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.HeadlessRun;
+import faultline.engine.TraceWriter;
+import faultline.gui.EdtChecker;
+import faultline.gui.Patience;
+import faultline.gui.action.UiAction;
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.document.Bench;
+import faultline.gui.theme.Theme;
+import faultline.paint.Palette;
+import faultline.scenario.Scenario;
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Each format written from a run and read back, without a display. */
+@ExtendWith(EdtChecker.class)
+class ExportDeskTest {
+
+    private static final int STEPS = 12;
+
+    @TempDir
+    private Path folder;
+    private Bench bench;
+    private SimulationCanvas canvas;
+    private List<UiAction> actions;
+
+    @BeforeEach
+    void runAFewTicks() {
+        edt(() -> {
+            Theme.LIGHT.install();
+            bench = new Bench(new Quiet());
+            canvas = new SimulationCanvas(bench::send);
+            canvas.setSize(300, 200);
+            actions = new ExportDesk(canvas, bench, canvas, (action, extension) -> Optional.of(folder.resolve("out" + extension))).actions();
+            bench.open(Path.of("scenarios/office.xml"));
+        });
+        Patience.waitFor("the scenario", () -> bench.frame().isPresent());
+        for (int i = 0; i < STEPS; i++) {
+            edt(bench::step);
+        }
+        Patience.waitFor("the last tick", () -> bench.frame().orElseThrow().world().tick() == STEPS);
+        edt(() -> canvas.show(bench.frame().orElseThrow()));
+    }
+
+    @AfterEach
+    void close() {
+        edt(bench::close);
+    }
+
+    @Test
+    void aPictureIsTwiceAsFineAsTheCanvasAndShowsTheSame() throws IOException {
+        BufferedImage picture = ImageIO.read(exported("exportPng", ".png").toFile());
+        assertEquals(600, picture.getWidth());
+        assertEquals(400, picture.getHeight());
+        assertEquals(Palette.LIGHT.canvas().getRGB(), picture.getRGB(3, 396));
+    }
+
+    @Test
+    void picturesAreDarkOnlyWhereThatIsAskedFor() throws IOException {
+        edt(Theme.DARK::install);
+        assertEquals(Palette.LIGHT.canvas().getRGB(), ImageIO.read(exported("exportPng", ".png").toFile()).getRGB(3, 396));
+        Files.delete(folder.resolve("out.png"));
+        edt(() -> {
+            action("exportDark").putValue(UiAction.SELECTED_KEY, true);
+            perform("exportDark");
+        });
+        assertEquals(Palette.DARK.canvas().getRGB(), ImageIO.read(exported("exportPng", ".png").toFile()).getRGB(3, 396));
+        edt(Theme.LIGHT::install);
+    }
+
+    @Test
+    void aDrawingIsAsLargeAsTheCanvas() throws Exception {
+        Path file = exported("exportSvg", ".svg");
+        assertEquals("300", DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(file.toFile()).getDocumentElement()
+                .getAttribute("width"));
+    }
+
+    @Test
+    void aTraceIsTheOneThatARunWithoutAWindowWrites() throws Exception {
+        StringWriter expected = new StringWriter();
+        Scenario scenario = Scenario.load(Path.of("scenarios/office.xml"));
+        HeadlessRun.run(scenario.setup().withDuration(STEPS * scenario.setup().dt()), ControllerMode.DIRECT, List.of(new TraceWriter(expected)));
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        new TraceExport(onEdt(() -> bench.replay().orElseThrow())).write(out, share -> assertTrue(share >= 0 && share <= 1));
+        assertEquals(expected.toString(), out.toString(StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void aFilmHasAPictureForEveryTwentiethOfASecond() throws IOException {
+        assertEquals(3, pictures(film(0)), "ticks 0, 5 and 10 of 12");
+    }
+
+    @Test
+    void aFilmCanBeginLater() throws IOException {
+        assertEquals(2, pictures(film(4)), "ticks 4 and 9 of 12");
+    }
+
+    private FilmExport film(long from) {
+        return onEdt(() -> new FilmExport(canvas.shot(Palette.LIGHT).orElseThrow(), bench.replay().orElseThrow(), from));
+    }
+
+    private static int pictures(FilmExport film) throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        film.write(out, share -> {
+        });
+        ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+        reader.setInput(ImageIO.createImageInputStream(new java.io.ByteArrayInputStream(out.toByteArray())));
+        return reader.getNumImages(true);
+    }
+
+    @Test
+    void aFilmThatIsCalledOffStopsAtOnce() {
+        FilmExport film = film(0);
+        assertThrows(CancellationException.class, () -> film.write(new ByteArrayOutputStream(), share -> {
+            throw new CancellationException();
+        }));
+    }
+
+    @Test
+    void whatIsCancelledLeavesNoFile() throws Exception {
+        Path file = folder.resolve("never.csv");
+        ExportTask task = onEdt(() -> new ExportTask(canvas, (out, progress) -> {
+            out.write(1);
+            throw new CancellationException();
+        }, file, why -> {
+        }));
+        task.execute();
+        Patience.waitFor("the end of the task", task::isDone);
+        assertFalse(Files.exists(file));
+        try (Stream<Path> left = Files.list(folder)) {
+            assertEquals(List.of(), left.toList());
+        }
+    }
+
+    @Test
+    void aPictureComesBackFromTheClipboard() throws IOException, UnsupportedFlavorException {
+        Clipboard clipboard = new Clipboard("test");
+        BufferedImage image = onEdt(() -> canvas.shot(Palette.LIGHT).orElseThrow()).image(1);
+        clipboard.setContents(new ImageOnClipboard(image), null);
+        assertEquals(image, clipboard.getData(DataFlavor.imageFlavor));
+        assertThrows(UnsupportedFlavorException.class, () -> clipboard.getData(DataFlavor.stringFlavor));
+    }
+
+    private Path exported(String action, String extension) {
+        Path file = folder.resolve("out" + extension);
+        edt(() -> perform(action));
+        Patience.waitFor("the file", () -> Files.exists(file));
+        return file;
+    }
+
+    private void perform(String action) {
+        action(action).actionPerformed(null);
+    }
+
+    private UiAction action(String key) {
+        return actions.stream().filter(action -> action.key().equals(key)).findFirst().orElseThrow();
+    }
+
+    /** Nothing here fails. */
+    private static final class Quiet implements Bench.Listener {
+        @Override
+        public void begun() {
+            // Frames are asked for.
+        }
+
+        @Override
+        public void renamed() {
+            // Nobody reads the title.
+        }
+
+        @Override
+        public void failed(Bench.Task what, Path file, Throwable why) {
+            throw new AssertionError(why);
+        }
+    }
+}
