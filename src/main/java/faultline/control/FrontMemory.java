@@ -14,34 +14,57 @@ final class FrontMemory {
     /** The body must clear what it passes by this much, metres. */
     private static final double BERTH = 0.03;
 
-    private double distance = Reading.NOTHING;
-    private double turned;
+    private final Thing last = new Thing();
+    private final Thing nearest = new Thing();
 
-    /** Takes a new reading after a piece of way. */
-    void update(Eye front, double rolled, double turn, double halfWidth) {
-        if (front.sees()) {
-            // It can only be lost at the cone's edge; an edge beyond the body's flank is no danger.
-            boolean inTheWay = front.reading() * StrictMath.sin(front.halfCone()) < halfWidth + BERTH;
-            distance = inTheWay ? front.reading() : Reading.NOTHING;
+    /** Something seen ahead, as far as dead reckoning knows. */
+    private static final class Thing {
+
+        private double distance = Reading.NOTHING;
+        private double turned;
+
+        void see(double reading) {
+            distance = reading;
             turned = 0;
-        } else {
+        }
+
+        void age(double rolled, double turn) {
             distance -= rolled;
             turned += Math.abs(turn);
             if (turned > FORGOTTEN || distance < 0) {
-                forget();
+                distance = Reading.NOTHING;
+            }
+        }
+    }
+
+    /** Takes a new reading after a piece of way. */
+    void update(Eye front, double rolled, double turn, double halfWidth) {
+        last.age(rolled, turn);
+        nearest.age(rolled, turn);
+        if (front.sees()) {
+            // It can only be lost at the cone's edge; an edge beyond the body's flank is no danger.
+            boolean inTheWay = front.reading() * StrictMath.sin(front.halfCone()) < halfWidth + BERTH;
+            last.see(inTheWay ? front.reading() : Reading.NOTHING);
+            if (inTheWay && front.reading() <= nearest.distance) {
+                nearest.see(front.reading());
             }
         }
     }
 
     /** What was seen is dealt with. */
     void forget() {
-        distance = Reading.NOTHING;
-        turned = 0;
+        last.see(Reading.NOTHING);
+        nearest.see(Reading.NOTHING);
+    }
+
+    /** How far ahead of the sensor the nearest thing in the way is, metres, though the tip of it may have slipped out of the cone and more of it be seen behind. */
+    double nearest() {
+        return nearest.distance;
     }
 
     /** The front sensor with what it remembers in place of nothing. */
     Eye fill(Eye front) {
         return front.sees() ? front
-                : new Eye(front.seat(), front.bearing(), front.halfCone(), front.range(), distance, front.present());
+                : new Eye(front.seat(), front.bearing(), front.halfCone(), front.range(), last.distance, front.present());
     }
 }

@@ -34,6 +34,11 @@ final class Perception {
         sight = fresh.withFront(frontMemory.fill(fresh.front()));
     }
 
+    /** Whether something in the way, seen or remembered, will be within a distance of the robot's centre when it has rolled out. */
+    boolean inTheWay(double distance) {
+        return frontMemory.nearest() + sight.front().seat().x() - stopping() <= distance;
+    }
+
     /** What was seen ahead is dealt with. */
     void forgetAhead() {
         frontMemory.forget();
@@ -86,7 +91,12 @@ final class Perception {
         return Math.min(robot().turnRate(), 2 * robot().motor().maxSpeed() / robot().track());
     }
 
-    /** The standard deviation of the readings' noise as far as it has shown, metres. */
+    /** The standard deviation of the left sensor's noise as far as it has shown, metres. */
+    double leftNoise() {
+        return leftNoise.deviation();
+    }
+
+    /** The standard deviation of the readings' noise as far as any sensor in use has shown it, metres. */
     double noise() {
         return Math.max(leftNoise.deviation(), frontNoise.deviation());
     }

@@ -35,7 +35,7 @@ final class WallFollower implements Controller {
     /** More than a whole turn: what has not been seen by then is not there. */
     private static final double ALL_ROUND = StrictMath.toRadians(400);
 
-    /** A wall at the far front corner is turned from when it is this near to the circle that the platform turns in, metres. */
+    /** What is at the far front corner, or slipped out of the front cone, is turned from when it is this near to the circle that the platform turns in, metres. */
     private static final double GUARD = 0.06;
 
     /** A bend too tight for the turn rate slows the robot down, but not below this share of its speed. */
@@ -147,13 +147,15 @@ final class WallFollower implements Controller {
         double radius = perception.wantedRadius();
         double near = radius + perception.stopping();
         return perception.wallAhead(WallAhead.MOST_IN_THE_OPEN, WallAhead.MOST_IN_THE_OPEN)
+                || perception.inTheWay(perception.robot().reach() + GUARD)
                 || sight.frontLeft().seesWithin(near) || sight.frontRight().seesWithin(near)
                 || sight.left().seesWithin(radius) || sight.right().seesWithin(radius);
     }
 
     private boolean wallAhead() {
+        double guarded = perception.robot().reach() + GUARD;
         return perception.wallAhead(WallAhead.MOST_LEFT, WallAhead.MOST_RIGHT)
-                || perception.sight().frontRight().seesWithin(perception.robot().reach() + GUARD);
+                || perception.inTheWay(guarded) || perception.sight().frontRight().seesWithin(guarded);
     }
 
     private boolean wallEnded() {

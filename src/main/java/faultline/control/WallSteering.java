@@ -81,7 +81,7 @@ final class WallSteering {
     }
 
     private double bendInnovation() {
-        return Math.max(BEND * WallTracker.cornerInnovation(radius()), NOISE_FACTOR * perception.noise());
+        return Math.max(BEND * WallTracker.cornerInnovation(radius()), NOISE_FACTOR * perception.leftNoise());
     }
 
     /** How far the robot has gone round a corner by the time that it shows: an innovation e takes a way of sqrt(2 e r) on a circle of radius r. */

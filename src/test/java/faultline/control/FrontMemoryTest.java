@@ -73,8 +73,24 @@ class FrontMemoryTest {
     }
 
     @Test
+    void theTipOfAThingComesNearerThoughMoreOfItIsSeenBehind() {
+        memory.update(front(0.28), 0.1, 0, HALF_WIDTH);
+        assertEquals(0.2, memory.nearest(), 1e-12, "0.3 m less the way of 0.1 m");
+        assertEquals(0.28, memory.fill(front(0.28)).reading(), "a reading stays a reading");
+        memory.update(front(0.27), 0.21, 0, HALF_WIDTH);
+        assertEquals(0.27, memory.nearest(), 1e-12, "the tip has been passed");
+    }
+
+    @Test
+    void somethingNearerTakesThePlaceOfTheNearest() {
+        memory.update(front(0.15), 0.1, 0, HALF_WIDTH);
+        assertEquals(0.15, memory.nearest());
+    }
+
+    @Test
     void itForgetsWhenTold() {
         memory.forget();
+        assertEquals(Reading.NOTHING, memory.nearest());
         lose(0.01, 0);
         assertEquals(Reading.NOTHING, remembered());
     }

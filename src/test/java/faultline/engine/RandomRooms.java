@@ -112,7 +112,8 @@ record RandomRooms(double offset, double leastStraight, double leastInner, doubl
             room = new Room("island " + seed, islandRing(random), new Pose(1, 5, 0));
         } while (!isFair(room));
         Vec at = MIDDLE.plus(Vec.direction(random.nextDouble(2 * Math.PI)).times(4));
-        return room.from(new Pose(at.x(), at.y(), MIDDLE.minus(at).angle() + random.nextDouble(-0.1, 0.1)));
+        Vec goal = room.middle();
+        return room.from(new Pose(at.x(), at.y(), goal.minus(at).angle()));
     }
 
     private static List<Vec> islandRing(SplittableRandom random) {
@@ -139,7 +140,21 @@ record RandomRooms(double offset, double leastStraight, double leastInner, doubl
         boolean inside = room.start().equals(Pose.ORIGIN);
         double places = new WallMap(room.world()).places(offset, 0.02).stream()
                 .filter(place -> room.surrounds(place.at()) == inside).mapToDouble(WallMap.Place::length).sum();
-        return Math.abs(places - straights) < 0.12;
+        return Math.abs(places - straights) < 0.12 && cornersAreFree(room);
+    }
+
+    /** Whether the way leads round all outer corners, so that it is one ring and not several. */
+    private boolean cornersAreFree(Room room) {
+        for (int i = 0; i < room.ring().size(); i++) {
+            double out = room.corner(i).minus(room.corner(i - 1)).angle() + Math.PI / 2;
+            for (double share = 0; share <= 1; share += 0.05) {
+                Vec place = room.corner(i).plus(Vec.direction(out + share * room.turn(i)).times(offset));
+                if (room.turn(i) < 0 && room.distance(place) < offset - 1e-6) {
+                    return false;
+                }
+            }
+        }
+        return true;
     }
 
     private boolean isFair(double turn) {

@@ -44,6 +44,11 @@ record Room(String name, List<Vec> ring, Pose start) {
         return ring.get(Math.floorMod(i, ring.size()));
     }
 
+    /** The mean of its corners. */
+    Vec middle() {
+        return ring.stream().reduce(Vec.ZERO, Vec::plus).times(1.0 / ring.size());
+    }
+
     /** How the wall turns at a corner, radians: positive where it juts in (an inner corner of pi less this), negative where it juts out. */
     double turn(int i) {
         return Angles.difference(corner(i).minus(corner(i - 1)).angle(), corner(i + 1).minus(corner(i)).angle());
