@@ -2,17 +2,22 @@ package faultline.gui;
 
 import static org.junit.jupiter.api.Assertions.fail;
 
+import java.awt.AWTEvent;
 import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.Point;
 import java.awt.Robot;
 import java.awt.Window;
+import java.awt.event.AWTEventListener;
+import java.awt.event.MouseEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.SwingUtilities;
 
 /**
  * Drives real windows with the mouse and the keyboard, for tests. Every read happens on the event dispatch thread, and nothing
@@ -75,6 +80,30 @@ public final class GuiRobot {
         edt(window::toFront);
         waitFor("the window is focused", window::isFocused);
         waitForRest(window);
+        waitUntilTheMouseHits(window);
+    }
+
+    /**
+     * A window manager may move a window once more after it has come to rest, and Java learns of it late. So the mouse is moved to the middle of where
+     * the window is thought to be until an event says that it is there.
+     */
+    private void waitUntilTheMouseHits(Window window) {
+        AtomicReference<Point> hit = new AtomicReference<>(new Point());
+        AWTEventListener listener = event -> {
+            MouseEvent mouse = (MouseEvent) event;
+            hit.set(SwingUtilities.convertPoint(mouse.getComponent(), mouse.getPoint(), window));
+        };
+        edt(() -> window.getToolkit().addAWTEventListener(listener, AWTEvent.MOUSE_MOTION_EVENT_MASK));
+        int[] turn = {0};
+        waitFor("the mouse is where the window is", () -> {
+            Point aim = new Point(window.getWidth() / 2 + turn[0] % 2, window.getHeight() / 2);
+            boolean there = hit.get().equals(new Point(window.getWidth() / 2 + (turn[0] + 1) % 2, window.getHeight() / 2));
+            Point origin = window.getLocationOnScreen();
+            robot.mouseMove(origin.x + aim.x, origin.y + aim.y);
+            turn[0]++;
+            return there;
+        });
+        edt(() -> window.getToolkit().removeAWTEventListener(listener));
     }
 
     private void waitForRest(Component component) {

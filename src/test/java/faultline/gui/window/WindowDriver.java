@@ -27,7 +27,10 @@ final class WindowDriver implements AutoCloseable {
     private WindowDriver(Theme theme) {
         window = onEdt(() -> {
             theme.install();
-            return new SimulatorFrame(WindowMemory.none());
+            SimulatorFrame made = new SimulatorFrame(WindowMemory.none());
+            // Where the window manager chooses the place, Java now and then never learns of it, and the mouse misses.
+            made.setLocation(60, 40);
+            return made;
         });
     }
 
