@@ -1,10 +1,15 @@
 package faultline.control;
 
+import faultline.sensor.Reading;
+
 /** TURN, MEASURE and ALIGN: spin right past the wall, time it, and turn back by the t_D / 2 rule, eq. (4) of the paper. */
 final class SpinManoeuvre {
 
     /** A spin that begins beside a wall first backs off until the reading is this much more than the nearest. */
     private static final double BACKED_OFF = 1.3;
+
+    /** What is this much farther than wanted when the spin begins is not the wall that was met, metres. */
+    private static final double ELSEWHERE = 0.15;
 
     private static final double QUARTER = StrictMath.PI / 2;
 
@@ -35,18 +40,18 @@ final class SpinManoeuvre {
     void begin(boolean wallMetSideways) {
         start = perception.heading();
         perception.forgetAhead();
-        backingOff = wallMetSideways && left().sees();
+        backingOff = wallMetSideways && reading() < Reading.NOTHING;
         nearest = left().reading();
         timing.start(perception.noise());
         if (!backingOff) {
-            timing.approach(clock(), left().reading());
+            timing.approach(clock(), reading());
         }
     }
 
     /** Takes the reading of a decision in TURN. */
     void approach() {
         if (!backingOff) {
-            timing.approach(clock(), left().reading());
+            timing.approach(clock(), reading());
         }
     }
 
@@ -97,6 +102,12 @@ final class SpinManoeuvre {
 
     boolean aligned() {
         return remaining <= 0 && Math.abs(perception.omega()) < STILL;
+    }
+
+    /** The left reading; nothing where that is of something else than the wall that was met. By the paper's rule all that is in range counts. */
+    private double reading() {
+        boolean counts = rule == Timing.RANGE || left().seesWithin(perception.wantedRadius() + ELSEWHERE);
+        return counts ? left().reading() : Reading.NOTHING;
     }
 
     private Eye left() {
