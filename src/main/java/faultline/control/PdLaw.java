@@ -1,21 +1,9 @@
 package faultline.control;
 
-/**
- * The PD distance controller: omega = kp e + kd e', where e is how much too far the wall is. The gains follow from one length l, the way on which an error dies out:
- * with e'' = -v omega, kp = v / l^2 and kd = 2 / l make the loop critically damped at any speed.
- */
+/** The PD distance controller: omega = kp e + kd e', where e is how much too far the wall is; see {@link PdGains}. */
 final class PdLaw {
 
-    /** The shortest length, metres; shorter ones answer to the cone's edges. */
-    private static final double SHORTEST = 0.06;
-
-    /** The motors must be faster than the loop: the length is at least the way of this many time constants. */
-    private static final double LAGS = 3;
-
-    /** The steepest way back to the wanted distance, sine of the angle. */
-    private static final double STEEPEST = 0.5;
-
-    private final double length;
+    private final PdGains gains;
     private final double speed;
     private double proportional;
     private double derivative;
@@ -28,7 +16,7 @@ final class PdLaw {
      */
     PdLaw(double speed, double lag) {
         this.speed = speed;
-        this.length = Math.max(SHORTEST, LAGS * lag * speed);
+        this.gains = PdGains.of(speed, lag);
     }
 
     /**
@@ -39,10 +27,8 @@ final class PdLaw {
      * @return omega, radians per second
      */
     double turnRate(double error, double heading) {
-        double limit = 2 * length * STEEPEST;
-        double rate = -speed * StrictMath.sin(heading);
-        proportional = speed / (length * length) * Math.max(-limit, Math.min(limit, error));
-        derivative = 2 / length * rate;
+        proportional = gains.proportionalTerm(error);
+        derivative = gains.derivativeTerm(-speed * StrictMath.sin(heading));
         return proportional + derivative;
     }
 

@@ -1,5 +1,6 @@
 package faultline.app.figures;
 
+import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -30,7 +31,20 @@ public final class Figures {
     }
 
     static List<Figure> all() {
-        return List.copyOf(EquationFour.sweeps());
+        List<Figure> figures = new ArrayList<>();
+        figures.add(new DriveMoves());
+        figures.add(new PoseAndFrames());
+        figures.add(new WallFrames());
+        figures.add(new Environment("fig5-indoor", "office.xml", new Rectangle2D.Double(-0.1, -0.1, 8.2, 6.2)));
+        figures.add(new Environment("fig5-outdoor", "yard.xml", new Rectangle2D.Double(0.5, 0.8, 10.5, 7.4)));
+        figures.add(new CornerViews());
+        figures.add(new CornerSweep());
+        figures.add(new StateChart());
+        figures.addAll(EquationFour.sweeps());
+        figures.add(new OtherSensors());
+        figures.add(new GainsMap());
+        figures.add(new StepResponse());
+        return figures;
     }
 
     /**

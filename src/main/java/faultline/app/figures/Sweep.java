@@ -2,13 +2,10 @@ package faultline.app.figures;
 
 import faultline.control.Timing;
 import faultline.geometry.Vec;
-import faultline.paint.plot.Area;
 import faultline.paint.plot.Axis;
 import faultline.paint.plot.Chart;
-import faultline.paint.plot.ChartPainter;
 import faultline.paint.plot.Mark;
 import faultline.paint.plot.SvgDrawing;
-import faultline.paint.plot.Theme;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -89,9 +86,7 @@ record Sweep(String name, String title, String label, List<Double> values, int v
         DoubleStream errors = DoubleStream.concat(DoubleStream.of(0.5, -1), points.stream().flatMapToDouble(
                 point -> DoubleStream.of(point.error(), point.expected(0).y())));
         Chart chart = new Chart(title, Axis.covering(label, values.stream().mapToDouble(value -> value)), Axis.covering("heading error (degrees)", errors), marks);
-        SvgDrawing drawing = new SvgDrawing(WIDTH, HEIGHT, Theme.LIGHT.palette().canvas());
-        ChartPainter.paint(drawing, chart, new Area(0, 4, WIDTH, HEIGHT - 8), Theme.LIGHT);
-        return drawing;
+        return Sheet.of(chart, WIDTH, HEIGHT);
     }
 
     /** The theory at each value: the mean over its trials. */

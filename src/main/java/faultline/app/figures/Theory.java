@@ -52,24 +52,25 @@ record Theory(Alignment trial, List<Convex> walls, Vec at) {
         if (trial.timing() == Timing.RANGE) {
             return left().range();
         }
-        double level = nearest() * (1 + Timing.MARGIN);
-        return Math.min(level, Math.min(summit(level, 1), summit(level, -1)));
+        double nearest = nearest();
+        double level = reading(nearest) * (1 + Timing.MARGIN);
+        return Math.min(level, Math.min(summit(nearest, level, 1), summit(nearest, level, -1)));
     }
 
-    /** The nearest reading about parallel; it is not at parallel where the axis misses the centre. */
+    /** The heading of the nearest reading about parallel; it is not parallel itself where the axis misses the centre. */
     private double nearest() {
-        double nearest = reading(0);
+        double nearest = 0;
         for (double heading = -NEAREST_WITHIN; heading < NEAREST_WITHIN; heading += STEP) {
-            nearest = Math.min(nearest, reading(heading));
+            nearest = reading(heading) < reading(nearest) ? heading : nearest;
         }
         return nearest;
     }
 
-    /** The farthest reading on one side before the readings fall again, looked for up to a level. */
-    private double summit(double level, int side) {
-        double last = reading(0);
-        for (double heading = STEP; heading < StrictMath.PI; heading += STEP) {
-            double next = reading(side * heading);
+    /** The farthest reading on one side of a heading before the readings fall again, looked for up to a level. */
+    private double summit(double from, double level, int side) {
+        double last = reading(from);
+        for (double turned = STEP; turned < StrictMath.PI; turned += STEP) {
+            double next = reading(from + side * turned);
             if (next > level || next < last - 1e-9) {
                 return Math.min(level, Math.max(last, next));
             }
@@ -78,28 +79,23 @@ record Theory(Alignment trial, List<Convex> walls, Vec at) {
         return last;
     }
 
-    /** The heading at which the reading first comes above a level, turning from parallel to one side. */
+    /** The heading at which the reading first comes up to a level, turning from the nearest reading to one side. */
     double edge(double level, int side) {
+        double from = nearest();
         double seen = 0;
-        while (reading(side * (seen + STEP)) < level && seen < 2 * StrictMath.PI) {
+        while (reading(from + side * (seen + STEP)) < level && seen < 2 * StrictMath.PI) {
             seen += STEP;
         }
         double unseen = seen + STEP;
         for (int i = 0; i < HALVINGS; i++) {
             double middle = (seen + unseen) / 2;
-            if (reading(side * middle) < level) {
+            if (reading(from + side * middle) < level) {
                 seen = middle;
             } else {
                 unseen = middle;
             }
         }
-        return side * seen;
-    }
-
-    /** How fast the reading rises with the heading at a level, metres per radian. */
-    double slope(double level) {
-        double edge = edge(level, 1);
-        return (reading(edge) - reading(edge - STEP)) / STEP;
+        return from + side * seen;
     }
 
     private double reading(double heading) {

@@ -16,7 +16,7 @@ import java.util.stream.DoubleStream;
  */
 public record Axis(String label, double low, double high, boolean logarithmic) {
 
-    private static final int INTERVALS = 6;
+    private static final int INTERVALS = 8;
 
     public Axis {
         if (!(low < high) || logarithmic && low <= 0) {
@@ -61,8 +61,13 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
         return (value - low) / (high - low);
     }
 
-    /** The value at a share of the axis. */
-    double value(double share) {
+    /**
+     * The value at a place of the axis.
+     *
+     * @param share from 0, its beginning, to 1, its end
+     * @return the value
+     */
+    public double at(double share) {
         return logarithmic ? low * StrictMath.exp(share * StrictMath.log(high / low)) : low + share * (high - low);
     }
 

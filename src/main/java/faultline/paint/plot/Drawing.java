@@ -45,7 +45,7 @@ public interface Drawing {
     /**
      * Writes a line of text.
      *
-     * @param text what to write
+     * @param text what to write; an underscore sets the letters after it as an index: t_D
      * @param at where its base line's anchor is, pixels
      * @param style how
      */

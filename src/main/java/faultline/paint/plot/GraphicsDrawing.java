@@ -58,15 +58,29 @@ public final class GraphicsDrawing implements Drawing {
     @Override
     public void text(String text, Vec at, TextStyle style) {
         graphics.setColor(style.colour());
-        graphics.setFont(new Font(Font.SANS_SERIF, style.bold() ? Font.BOLD : Font.PLAIN, 1).deriveFont((float) style.size()));
-        double width = graphics.getFont().getStringBounds(text, graphics.getFontRenderContext()).getWidth();
+        Font font = new Font(Font.SANS_SERIF, style.bold() ? Font.BOLD : Font.PLAIN, 1).deriveFont((float) style.size());
+        List<Subscripts.Run> runs = Subscripts.runs(text);
+        double width = runs.stream().mapToDouble(run -> width(run, font)).sum();
         AffineTransform before = graphics.getTransform();
         graphics.translate(at.x(), at.y());
         if (!style.upright()) {
             graphics.rotate(-Math.PI / 2);
         }
-        graphics.drawString(text, (float) (-width * style.anchor().ordinal() / 2), 0);
+        double x = -width * style.anchor().ordinal() / 2;
+        for (Subscripts.Run run : runs) {
+            graphics.setFont(sized(run, font));
+            graphics.drawString(run.text(), (float) x, (float) (run.lowered() ? Subscripts.DROP * style.size() : 0));
+            x += width(run, font);
+        }
         graphics.setTransform(before);
+    }
+
+    private double width(Subscripts.Run run, Font font) {
+        return sized(run, font).getStringBounds(run.text(), graphics.getFontRenderContext()).getWidth();
+    }
+
+    private static Font sized(Subscripts.Run run, Font font) {
+        return run.lowered() ? font.deriveFont((float) (Subscripts.SIZE * font.getSize2D())) : font;
     }
 
     private void take(Pen pen) {

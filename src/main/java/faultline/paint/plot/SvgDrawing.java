@@ -49,11 +49,21 @@ public final class SvgDrawing implements Drawing {
 
     @Override
     public void text(String text, Vec at, TextStyle style) {
+        if (Subscripts.runs(text).size() > 1 && style.anchor() != TextStyle.Anchor.START) {
+            // Not every viewer anchors a text of several stretches as a whole.
+            double shift = style.width(text.replace("_", "")) * style.anchor().ordinal() / 2;
+            line(text, style.upright() ? at.minus(new Vec(shift, 0)) : at.plus(new Vec(0, shift)), style.anchored(TextStyle.Anchor.START));
+        } else {
+            line(text, at, style);
+        }
+    }
+
+    private void line(String text, Vec at, TextStyle style) {
         out.append("<text x=\"").append(SvgText.number(at.x())).append("\" y=\"").append(SvgText.number(at.y())).append("\" font-size=\"")
                 .append(SvgText.number(style.size())).append("\" text-anchor=\"").append(style.anchor().name().toLowerCase(Locale.ROOT)).append('"')
                 .append(style.bold() ? " font-weight=\"bold\"" : "")
                 .append(style.upright() ? "" : " transform=\"rotate(-90 " + SvgText.number(at.x()) + " " + SvgText.number(at.y()) + ")\"")
-                .append(SvgText.paint("fill", style.colour())).append('>').append(SvgText.escaped(text)).append("</text>\n");
+                .append(SvgText.paint("fill", style.colour())).append('>').append(runs(text, style.size())).append("</text>\n");
     }
 
     /**
@@ -77,5 +87,18 @@ public final class SvgDrawing implements Drawing {
         String dashes = pen.dash().lengths().stream().map(SvgText::number).collect(Collectors.joining(" "));
         return SvgText.paint("stroke", pen.colour()) + " stroke-width=\"" + SvgText.number(pen.width()) + "\""
                 + (dashes.isEmpty() ? " stroke-linecap=\"round\"" : " stroke-dasharray=\"" + dashes + "\"");
+    }
+
+    /** The stretches of a text; each is set off from where the one before it left the line. */
+    private static String runs(String text, double size) {
+        StringBuilder spans = new StringBuilder();
+        boolean lowered = false;
+        for (Subscripts.Run run : Subscripts.runs(text)) {
+            String shift = run.lowered() == lowered ? "" : " dy=\"" + SvgText.number((run.lowered() ? 1 : -1) * Subscripts.DROP * size) + "\"";
+            String small = run.lowered() ? " font-size=\"" + SvgText.number(Subscripts.SIZE * size) + "\"" : "";
+            spans.append(shift.isEmpty() ? SvgText.escaped(run.text()) : "<tspan" + shift + small + ">" + SvgText.escaped(run.text()) + "</tspan>");
+            lowered = run.lowered();
+        }
+        return spans.toString();
     }
 }

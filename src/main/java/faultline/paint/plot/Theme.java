@@ -20,12 +20,12 @@ public record Theme(Palette palette, Color grid, List<Color> series, List<Color>
             Palette.LIGHT.movingOutline(), Palette.LIGHT.robot(), Palette.LIGHT.robotOutline(), Palette.LIGHT.path(), Palette.LIGHT.hit(),
             Palette.LIGHT.sensors()), new Color(0xE3E7EC),
             List.of(new Color(0x0B4F79), new Color(0xD55E00), new Color(0x009E73), new Color(0x7A4B8C)),
-            List.of(new Color(0xEAF3FA), new Color(0x8DB9D9), new Color(0x3A5F7D)));
+            List.of(new Color(0xF1F6FA), new Color(0xCBDDEA), new Color(0x8DB3D0), new Color(0x54748D)));
 
     /** For dark windows. */
     public static final Theme DARK = new Theme(Palette.DARK, new Color(0x2C323A),
             List.of(new Color(0x7FC8F2), new Color(0xFF9A52), new Color(0x2BC48A), new Color(0xD9A6E8)),
-            List.of(new Color(0x24435A), new Color(0x4C86AE), new Color(0xB7DDF5)));
+            List.of(new Color(0x1F2F3C), new Color(0x35566E), new Color(0x5C8FB5), new Color(0xB7DDF5)));
 
     /** Copies the lists. */
     public Theme {

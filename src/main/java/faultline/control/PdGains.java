@@ -1,0 +1,75 @@
+package faultline.control;
+
+/**
+ * What the PD distance controller multiplies with. The gains follow from one length l, the way on which an error dies out: with e'' = -v omega, kp = v / l^2 and
+ * kd = 2 / l make the loop critically damped at any speed.
+ *
+ * @param proportional kp, radians per second for each metre that the wall is too far
+ * @param derivative kd, radians per second for each metre per second that it recedes
+ * @param mostError the error that the P term is held at, metres
+ */
+public record PdGains(double proportional, double derivative, double mostError) {
+
+    /** The shortest length, metres; shorter ones answer to the cone's edges. */
+    private static final double SHORTEST = 0.06;
+
+    /** The motors must be faster than the loop: the length is at least the way of this many time constants. */
+    private static final double LAGS = 3;
+
+    /** The steepest way back to the wanted distance, sine of the angle. */
+    private static final double STEEPEST = 0.5;
+
+    /**
+     * The gains that the follower uses.
+     *
+     * @param speed metres per second
+     * @param lag the motors' time constant and the control's delay, seconds
+     * @return the gains
+     */
+    public static PdGains of(double speed, double lag) {
+        return dyingOutOn(Math.max(SHORTEST, LAGS * lag * speed), speed);
+    }
+
+    /**
+     * The critically damped gains of a length.
+     *
+     * @param length on which an error dies out, metres
+     * @param speed metres per second
+     * @return the gains
+     */
+    public static PdGains dyingOutOn(double length, double speed) {
+        return new PdGains(speed / (length * length), 2 / length, 2 * length * STEEPEST);
+    }
+
+    /**
+     * Any gains, with the same limit on the way back.
+     *
+     * @param proportional kp
+     * @param derivative kd
+     * @param speed metres per second
+     * @return the gains
+     */
+    public static PdGains any(double proportional, double derivative, double speed) {
+        return new PdGains(proportional, derivative, STEEPEST * derivative * speed / proportional);
+    }
+
+    /**
+     * The P term.
+     *
+     * @param error measured less wanted distance, metres
+     * @return radians per second
+     */
+    public double proportionalTerm(double error) {
+        return proportional * Math.max(-mostError, Math.min(mostError, error));
+    }
+
+    /**
+     * The D term.
+     *
+     * @param rate of the error, metres per second
+     * @return radians per second
+     */
+    public double derivativeTerm(double rate) {
+        return derivative * rate;
+    }
+}
