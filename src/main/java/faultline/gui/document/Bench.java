@@ -68,14 +68,14 @@ public final class Bench implements AutoCloseable {
      * A scenario and a session of it.
      *
      * @param file where it is kept, empty for one that ships with the program
-     * @param saved as the file holds it
+     * @param saved as the file holds it, empty where no file holds it
      * @param begun as the session began
      * @param edited as it is by now
      * @param session the run
      */
-    private record Work(Optional<Path> file, Scenario saved, Scenario begun, Scenario edited, Session session) {
+    private record Work(Optional<Path> file, Optional<Scenario> saved, Scenario begun, Scenario edited, Session session) {
 
-        static Work begin(Optional<Path> file, Scenario saved, Scenario begun) {
+        static Work begin(Optional<Path> file, Optional<Scenario> saved, Scenario begun) {
             return new Work(file, saved, begun, begun, Session.start(begun.setup()));
         }
 
@@ -84,7 +84,7 @@ public final class Bench implements AutoCloseable {
         }
 
         Work savedAs(Path newFile, Scenario newSaved) {
-            return new Work(Optional.of(newFile), newSaved, begun, newSaved, session);
+            return new Work(Optional.of(newFile), Optional.of(newSaved), begun, newSaved, session);
         }
 
         Scenario after(Journal journal) {
@@ -92,7 +92,7 @@ public final class Bench implements AutoCloseable {
         }
 
         boolean isChanged() {
-            return !edited.equals(saved);
+            return !saved.equals(Optional.of(edited));
         }
     }
 
@@ -113,7 +113,7 @@ public final class Bench implements AutoCloseable {
     public void open(Path file) {
         begin(Task.OPEN, file, () -> {
             Scenario scenario = Scenario.load(file);
-            return Work.begin(Optional.of(file), scenario, scenario);
+            return Work.begin(Optional.of(file), Optional.of(scenario), scenario);
         });
     }
 
@@ -125,8 +125,24 @@ public final class Bench implements AutoCloseable {
     public void openShipped(String name) {
         begin(Task.OPEN, Path.of(name), () -> {
             Scenario scenario = Scenario.shipped(name);
-            return Work.begin(Optional.empty(), scenario, scenario);
+            return Work.begin(Optional.empty(), Optional.of(scenario), scenario);
         });
+    }
+
+    /** Begins anew, soon, with the scenario as its file holds it; edits are given up. */
+    public void revert() {
+        work.ifPresent(now -> now.file().ifPresentOrElse(this::open, () -> now.saved().ifPresent(
+                saved -> begin(Task.OPEN, path(now), () -> Work.begin(Optional.empty(), now.saved(), saved)))));
+    }
+
+    /**
+     * Begins a session of edits that a crash has left, soon; they are unsaved still.
+     *
+     * @param rescue what was left
+     */
+    public void recover(Recovery.Rescue rescue) {
+        Path file = rescue.origin().orElse(rescue.kept());
+        begin(Task.OPEN, file, () -> Work.begin(rescue.origin(), Optional.empty(), rescue.scenario()));
     }
 
     /** Begins anew, soon, with the scenario as it is edited by now. */
@@ -315,6 +331,15 @@ public final class Bench implements AutoCloseable {
      */
     public Optional<Scenario> scenario() {
         return work.map(Work::edited);
+    }
+
+    /**
+     * The scenario as its file holds it, as far as is known here.
+     *
+     * @return empty before the first session, and where no file holds it
+     */
+    public Optional<Scenario> saved() {
+        return work.flatMap(Work::saved);
     }
 
     /**

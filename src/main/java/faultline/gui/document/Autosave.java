@@ -1,0 +1,73 @@
+package faultline.gui.document;
+
+import faultline.scenario.Scenario;
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import javax.swing.Timer;
+
+/** Keeps unsaved edits where a crash cannot reach them, twice a minute; what is saved or given up is kept no longer. */
+public final class Autosave implements AutoCloseable {
+
+    private static final Logger LOG = Logger.getLogger(Autosave.class.getName());
+    private static final int PERIOD_MILLIS = 30_000;
+
+    private final Bench bench;
+    private final Recovery recovery;
+    private final Timer timer = new Timer(PERIOD_MILLIS, event -> keep());
+    private Optional<Scenario> kept = Optional.empty();
+
+    /**
+     * Begins to keep edits.
+     *
+     * @param bench whose
+     * @param recovery where
+     */
+    public Autosave(Bench bench, Recovery recovery) {
+        assert EventQueue.isDispatchThread();
+        this.bench = bench;
+        this.recovery = recovery;
+        timer.start();
+    }
+
+    /** Keeps what is unsaved now, or forgets what was, unless that is done already. */
+    void keep() {
+        Optional<Scenario> unsaved = bench.scenario().filter(scenario -> bench.isChanged());
+        if (!unsaved.equals(kept)) {
+            kept = unsaved;
+            Optional<Path> origin = bench.file();
+            Background.run(() -> {
+                write(origin, unsaved);
+                return unsaved;
+            }, done -> {
+            }, why -> LOG.log(Level.WARNING, "unsaved edits cannot be kept", why));
+        }
+    }
+
+    private void write(Optional<Path> origin, Optional<Scenario> unsaved) throws IOException {
+        if (unsaved.isPresent()) {
+            recovery.keep(origin, unsaved.get());
+        } else {
+            recovery.forget();
+        }
+    }
+
+    /** The window closes in good order: nothing is to be recovered. */
+    @Override
+    public void close() {
+        timer.stop();
+        // Not a daemon: the process may end with the window, and must not before this is done.
+        new Thread(this::forget, "faultline-autosave").start();
+    }
+
+    private void forget() {
+        try {
+            recovery.forget();
+        } catch (IOException why) {
+            LOG.log(Level.WARNING, "kept edits cannot be taken away", why);
+        }
+    }
+}

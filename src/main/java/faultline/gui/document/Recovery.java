@@ -1,0 +1,111 @@
+package faultline.gui.document;
+
+import faultline.scenario.AtomicFile;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * A folder where each running window keeps its unsaved scenario under its process's number; what is there of a process that is gone was left by a
+ * crash. All of it is slow, and for other threads than the event dispatch thread.
+ */
+public final class Recovery {
+
+    private static final String SCENARIO = ".xml";
+    private static final String ORIGIN = ".origin";
+
+    private final Path folder;
+    private final long process;
+
+    /**
+     * Unsaved edits that a crash has left.
+     *
+     * @param kept where they are kept now
+     * @param origin the file that was edited, empty for a scenario without one
+     * @param scenario as it was
+     */
+    public record Rescue(Path kept, Optional<Path> origin, Scenario scenario) {
+    }
+
+    Recovery(Path folder, long process) {
+        this.folder = folder;
+        this.process = process;
+    }
+
+    /**
+     * The recovery of this process in the user's home.
+     *
+     * @return nothing is written yet
+     */
+    public static Recovery ofUser() {
+        return new Recovery(Path.of(System.getProperty("user.home"), ".faultline", "recovery"), ProcessHandle.current().pid());
+    }
+
+    void keep(Optional<Path> origin, Scenario scenario) throws IOException {
+        Files.createDirectories(folder);
+        write(folder.resolve(process + ORIGIN), origin.map(file -> file.toAbsolutePath().toString()).orElse("").getBytes(StandardCharsets.UTF_8));
+        write(folder.resolve(process + SCENARIO), scenario.toBytes());
+    }
+
+    private static void write(Path file, byte[] bytes) throws IOException {
+        try (AtomicFile out = AtomicFile.create(file)) {
+            out.stream().write(bytes);
+            out.commit();
+        }
+    }
+
+    /** Nothing is unsaved any more. */
+    void forget() throws IOException {
+        forget(folder.resolve(process + SCENARIO));
+    }
+
+    /**
+     * Takes away what was left.
+     *
+     * @param kept where
+     * @throws IOException if it cannot be taken away
+     */
+    public void forget(Path kept) throws IOException {
+        Files.deleteIfExists(kept);
+        Files.deleteIfExists(origin(kept));
+    }
+
+    private static Path origin(Path kept) {
+        return kept.resolveSibling(kept.getFileName().toString().replace(SCENARIO, ORIGIN));
+    }
+
+    /**
+     * What a process that is gone has left.
+     *
+     * @return empty where there is nothing, or nothing that can be read
+     * @throws IOException if the folder cannot be looked at
+     */
+    public Optional<Rescue> left() throws IOException {
+        if (Files.notExists(folder)) {
+            return Optional.empty();
+        }
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.filter(file -> file.getFileName().toString().matches("\\d+\\.xml")).filter(Recovery::isOrphan).sorted()
+                    .flatMap(file -> rescue(file).stream()).findFirst();
+        }
+    }
+
+    private static boolean isOrphan(Path kept) {
+        long owner = Long.parseLong(kept.getFileName().toString().replace(SCENARIO, ""));
+        return ProcessHandle.of(owner).isEmpty();
+    }
+
+    private static Optional<Rescue> rescue(Path kept) {
+        try {
+            String origin = Files.readString(origin(kept));
+            return Optional.of(new Rescue(kept, origin.isEmpty() ? Optional.empty() : Optional.of(Path.of(origin)), Scenario.load(kept)));
+        } catch (IOException | ScenarioException unreadable) {
+            return Optional.empty();
+        }
+    }
+}

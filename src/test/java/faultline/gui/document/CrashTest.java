@@ -1,0 +1,180 @@
+package faultline.gui.document;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Pose;
+import faultline.gui.Patience;
+import faultline.scenario.Scenario;
+import faultline.world.Command;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What becomes of edits when the program dies, when they are given up, and when somebody else writes the file. */
+class CrashTest {
+
+    /** No process has such a number. */
+    private static final long DEAD = Integer.MAX_VALUE - 7;
+    private static final Pose ELSEWHERE = new Pose(2, 3, 0);
+
+    @TempDir
+    private Path folder;
+    private Path file;
+    private Bench bench;
+    private final List<Path> told = new ArrayList<>();
+
+    @BeforeEach
+    void openAFile() throws IOException {
+        file = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("room.xml"));
+        bench = onEdt(() -> new Bench(new Quiet()));
+        edt(() -> bench.open(file));
+        waitForTheFile();
+    }
+
+    @AfterEach
+    void close() {
+        edt(bench::close);
+    }
+
+    @Test
+    void unsavedEditsOutliveACrashAndAreStillUnsavedThen() throws IOException {
+        edit();
+        Scenario edited = onEdt(() -> bench.scenario().orElseThrow());
+        Recovery dying = new Recovery(folder.resolve("kept"), DEAD);
+        autosave(dying);
+        Patience.waitFor("the kept edits", () -> dying.left().isPresent());
+        Recovery.Rescue rescue = new Recovery(folder.resolve("kept"), ProcessHandle.current().pid()).left().orElseThrow();
+        assertEquals(Optional.of(file.toAbsolutePath()), rescue.origin());
+        assertEquals(edited, rescue.scenario());
+        edt(() -> bench.recover(rescue));
+        Patience.waitFor("the edits", () -> bench.scenario().equals(Optional.of(edited)) && bench.saved().isEmpty());
+        assertTrue(onEdt(bench::isChanged));
+        assertEquals(rescue.origin(), onEdt(bench::file));
+    }
+
+    @Test
+    void theEditsOfAWindowThatStillRunsAreNotOffered() throws IOException {
+        Recovery own = new Recovery(folder.resolve("kept"), ProcessHandle.current().pid());
+        own.keep(Optional.empty(), onEdt(() -> bench.scenario().orElseThrow()));
+        assertEquals(Optional.empty(), own.left());
+    }
+
+    @Test
+    void savedEditsAreKeptNoLonger() {
+        Recovery dying = new Recovery(folder.resolve("kept"), DEAD);
+        edit();
+        Autosave autosave = autosave(dying);
+        Patience.waitFor("the kept edits", () -> dying.left().isPresent());
+        edt(() -> bench.save(file, autosave::keep));
+        Patience.waitFor("nothing to be kept", () -> dying.left().isEmpty());
+    }
+
+    @Test
+    void aWindowThatClosesInGoodOrderLeavesNothing() {
+        Recovery dying = new Recovery(folder.resolve("kept"), DEAD);
+        edit();
+        Autosave autosave = autosave(dying);
+        Patience.waitFor("the kept edits", () -> dying.left().isPresent());
+        edt(autosave::close);
+        Patience.waitFor("an empty folder", () -> {
+            try (Stream<Path> left = Files.list(folder.resolve("kept"))) {
+                return left.findAny().isEmpty();
+            }
+        });
+    }
+
+    @Test
+    void revertingGivesEditsUp() {
+        Scenario before = onEdt(() -> bench.scenario().orElseThrow());
+        edit();
+        edt(bench::revert);
+        Patience.waitFor("the scenario as it was", () -> bench.scenario().equals(Optional.of(before)));
+        assertFalse(onEdt(bench::isChanged));
+    }
+
+    @Test
+    void anotherScenarioInTheFileIsToldOnce() throws IOException {
+        FileWatch watch = onEdt(() -> new FileWatch(bench, told::add));
+        look(watch, 3);
+        assertEquals(List.of(), told);
+        rewrite(Files.readString(file).replaceFirst("seed=\"\\d+\"", "").replaceFirst("<scenario ", "<scenario seed=\"4711\" "));
+        look(watch, 1);
+        assertEquals(List.of(), told, "the file may still be growing");
+        look(watch, 4);
+        assertEquals(List.of(file), told);
+        edt(watch::close);
+    }
+
+    @Test
+    void theSameScenarioWrittenOtherwiseIsNotTold() throws IOException {
+        FileWatch watch = onEdt(() -> new FileWatch(bench, told::add));
+        rewrite(Files.readString(file).replace("\n", "\n\n"));
+        look(watch, 4);
+        assertEquals(List.of(), told);
+        rewrite("<scenario");
+        look(watch, 4);
+        assertEquals(List.of(), told, "half a file is not told");
+        edt(watch::close);
+    }
+
+    private void rewrite(String text) throws IOException {
+        Files.writeString(file, text);
+        Files.setLastModifiedTime(file, FileTime.fromMillis(Files.getLastModifiedTime(file).toMillis() + 5000));
+    }
+
+    private static void look(FileWatch watch, int times) {
+        for (int i = 0; i < times; i++) {
+            edt(watch::look);
+            Patience.waitFor("the end of a look", () -> !watch.isLooking());
+        }
+    }
+
+    private Autosave autosave(Recovery recovery) {
+        Autosave autosave = onEdt(() -> new Autosave(bench, recovery));
+        edt(autosave::keep);
+        return autosave;
+    }
+
+    private void edit() {
+        edt(() -> bench.send(new Command.MoveObstacle("pole", ELSEWHERE)));
+        Patience.waitFor("the edit", () -> {
+            bench.frame();
+            return bench.isChanged();
+        });
+    }
+
+    private void waitForTheFile() {
+        Patience.waitFor("the scenario", () -> bench.scenario().isPresent());
+    }
+
+    /** Nothing here fails. */
+    private static final class Quiet implements Bench.Listener {
+        @Override
+        public void begun() {
+            // Asked for.
+        }
+
+        @Override
+        public void renamed() {
+            // Asked for.
+        }
+
+        @Override
+        public void failed(Bench.Task what, Path with, Throwable why) {
+            throw new AssertionError(why);
+        }
+    }
+}
