@@ -1,5 +1,6 @@
 package faultline.gui;
 
+import faultline.gui.document.Recovery;
 import faultline.gui.window.SimulatorFrame;
 import faultline.gui.window.UncaughtDialog;
 import faultline.gui.window.WindowMemory;
@@ -32,5 +33,9 @@ public final class GuiLauncher {
         SimulatorFrame window = new SimulatorFrame(memory);
         window.setVisible(true);
         file.ifPresentOrElse(window::open, () -> window.openShipped(DEFAULT));
+        if (file.isEmpty() && memory.galleryAtStart()) {
+            window.showExamples();
+        }
+        window.recover(Recovery.ofUser());
     }
 }

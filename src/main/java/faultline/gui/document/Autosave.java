@@ -19,6 +19,7 @@ public final class Autosave implements AutoCloseable {
     private final Recovery recovery;
     private final Timer timer = new Timer(PERIOD_MILLIS, event -> keep());
     private Optional<Scenario> kept = Optional.empty();
+    private boolean certain;
 
     /**
      * Begins to keep edits.
@@ -36,8 +37,9 @@ public final class Autosave implements AutoCloseable {
     /** Keeps what is unsaved now, or forgets what was, unless that is done already. */
     void keep() {
         Optional<Scenario> unsaved = bench.scenario().filter(scenario -> bench.isChanged());
-        if (!unsaved.equals(kept)) {
+        if (!certain || !unsaved.equals(kept)) {
             kept = unsaved;
+            certain = true;
             Optional<Path> origin = bench.file();
             Background.run(() -> {
                 write(origin, unsaved);

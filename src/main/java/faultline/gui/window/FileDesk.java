@@ -5,6 +5,7 @@ import static faultline.gui.action.Keystrokes.menuShift;
 
 import faultline.gui.action.UiAction;
 import faultline.gui.document.Bench;
+import faultline.gui.document.Recovery;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
 import java.awt.Component;
@@ -28,6 +29,7 @@ final class FileDesk {
 
     void addTo(UiActions actions, Runnable quit) {
         actions.add(UiAction.of("open", this::open).on(menu(KeyEvent.VK_O)).drawn(Glyph.OPEN));
+        actions.add(UiAction.of("revert", this::revert));
         actions.add(UiAction.of("save", this::save).on(menu(KeyEvent.VK_S)).drawn(Glyph.SAVE));
         actions.add(UiAction.of("saveAs", () -> saveAs(FileDesk::nothing)).on(menuShift(KeyEvent.VK_S)));
         actions.add(UiAction.of("saveJournal", this::saveJournal));
@@ -44,6 +46,35 @@ final class FileDesk {
     /** Opens a file that was dropped on the window. */
     void open(Path file) {
         unlessLost(() -> bench.open(file));
+    }
+
+    /** Opens a scenario that ships with the program. */
+    void openShipped(String name) {
+        unlessLost(() -> bench.openShipped(name));
+    }
+
+    private void revert() {
+        if (bench.isChanged() && questions.ask("revert", Texts.text("revert.question"), "revert.revert", "unsaved.cancel")) {
+            bench.revert();
+        }
+    }
+
+    /** Somebody else has changed the open file: it is read again only if the user wants it. */
+    void changedOnDisk(Path file) {
+        String question = Texts.text(bench.isChanged() ? "changed.questionUnsaved" : "changed.question", String.valueOf(file.getFileName()));
+        if (questions.ask("changed", question, "changed.reload", "changed.keep")) {
+            bench.open(file);
+        }
+    }
+
+    /** Offers what a crash has left; says whether it was taken. */
+    boolean offer(Recovery.Rescue rescue) {
+        String name = rescue.origin().map(file -> String.valueOf(file.getFileName())).orElse(rescue.scenario().name());
+        boolean wanted = questions.ask("recover", Texts.text("recover.question", name), "recover.recover", "recover.discard");
+        if (wanted) {
+            bench.recover(rescue);
+        }
+        return wanted;
     }
 
     private void save() {

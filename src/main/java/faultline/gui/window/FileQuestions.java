@@ -59,6 +59,13 @@ final class FileQuestions {
         return name.contains(".") ? file : file.resolveSibling(name + "." + extension);
     }
 
+    /** Asks a question with two answers, each given by its key; says whether the first was given. */
+    boolean ask(String key, String question, String yes, String no) {
+        String[] answers = {Texts.text(yes), Texts.text(no)};
+        return JOptionPane.showOptionDialog(parent, question, Texts.text(key + ".title"), JOptionPane.DEFAULT_OPTION, JOptionPane.QUESTION_MESSAGE,
+                null, answers, answers[0]) == 0;
+    }
+
     private boolean mayReplace(Path file) {
         if (!Files.exists(file)) {
             return true;

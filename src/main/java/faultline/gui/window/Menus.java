@@ -33,7 +33,7 @@ final class Menus {
     }
 
     private JMenu file() {
-        JMenu file = menu("file", "open", RULE, "save", "saveAs", "saveJournal", RULE);
+        JMenu file = menu("file", "open", "examples", "revert", RULE, "save", "saveAs", "saveJournal", RULE);
         file.add(menu("export", "exportPng", "exportSvg", "exportGif", "exportCsv", RULE, "exportDark"));
         fill(file, "copyPicture", "print", RULE, "quit");
         return file;

@@ -1,15 +1,23 @@
 package faultline.gui.window;
 
+import faultline.gui.action.Keystrokes;
+import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.document.Autosave;
 import faultline.gui.document.Bench;
+import faultline.gui.document.FileWatch;
+import faultline.gui.document.Recovery;
+import faultline.gui.document.Rescuer;
 import faultline.gui.edit.EditDesk;
 import faultline.gui.export.ExportDesk;
+import faultline.gui.gallery.Gallery;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
+import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
@@ -37,6 +45,7 @@ public final class SimulatorFrame extends JFrame {
     private final transient RunActions runActions;
     private final transient WindowMemory memory;
     private final WorkArea area;
+    private final transient FileWatch watch;
     private final Timer poll = new Timer(POLL_MILLIS, event -> poll());
 
     /**
@@ -52,6 +61,7 @@ public final class SimulatorFrame extends JFrame {
         addActions();
         area = new WorkArea(canvas, edits::send, actions, speed);
         setJMenuBar(Menus.of(actions));
+        getJMenuBar().getMenu(0).insert(new RecentMenu(memory.recent(), files::open), 1);
         setContentPane(area);
         setIconImages(AppIcon.images());
         setTransferHandler(new FileDrop(files::open));
@@ -59,10 +69,12 @@ public final class SimulatorFrame extends JFrame {
         setMinimumSize(LEAST);
         placeWindow();
         closeWithQuestion();
+        watch = new FileWatch(bench, files::changedOnDisk);
     }
 
     private void addActions() {
         files.addTo(actions, this::quit);
+        actions.add(UiAction.of("examples", this::showExamples).on(Keystrokes.menuShift(KeyEvent.VK_O)));
         editActions.addTo(actions);
         editActions.bindTo(getRootPane());
         new ExportDesk(this, bench, canvas, files::fileFor).actions().forEach(actions::add);
@@ -118,6 +130,7 @@ public final class SimulatorFrame extends JFrame {
     @Override
     public void dispose() {
         poll.stop();
+        watch.close();
         bench.close();
         super.dispose();
     }
@@ -140,6 +153,27 @@ public final class SimulatorFrame extends JFrame {
         bench.openShipped(name);
     }
 
+    /** Shows the examples that ship with the program, in front of the window. */
+    public void showExamples() {
+        new Gallery(this, files::openShipped, memory.galleryAtStart(), memory::keepGalleryAtStart).setVisible(true);
+    }
+
+    /**
+     * Keeps unsaved edits from now on where a crash cannot reach them, and offers those that an earlier crash has left, soon.
+     *
+     * @param recovery where
+     */
+    public void recover(Recovery recovery) {
+        Autosave autosave = new Autosave(bench, recovery);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent event) {
+                autosave.close();
+            }
+        });
+        Rescuer.start(recovery, files::offer);
+    }
+
     private void setTheme(Theme theme) {
         theme.install();
         actions.get("dark").drawn(theme == Theme.DARK ? Glyph.SUN : Glyph.MOON);
@@ -160,11 +194,13 @@ public final class SimulatorFrame extends JFrame {
         @Override
         public void opened() {
             edits.forget();
+            bench.file().ifPresent(memory.recent()::add);
         }
 
         @Override
         public void saved() {
             edits.seal();
+            bench.file().ifPresent(memory.recent()::add);
         }
 
         @Override
@@ -180,6 +216,9 @@ public final class SimulatorFrame extends JFrame {
 
         @Override
         public void failed(Bench.Task what, Path file, Throwable why) {
+            if (what == Bench.Task.OPEN) {
+                memory.recent().remove(file);
+            }
             dialogs.failed(what, file, why);
         }
     }

@@ -11,6 +11,8 @@ public final class WindowMemory {
     private static final String THEME = "theme";
     private static final String BOUNDS = "bounds";
     private static final String DIVIDER = "divider";
+    private static final String GALLERY = "gallery";
+    private static final String HIDDEN = "hidden";
 
     private final Store store;
 
@@ -81,6 +83,23 @@ public final class WindowMemory {
 
     void keepTheme(Theme theme) {
         store.put(THEME, theme.name());
+    }
+
+    /**
+     * Whether the examples show at start.
+     *
+     * @return true until the user has said no
+     */
+    public boolean galleryAtStart() {
+        return !store.get(GALLERY).equals(HIDDEN);
+    }
+
+    void keepGalleryAtStart(boolean shown) {
+        store.put(GALLERY, shown ? "" : HIDDEN);
+    }
+
+    RecentFiles recent() {
+        return new RecentFiles(store);
     }
 
     /** Where the window was, empty where nobody knows. */

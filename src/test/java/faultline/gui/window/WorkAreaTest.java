@@ -9,6 +9,7 @@ import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
 import faultline.engine.Session;
 import faultline.gui.Components;
+import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
 import faultline.gui.edit.EditDesk;
@@ -69,6 +70,8 @@ class WorkAreaTest {
             new EditActions(new EditDesk(bench::send, () -> {
             })).addTo(actions);
             new ExportDesk(canvas, bench, canvas, files::fileFor).actions().forEach(actions::add);
+            actions.add(UiAction.of("examples", () -> {
+            }));
             ViewActions.addTo(actions, canvas, theme -> {
             });
             new RunActions(bench, speed).addTo(actions, sensor -> {

@@ -1,0 +1,44 @@
+package faultline.gui.document;
+
+import java.io.IOException;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+
+/** Looks for what a crash has left, and offers it. */
+public final class Rescuer {
+
+    private static final Logger LOG = Logger.getLogger(Rescuer.class.getName());
+
+    private Rescuer() {
+    }
+
+    /**
+     * Looks, soon. What is offered is taken away afterwards: if it was taken, the window that has it keeps it under its own number.
+     *
+     * @param recovery where to look
+     * @param offer asks the user, on the event dispatch thread
+     */
+    public static void start(Recovery recovery, Predicate<Recovery.Rescue> offer) {
+        Background.run(recovery::left, left -> left.ifPresent(rescue -> offer(recovery, rescue, offer)), Rescuer::failed);
+    }
+
+    private static void offer(Recovery recovery, Recovery.Rescue rescue, Predicate<Recovery.Rescue> offer) {
+        boolean taken = offer.test(rescue);
+        Background.run(() -> settle(recovery, rescue, taken), done -> {
+        }, Rescuer::failed);
+    }
+
+    private static Optional<Recovery.Rescue> settle(Recovery recovery, Recovery.Rescue rescue, boolean taken) throws IOException {
+        if (taken) {
+            recovery.keep(rescue.origin(), rescue.scenario());
+        }
+        recovery.forget(rescue.kept());
+        return Optional.of(rescue);
+    }
+
+    private static void failed(Throwable why) {
+        LOG.log(Level.WARNING, "what a crash has left cannot be read", why);
+    }
+}

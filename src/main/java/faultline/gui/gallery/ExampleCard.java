@@ -1,0 +1,72 @@
+package faultline.gui.gallery;
+
+import faultline.gui.theme.Smooth;
+import faultline.gui.theme.Theme;
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.RenderingHints;
+import java.util.Optional;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.ListCellRenderer;
+
+/** An example in the gallery: its picture, and its title below. */
+final class ExampleCard extends JPanel implements ListCellRenderer<Example> {
+
+    static final Dimension SIZE = new Dimension(Example.WIDTH + 28, Example.HEIGHT + 54);
+
+    private final JLabel title = new JLabel("", JLabel.CENTER);
+    private transient Optional<Example> example = Optional.empty();
+    private boolean chosen;
+
+    ExampleCard() {
+        super(new BorderLayout(0, 6));
+        setBorder(BorderFactory.createEmptyBorder(14, 14, 8, 14));
+        add(new Picture(), BorderLayout.CENTER);
+        add(title, BorderLayout.SOUTH);
+    }
+
+    @Override
+    public Component getListCellRendererComponent(JList<? extends Example> list, Example value, int index, boolean selected, boolean focused) {
+        example = Optional.of(value);
+        chosen = selected;
+        title.setText(value.title());
+        title.setForeground(selected ? Theme.now().onAccent() : Theme.now().text());
+        setBackground(list.getBackground());
+        setToolTipText(value.description());
+        getAccessibleContext().setAccessibleName(value.title());
+        getAccessibleContext().setAccessibleDescription(value.description());
+        return this;
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        super.paintComponent(graphics);
+        if (chosen) {
+            Smooth.paint(graphics, g -> {
+                g.setColor(Theme.now().accent());
+                g.fillRoundRect(4, 4, getWidth() - 8, getHeight() - 8, 12, 12);
+            });
+        }
+    }
+
+    /** The picture, as fine as the screen is. */
+    private final class Picture extends JComponent {
+        @Override
+        protected void paintComponent(Graphics graphics) {
+            Smooth.paint(graphics, g -> {
+                g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
+                example.ifPresent(shown -> g.drawImage(shown.picture(), 0, 0, getWidth(), getHeight(), null));
+                Color edge = chosen ? Theme.now().onAccent() : Theme.now().line();
+                g.setColor(edge);
+                g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
+            });
+        }
+    }
+}

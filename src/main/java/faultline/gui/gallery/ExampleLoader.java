@@ -1,0 +1,60 @@
+package faultline.gui.gallery;
+
+import faultline.paint.Palette;
+import faultline.scenario.ScenarioException;
+import faultline.scenario.ShippedScenarios;
+import java.io.IOException;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import javax.swing.SwingWorker;
+
+/** Reads the examples and takes their pictures off the event dispatch thread, one by one. */
+final class ExampleLoader extends SwingWorker<Void, Example> {
+
+    /** Shown first, because it has a bit of everything. */
+    private static final String FIRST = "office.xml";
+
+    private final Palette palette;
+    private final Consumer<Example> loaded;
+    private final Consumer<Throwable> failed;
+
+    ExampleLoader(Palette palette, Consumer<Example> loaded, Consumer<Throwable> failed) {
+        this.palette = palette;
+        this.loaded = loaded;
+        this.failed = failed;
+    }
+
+    @Override
+    protected Void doInBackground() throws IOException, ScenarioException {
+        List<String> names = ShippedScenarios.names();
+        for (String name : Stream.concat(Stream.of(FIRST), names.stream().filter(name -> !name.equals(FIRST))).toList()) {
+            if (isCancelled()) {
+                break;
+            }
+            publish(Example.of(name, palette));
+        }
+        return null;
+    }
+
+    @Override
+    protected void process(List<Example> examples) {
+        if (!isCancelled()) {
+            examples.forEach(loaded);
+        }
+    }
+
+    @Override
+    protected void done() {
+        try {
+            if (!isCancelled()) {
+                get();
+            }
+        } catch (ExecutionException broken) {
+            failed.accept(broken.getCause());
+        } catch (InterruptedException broken) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

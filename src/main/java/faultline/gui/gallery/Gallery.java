@@ -1,0 +1,153 @@
+package faultline.gui.gallery;
+
+import faultline.gui.text.Texts;
+import faultline.gui.theme.Theme;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.FlowLayout;
+import java.awt.Window;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.BorderFactory;
+import javax.swing.DefaultListModel;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.ScrollPaneConstants;
+
+/** A window of examples to choose from; the window behind it stays in use. */
+public final class Gallery extends JDialog {
+
+    private static final int COLUMNS = 3;
+    private static final int HEIGHT = 470;
+
+    private final DefaultListModel<Example> examples = new DefaultListModel<>();
+    private final JList<Example> list = new JList<>(examples);
+    private final JTextArea description = new JTextArea(2, 20);
+    private final transient Consumer<String> opener;
+    private final transient ExampleLoader loader;
+
+    /**
+     * A gallery, not yet shown, whose pictures come one by one.
+     *
+     * @param owner the window behind it
+     * @param opener gets the name of the file that is chosen
+     * @param atStart whether the gallery shows at start
+     * @param atStartChanged told how that stands from now on
+     */
+    public Gallery(Window owner, Consumer<String> opener, boolean atStart, Consumer<Boolean> atStartChanged) {
+        super(owner, Texts.text("gallery.title"), ModalityType.MODELESS);
+        assert EventQueue.isDispatchThread();
+        this.opener = opener;
+        JPanel content = new JPanel(new BorderLayout(0, 12));
+        content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
+        content.add(heading(), BorderLayout.NORTH);
+        content.add(scroll(), BorderLayout.CENTER);
+        content.add(foot(atStart, atStartChanged), BorderLayout.SOUTH);
+        setContentPane(content);
+        getRootPane().registerKeyboardAction(event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        pack();
+        setLocationRelativeTo(owner);
+        loader = new ExampleLoader(Theme.current().palette(), this::add, this::failed);
+        loader.execute();
+    }
+
+    private static JLabel heading() {
+        return new JLabel(Texts.text("gallery.heading"));
+    }
+
+    private JScrollPane scroll() {
+        list.setLayoutOrientation(JList.HORIZONTAL_WRAP);
+        list.setVisibleRowCount(0);
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        list.setCellRenderer(new ExampleCard());
+        list.setFixedCellWidth(ExampleCard.SIZE.width);
+        list.setFixedCellHeight(ExampleCard.SIZE.height);
+        list.getAccessibleContext().setAccessibleName(Texts.text("gallery.title"));
+        list.addListSelectionListener(event -> description.setText(chosen().map(Example::description).orElse("")));
+        list.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                if (event.getClickCount() == 2) {
+                    open();
+                }
+            }
+        });
+        JScrollPane scroll = new JScrollPane(list, ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        scroll.getVerticalScrollBar().setUnitIncrement(ExampleCard.SIZE.height / 4);
+        scroll.setPreferredSize(new Dimension(COLUMNS * ExampleCard.SIZE.width + scroll.getVerticalScrollBar().getPreferredSize().width + 4, HEIGHT));
+        return scroll;
+    }
+
+    private JPanel foot(boolean atStart, Consumer<Boolean> atStartChanged) {
+        description.setLineWrap(true);
+        description.setWrapStyleWord(true);
+        description.setEditable(false);
+        description.setFocusable(false);
+        description.setOpaque(false);
+        description.getAccessibleContext().setAccessibleName(Texts.text("gallery.description"));
+        JCheckBox again = new JCheckBox(Texts.text("gallery.atStart"), atStart);
+        again.addActionListener(event -> atStartChanged.accept(again.isSelected()));
+        JPanel row = new JPanel(new BorderLayout());
+        row.add(again, BorderLayout.LINE_START);
+        row.add(buttons(), BorderLayout.LINE_END);
+        JPanel foot = new JPanel(new BorderLayout(0, 8));
+        foot.add(description, BorderLayout.CENTER);
+        foot.add(row, BorderLayout.SOUTH);
+        return foot;
+    }
+
+    private JPanel buttons() {
+        JButton open = new JButton(Texts.text("gallery.open"));
+        open.setEnabled(false);
+        open.addActionListener(event -> open());
+        list.addListSelectionListener(event -> open.setEnabled(chosen().isPresent()));
+        JButton close = new JButton(Texts.text("dialog.close"));
+        close.addActionListener(event -> dispose());
+        getRootPane().setDefaultButton(open);
+        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));
+        buttons.add(open);
+        buttons.add(close);
+        return buttons;
+    }
+
+    private Optional<Example> chosen() {
+        return Optional.ofNullable(list.getSelectedValue());
+    }
+
+    private void open() {
+        chosen().ifPresent(example -> {
+            dispose();
+            opener.accept(example.file());
+        });
+    }
+
+    private void add(Example example) {
+        examples.addElement(example);
+        if (examples.size() == 1) {
+            list.setSelectedIndex(0);
+        }
+    }
+
+    private void failed(Throwable why) {
+        description.setText(Texts.text("gallery.failed", String.valueOf(why.getMessage())));
+    }
+
+    /** Ends the taking of pictures too. */
+    @Override
+    public void dispose() {
+        loader.cancel(false);
+        super.dispose();
+    }
+}
