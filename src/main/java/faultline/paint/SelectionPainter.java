@@ -2,14 +2,18 @@ package faultline.paint;
 
 import faultline.geometry.Pose;
 import faultline.geometry.RigidMotion;
+import faultline.geometry.Sector;
 import faultline.geometry.Vec;
+import faultline.robot.RobotSpec;
 import faultline.world.Obstacle;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
+import java.util.List;
 
 /**
  * Paints the selected obstacle's outline and the handle that turns it, and while a hand moves it, where it is wanted and by what
@@ -20,8 +24,13 @@ public final class SelectionPainter {
     /** The radius of the handle, pixels. */
     public static final double HANDLE_RADIUS = 6;
 
+    private static final double SQUARE = 7;
+    /** How far along a cone's edge its handle is. */
+    private static final double EDGE_HANDLE = 0.75;
+    private static final int BAND_ALPHA = 30;
     private static final double HANDLE_STALK = 24;
     private static final Stroke OUTLINE = Brush.solid(2);
+    private static final Stroke KNOB = Brush.solid(1.4);
     private static final Stroke WANTED = Brush.dashed(1.6, 5, 4);
     private static final double VALUES_GAP = 26;
     private static final double VALUES_PADDING = 8;
@@ -49,33 +58,131 @@ public final class SelectionPainter {
     }
 
     /**
-     * Paints the outline and the handle of the selected obstacle.
+     * Paints the outline of a selected obstacle.
      *
      * @param brush where to
      * @param obstacle the obstacle as it stands
      */
-    public static void paint(Brush brush, Obstacle obstacle) {
+    public static void paintOutline(Brush brush, Obstacle obstacle) {
         brush.draw(outline(brush, obstacle), brush.palette().accent(), OUTLINE);
+    }
+
+    /**
+     * Paints the handles of the only selected obstacle.
+     *
+     * @param brush where to
+     * @param obstacle the obstacle as it stands
+     * @param places of the handles that change its size, metres
+     */
+    public static void paintHandles(Brush brush, Obstacle obstacle, List<Vec> places) {
         Vec foot = stalk(brush.camera(), obstacle, 0);
         Vec handle = handle(brush.camera(), obstacle);
         brush.draw(new Line2D.Double(foot.x(), foot.y(), handle.x(), handle.y()), brush.palette().accent(), Brush.solid(1.4));
-        Shape knob = new Ellipse2D.Double(handle.x() - HANDLE_RADIUS, handle.y() - HANDLE_RADIUS, 2 * HANDLE_RADIUS, 2 * HANDLE_RADIUS);
+        knob(brush, new Ellipse2D.Double(handle.x() - HANDLE_RADIUS, handle.y() - HANDLE_RADIUS, 2 * HANDLE_RADIUS, 2 * HANDLE_RADIUS));
+        places.stream().map(brush.camera()::toScreen).forEach(place -> square(brush, place));
+    }
+
+    /** A square about a place of the picture. */
+    private static void square(Brush brush, Vec place) {
+        knob(brush, new Rectangle2D.Double(place.x() - SQUARE / 2, place.y() - SQUARE / 2, SQUARE, SQUARE));
+    }
+
+    private static void knob(Brush brush, Shape knob) {
         brush.fill(knob, brush.palette().canvas());
-        brush.draw(knob, brush.palette().accent(), OUTLINE);
+        brush.draw(knob, brush.palette().accent(), KNOB);
+    }
+
+    /**
+     * Paints the outline of the selected sensor's cone, with handles on its rim and its edges.
+     *
+     * @param brush where to
+     * @param sector the cone
+     */
+    public static void paintCone(Brush brush, Sector sector) {
+        ScreenSector cone = ScreenSector.of(brush.camera(), sector);
+        brush.draw(cone.outline(), brush.palette().accent(), OUTLINE);
+        square(brush, cone.at(0.5, cone.radius()));
+        square(brush, cone.at(0, cone.radius() * EDGE_HANDLE));
+        square(brush, cone.at(1, cone.radius() * EDGE_HANDLE));
     }
 
     /**
      * Paints where a hand wants an obstacle, which the world need not have done yet.
      *
      * @param brush where to
-     * @param obstacle the obstacle
-     * @param wanted its wanted pose
-     * @param values what the hand is changing, such as {@code x 1.20 m}
+     * @param there the obstacle as it is wanted
+     * @param blocked whether it cannot be there
      */
-    public static void paintWanted(Brush brush, Obstacle obstacle, Pose wanted, String values) {
-        Obstacle there = obstacle.at(wanted);
-        brush.draw(outline(brush, there), brush.palette().accent(), WANTED);
-        Rectangle2D bounds = outline(brush, there).getBounds2D();
+    public static void paintWanted(Brush brush, Obstacle there, boolean blocked) {
+        paintWanted(brush, outline(brush, there), blocked);
+    }
+
+    /**
+     * Paints where a hand wants the robot.
+     *
+     * @param brush where to
+     * @param robot the robot
+     * @param pose its wanted pose
+     * @param blocked whether it cannot be there
+     */
+    public static void paintRobot(Brush brush, RobotSpec robot, Pose pose, boolean blocked) {
+        RobotPainter.paint(brush, robot, pose);
+        Shape platform = new Rectangle2D.Double(-robot.length() / 2, -robot.width() / 2, robot.length(), robot.width());
+        paintWanted(brush, brush.onScreen(platform, RigidMotion.to(pose)), blocked);
+    }
+
+    /** What cannot be is crossed out besides, because a colour alone says nothing to some. */
+    private static void paintWanted(Brush brush, Shape outline, boolean blocked) {
+        brush.draw(outline, blocked ? brush.palette().hit() : brush.palette().accent(), WANTED);
+        if (blocked) {
+            Rectangle2D box = outline.getBounds2D();
+            brush.draw(new Line2D.Double(box.getMinX(), box.getMinY(), box.getMaxX(), box.getMaxY()), brush.palette().hit(), OUTLINE);
+            brush.draw(new Line2D.Double(box.getMinX(), box.getMaxY(), box.getMaxX(), box.getMinY()), brush.palette().hit(), OUTLINE);
+        }
+    }
+
+    /**
+     * Paints points that are being drawn, joined by lines.
+     *
+     * @param brush where to
+     * @param points metres, in the world, at least one; the last is under the mouse
+     * @param closed whether the last is joined to the first
+     */
+    public static void paintSketch(Brush brush, List<Vec> points, boolean closed) {
+        List<Vec> places = points.stream().map(brush.camera()::toScreen).toList();
+        Path2D line = ObstacleOutlines.through(places);
+        if (closed) {
+            line.closePath();
+        }
+        brush.draw(line, brush.palette().accent(), WANTED);
+        places.forEach(place -> square(brush, place));
+    }
+
+    /**
+     * Paints a rubber band.
+     *
+     * @param brush where to
+     * @param from where it began, pixels
+     * @param to where it is, pixels
+     */
+    public static void paintBand(Brush brush, Vec from, Vec to) {
+        Rectangle2D band = new Rectangle2D.Double();
+        band.setFrameFromDiagonal(from.x(), from.y(), to.x(), to.y());
+        brush.fill(band, Palette.translucent(brush.palette().accent(), BAND_ALPHA));
+        brush.draw(band, brush.palette().accent(), KNOB);
+    }
+
+    /**
+     * Paints what a hand is changing, in words: below the obstacles that it changes, or else beside the mouse.
+     *
+     * @param brush where to
+     * @param values such as {@code x 1.20 m}
+     * @param there the obstacles as they are wanted
+     * @param mouse pixels
+     */
+    public static void paintValues(Brush brush, String values, List<Obstacle> there, Vec mouse) {
+        Rectangle2D bounds = there.stream().map(obstacle -> outline(brush, obstacle).getBounds2D()).reduce(Rectangle2D::createUnion)
+                .orElse(new Rectangle2D.Double(mouse.x(), mouse.y(), 0, 0));
         paintValues(brush, values, bounds.getCenterX(), bounds.getMaxY() + VALUES_GAP);
     }
 

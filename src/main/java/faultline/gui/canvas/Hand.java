@@ -1,10 +1,8 @@
 package faultline.gui.canvas;
 
 import faultline.geometry.Vec;
+import faultline.gui.edit.Snap;
 import faultline.paint.Brush;
-import faultline.paint.Camera;
-import faultline.paint.SelectionPainter;
-import faultline.world.Obstacle;
 import java.awt.Cursor;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -13,32 +11,27 @@ import java.util.Optional;
 import javax.swing.SwingUtilities;
 
 /**
- * What the mouse does. The wheel zooms on the cursor. The left button moves an obstacle, turns the selected one by its handle, and
- * pans where nothing is; the right button, or the left one with Ctrl, turns; the middle button pans anywhere. A click selects.
+ * What the mouse does. The wheel zooms on the cursor and the middle button pans. The left button does what the tool does, or else what {@link Grips}
+ * finds: it moves, turns, resizes, selects, and pans where nothing is. The right button turns, or asks for a menu.
  */
 final class Hand extends MouseAdapter {
 
     /** One notch of the wheel zooms by this factor. */
     private static final double NOTCH = 1.15;
 
-    private final Scene scene;
     private final Viewpoint viewpoint;
-    private final ObstacleMover mover;
+    private final Grips grips;
+    private final Watchers watchers;
     private final Watched<Optional<Vec>> cursor = new Watched<>(Optional.empty());
-    private Optional<DragInProgress> drag = Optional.empty();
-    private Optional<Pan> pan = Optional.empty();
+    private final Watched<Optional<Tool>> tool = new Watched<>(Optional.empty());
+    private Optional<Hold> hold = Optional.empty();
+    private Vec pressed = Vec.ZERO;
+    private Snap snap = Snap.NONE;
 
-    /** A pan from where the button went down; the place where the mouse was last goes along. */
-    private record Pan(Vec pressed, Vec last, boolean clickClears) {
-        Pan at(Vec now) {
-            return new Pan(pressed, now, clickClears && now.distanceTo(pressed) < DragInProgress.CLICK);
-        }
-    }
-
-    Hand(Scene scene, Viewpoint viewpoint, ObstacleMover mover) {
-        this.scene = scene;
+    Hand(Viewpoint viewpoint, Grips grips, Watchers watchers) {
         this.viewpoint = viewpoint;
-        this.mover = mover;
+        this.grips = grips;
+        this.watchers = watchers;
     }
 
     /** The point of the world under the mouse. */
@@ -46,72 +39,89 @@ final class Hand extends MouseAdapter {
         return cursor;
     }
 
-    /** Cancels the drag that is going on; says whether there was one. */
+    /** What the left button does in place of selecting and moving. */
+    Watched<Optional<Tool>> tool() {
+        return tool;
+    }
+
+    void setSnap(Snap newSnap) {
+        snap = newSnap;
+    }
+
+    /** Cancels what is going on; says whether there was anything. */
     boolean cancel() {
-        drag.ifPresent(DragInProgress::cancel);
-        boolean cancelled = drag.isPresent();
-        letGo();
-        return cancelled;
+        boolean busy = hold.isPresent() || tool.get().isPresent();
+        hold.ifPresent(Hold::cancel);
+        hold = Optional.empty();
+        tool.set(Optional.empty());
+        return busy;
     }
 
-    private void letGo() {
-        drag.ifPresent(d -> mover.end());
-        drag = Optional.empty();
-    }
-
-    /** Lets go of an obstacle that is no longer there. */
+    /** Lets go of what is no longer there. */
     void frameShown() {
-        if (drag.filter(d -> scene.obstacle(d.obstacle()).isEmpty()).isPresent()) {
-            letGo();
+        if (hold.filter(Hold::isLost).isPresent()) {
+            hold.ifPresent(Hold::release);
+            hold = Optional.empty();
         }
     }
 
     void paint(Brush brush) {
-        drag.ifPresent(d -> d.paint(brush));
+        hold.ifPresent(held -> held.paint(brush));
+        tool.get().ifPresent(t -> t.paint(brush));
     }
 
     @Override
     public void mousePressed(MouseEvent event) {
         event.getComponent().requestFocusInWindow();
-        if (drag.isPresent() || pan.isPresent()) {
+        if (hold.isPresent()) {
             return;
         }
-        Vec at = place(event);
-        Optional<Obstacle> under = under(at);
+        pressed = place(event);
         boolean left = SwingUtilities.isLeftMouseButton(event);
-        if (left && onHandle(at)) {
-            start(new Drag.Turn(scene.selected().orElseThrow(), world(at)), at);
-        } else if (under.isPresent() && !SwingUtilities.isMiddleMouseButton(event)) {
-            boolean turns = !left || event.isControlDown();
-            scene.selection().set(under.map(Obstacle::id));
-            start(turns ? new Drag.Turn(under.get(), world(at)) : new Drag.Move(under.get(), world(at)), at);
+        if (SwingUtilities.isMiddleMouseButton(event)) {
+            hold = Optional.of(new PanHold(viewpoint, pressed, () -> { }));
+        } else if (tool.get().isPresent()) {
+            useTool(event, left);
         } else {
-            pan = Optional.of(new Pan(at, at, left));
+            hold = Optional.of(grips.take(pressed, left, !left || event.isControlDown(), event.isShiftDown()));
         }
     }
 
-    private void start(Drag started, Vec at) {
-        mover.begin();
-        drag = Optional.of(new DragInProgress(started, at, mover));
+    /** The right button says that there is no more to come. */
+    private void useTool(MouseEvent event, boolean left) {
+        Vec at = snapped(event);
+        tool.get().ifPresent(left ? t -> t.press(at, event.getClickCount() > 1) : Tool::finish);
+        endTool();
+        event.getComponent().repaint();
+    }
+
+    /** Ends the tool where it has done what it is for. */
+    void endTool() {
+        tool.set(tool.get().filter(t -> !t.isDone()));
     }
 
     @Override
     public void mouseDragged(MouseEvent event) {
-        Vec at = place(event);
-        drag.ifPresent(d -> d.to(at, world(at)));
-        pan.ifPresent(p -> viewpoint.move(camera -> camera.panned(at.x() - p.last().x(), at.y() - p.last().y())));
-        pan = pan.map(p -> p.at(at));
-        cursor.set(Optional.of(world(at)));
+        hold.ifPresent(held -> held.to(place(event), snap(event)));
+        if (hold.isEmpty() && SwingUtilities.isLeftMouseButton(event)) {
+            tool.get().ifPresent(t -> t.move(snapped(event), true));
+        }
+        cursor.set(Optional.of(world(place(event))));
         event.getComponent().repaint();
     }
 
     @Override
     public void mouseReleased(MouseEvent event) {
-        if (pan.filter(Pan::clickClears).isPresent()) {
-            scene.selection().set(Optional.empty());
+        hold.ifPresent(Hold::release);
+        if (hold.isEmpty() && SwingUtilities.isLeftMouseButton(event)) {
+            tool.get().ifPresent(t -> t.release(snapped(event)));
+            endTool();
         }
-        letGo();
-        pan = Optional.empty();
+        boolean clicked = place(event).distanceTo(pressed) < Hold.CLICK;
+        if (hold.isPresent() && clicked && SwingUtilities.isRightMouseButton(event)) {
+            watchers.menu(event.getPoint());
+        }
+        hold = Optional.empty();
         event.getComponent().repaint();
     }
 
@@ -119,7 +129,12 @@ final class Hand extends MouseAdapter {
     public void mouseMoved(MouseEvent event) {
         Vec at = place(event);
         cursor.set(Optional.of(world(at)));
-        event.getComponent().setCursor(Cursor.getPredefinedCursor(shape(at)));
+        tool.get().ifPresent(t -> {
+            t.move(snapped(event), false);
+            event.getComponent().repaint();
+        });
+        int shape = tool.get().isPresent() ? Cursor.CROSSHAIR_CURSOR : grips.cursor(at);
+        event.getComponent().setCursor(Cursor.getPredefinedCursor(shape));
     }
 
     @Override
@@ -133,28 +148,17 @@ final class Hand extends MouseAdapter {
         viewpoint.move(camera -> camera.zoomedAbout(at, Math.pow(NOTCH, -event.getPreciseWheelRotation())));
     }
 
-    private int shape(Vec at) {
-        if (onHandle(at)) {
-            return Cursor.HAND_CURSOR;
-        }
-        return under(at).isPresent() ? Cursor.MOVE_CURSOR : Cursor.DEFAULT_CURSOR;
+    /** Alt lets the hand go free for as long as it is down. */
+    private Snap snap(MouseEvent event) {
+        return event.isAltDown() ? Snap.NONE : snap;
     }
 
-    private boolean onHandle(Vec at) {
-        double reach = SelectionPainter.HANDLE_RADIUS + DragInProgress.CLICK;
-        return scene.selected().filter(obstacle -> SelectionPainter.handle(camera(), obstacle).distanceTo(at) <= reach).isPresent();
-    }
-
-    private Optional<Obstacle> under(Vec at) {
-        return ObstacleFinder.at(camera(), scene.obstacles(), at);
+    private Vec snapped(MouseEvent event) {
+        return snap(event).place(world(place(event)));
     }
 
     private Vec world(Vec at) {
-        return camera().toWorld(at);
-    }
-
-    private Camera camera() {
-        return viewpoint.camera().get();
+        return viewpoint.camera().get().toWorld(at);
     }
 
     private static Vec place(MouseEvent event) {

@@ -3,15 +3,18 @@ package faultline.gui.canvas;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.paint.ObstacleOutlines;
+import faultline.world.Command;
 import faultline.world.Obstacle;
 import java.awt.event.ActionEvent;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** What the keyboard does while the canvas has the focus: arrows nudge the selected obstacle, Q and E turn it, Esc lets go. */
+/** What the keyboard does while the canvas has the focus: arrows nudge the selected obstacles, Q and E turn them, Enter ends a tool, Esc lets go. */
 final class Keys {
 
     private static final double NUDGE = 0.01;
@@ -19,12 +22,12 @@ final class Keys {
     private static final double TURN = Degrees.toRadians(5);
 
     private final Scene scene;
-    private final ObstacleMover mover;
+    private final Courier courier;
     private final Hand hand;
 
-    Keys(Scene scene, ObstacleMover mover, Hand hand) {
+    Keys(Scene scene, Courier courier, Hand hand) {
         this.scene = scene;
-        this.mover = mover;
+        this.courier = courier;
         this.hand = hand;
     }
 
@@ -35,6 +38,8 @@ final class Keys {
         nudges(canvas, "DOWN", 0, -1);
         bind(canvas, "Q", () -> change(obstacle -> ObstacleOutlines.turned(obstacle, TURN)));
         bind(canvas, "E", () -> change(obstacle -> ObstacleOutlines.turned(obstacle, -TURN)));
+        bind(canvas, "ENTER", () -> withTool(Tool::finish));
+        bind(canvas, "BACK_SPACE", () -> withTool(Tool::back));
         bind(canvas, "ESCAPE", this::letGo);
     }
 
@@ -48,12 +53,19 @@ final class Keys {
     }
 
     private void change(Function<Obstacle, Pose> change) {
-        scene.selected().ifPresent(obstacle -> mover.send(obstacle.id(), change.apply(obstacle.at(mover.expected(obstacle)))));
+        courier.send(scene.selected().stream()
+                .<Command>map(obstacle -> new Command.MoveObstacle(obstacle.id(), change.apply(courier.expected(obstacle)))).toList());
+    }
+
+    private void withTool(Consumer<Tool> deed) {
+        hand.tool().get().ifPresent(deed);
+        hand.endTool();
     }
 
     private void letGo() {
         if (!hand.cancel()) {
-            scene.selection().set(Optional.empty());
+            scene.select(Set.of());
+            scene.sensor().set(Optional.empty());
         }
     }
 

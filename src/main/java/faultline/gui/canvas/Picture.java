@@ -1,6 +1,7 @@
 package faultline.gui.canvas;
 
 import faultline.engine.Frame;
+import faultline.gui.edit.ShapeHandles;
 import faultline.paint.Brush;
 import faultline.paint.Camera;
 import faultline.paint.Layer;
@@ -11,13 +12,12 @@ import faultline.world.Obstacle;
 import java.awt.Graphics2D;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * Paints frames with the ground and the path kept as images. The selected obstacle is never part of the ground, so that a hand may
- * move it cheaply.
+ * Paints frames with the ground and the path kept as images. The selected obstacles are never part of the ground, so that a hand may
+ * move them cheaply.
  */
 final class Picture {
 
@@ -26,11 +26,11 @@ final class Picture {
     private boolean complete = true;
 
     /** Paints a frame at the resolution of the device that the graphics belongs to. */
-    void paint(Graphics2D graphics, Camera camera, Palette palette, Set<Layer> layers, Frame frame, Optional<Obstacle> selected) {
+    void paint(Graphics2D graphics, Camera camera, Palette palette, Set<Layer> layers, Frame frame, Scene scene) {
         LayerImage.View view = new LayerImage.View(camera, palette, graphics.getTransform().getScaleX());
         ScenePainter painter = new ScenePainter(layers);
         Map<Boolean, List<Obstacle>> byLife = frame.world().obstacles().stream().collect(Collectors.partitioningBy(
-                obstacle -> obstacle.motion().isPresent() || selected.filter(obstacle::equals).isPresent()));
+                obstacle -> obstacle.motion().isPresent() || scene.isSelected(obstacle)));
         ground.image(view, painter, frame, byLife.get(false)).show(graphics);
         complete = true;
         if (layers.contains(Layer.PATH)) {
@@ -39,9 +39,16 @@ final class Picture {
         }
         Brush brush = new Brush(graphics, camera, palette);
         painter.paintLive(brush, frame, byLife.get(true), path.tailFrom());
-        selected.ifPresent(obstacle -> SelectionPainter.paint(brush, obstacle));
+        paintSelection(brush, scene);
         painter.paintMargin(brush, frame.world());
     }
+
+    private static void paintSelection(Brush brush, Scene scene) {
+        scene.selected().forEach(obstacle -> SelectionPainter.paintOutline(brush, obstacle));
+        scene.single().ifPresent(obstacle -> SelectionPainter.paintHandles(brush, obstacle, ShapeHandles.places(obstacle)));
+        scene.selectedSensor().ifPresent(sensor -> SelectionPainter.paintCone(brush, sensor.sector()));
+    }
+
     /** Whether all was painted; if not, the picture must be painted again soon. */
     boolean isComplete() {
         return complete;

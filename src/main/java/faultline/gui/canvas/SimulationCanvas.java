@@ -32,8 +32,9 @@ public final class SimulationCanvas extends JComponent {
     private final Viewpoint viewpoint = new Viewpoint();
     private final Picture picture = new Picture();
     private final Set<Layer> layers = Layer.usual();
-    private final ObstacleMover mover;
+    private final Courier courier;
     private final Hand hand;
+    private final CanvasTools tools;
     private Palette palette = Palette.LIGHT;
 
     /**
@@ -42,13 +43,16 @@ public final class SimulationCanvas extends JComponent {
      * @param editor gets what the hand does
      */
     public SimulationCanvas(Editor editor) {
-        mover = new ObstacleMover(Objects.requireNonNull(editor, "editor"));
-        hand = new Hand(scene, viewpoint, mover);
-        new Keys(scene, mover, hand).install(this);
+        Watchers watchers = new Watchers();
+        courier = new Courier(Objects.requireNonNull(editor, "editor"));
+        hand = new Hand(viewpoint, new Grips(scene, viewpoint, courier, watchers), watchers);
+        tools = new CanvasTools(new Desk(scene, viewpoint, editor, watchers), hand, this);
+        new Keys(scene, courier, hand).install(this);
         addMouseListener(hand);
         addMouseMotionListener(hand);
         addMouseWheelListener(hand);
         scene.selection().listen(selected -> repaint());
+        scene.sensor().listen(selected -> repaint());
         viewpoint.camera().listen(camera -> repaint());
         setFocusable(true);
         setOpaque(true);
@@ -63,7 +67,7 @@ public final class SimulationCanvas extends JComponent {
     public void show(Frame newest) {
         assert EventQueue.isDispatchThread();
         scene.show(newest);
-        mover.frameShown();
+        courier.frameShown(scene.obstacles());
         hand.frameShown();
         viewpoint.show(newest.world());
         repaint();
@@ -191,31 +195,12 @@ public final class SimulationCanvas extends JComponent {
     }
 
     /**
-     * The obstacle that is selected.
+     * What the hand does with the canvas beyond looking: tools, snapping, and what is selected.
      *
-     * @return its id, empty where none is
+     * @return of this canvas
      */
-    public Optional<String> selectedObstacle() {
-        return scene.selection().get();
-    }
-
-    /**
-     * Selects an obstacle or none.
-     *
-     * @param obstacle its id, empty for none
-     */
-    public void select(Optional<String> obstacle) {
-        assert EventQueue.isDispatchThread();
-        scene.selection().set(obstacle.filter(id -> scene.obstacle(id).isPresent()));
-    }
-
-    /**
-     * Tells a listener, from now on, what is selected whenever that changes.
-     *
-     * @param listener gets the obstacle's id, empty where none is selected
-     */
-    public void addSelectionListener(Consumer<Optional<String>> listener) {
-        scene.selection().listen(listener);
+    public CanvasTools tools() {
+        return tools;
     }
 
     @Override
@@ -238,7 +223,7 @@ public final class SimulationCanvas extends JComponent {
         graphics.setColor(palette.canvas());
         graphics.fillRect(0, 0, getWidth(), getHeight());
         scene.frame().ifPresent(frame -> {
-            picture.paint(graphics, camera(), palette, layers, frame, scene.selected());
+            picture.paint(graphics, camera(), palette, layers, frame, scene);
             hand.paint(new Brush(graphics, camera(), palette));
         });
         if (!picture.isComplete()) {

@@ -17,7 +17,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.Set;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import org.junit.jupiter.api.Test;
@@ -35,7 +35,7 @@ class CanvasKeysTest {
         SimulationCanvas made = new SimulationCanvas(sent::add);
         made.setSize(600, 440);
         made.show(WITH_BOX);
-        made.select(Optional.of("box"));
+        made.tools().select(List.of("box"));
         return made;
     });
 
@@ -65,11 +65,11 @@ class CanvasKeysTest {
 
     @Test
     void anObstacleThatIsGoneIsNoLongerSelected() {
-        List<Optional<String>> told = new ArrayList<>();
-        edt(() -> canvas.addSelectionListener(told::add));
+        List<Set<String>> told = new ArrayList<>();
+        edt(() -> canvas.tools().addSelectionListener(told::add));
         edt(() -> canvas.show(EMPTY));
-        assertEquals(Optional.empty(), onEdt(canvas::selectedObstacle));
-        assertEquals(List.of(Optional.empty()), onEdt(() -> List.copyOf(told)));
+        assertEquals(List.of(), onEdt(canvas.tools()::selected));
+        assertEquals(List.of(Set.of()), onEdt(() -> List.copyOf(told)));
     }
 
     @Test
@@ -86,8 +86,8 @@ class CanvasKeysTest {
 
     @Test
     void whatIsNotThereCannotBeSelected() {
-        edt(() -> canvas.select(Optional.of("sofa")));
-        assertEquals(Optional.empty(), onEdt(canvas::selectedObstacle));
+        edt(() -> canvas.tools().select(List.of("sofa")));
+        assertEquals(List.of(), onEdt(canvas.tools()::selected));
     }
 
     @Test

@@ -20,7 +20,6 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /** The canvas keeps parts of its picture; whatever happens, it must look as if it had been painted at once. No display is needed. */
@@ -120,9 +119,9 @@ class CanvasPictureTest {
     void theSelectedObstacleIsMarkedAndTheMarkGoesAway() {
         Frame frame = SampleFrames.of(ROBOT, BOX);
         shown(frame);
-        edt(() -> canvas.select(Optional.of("box")));
+        edt(() -> canvas.tools().select(List.of("box")));
         assertTrue(Pixels.differing(picture(frame), shown(frame)) > 100);
-        edt(() -> canvas.select(Optional.empty()));
+        edt(() -> canvas.tools().select(List.of()));
         assertLooksLikeAFile(frame);
     }
 

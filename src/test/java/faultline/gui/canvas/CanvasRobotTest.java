@@ -78,15 +78,15 @@ class CanvasRobotTest {
         drag(new Vec(4.1, 2.1), new Vec(3.1, 3.1), LEFT);
         assertPose(new Pose(3, 3, 0), lastMove());
         assertTrue(onEdt(moves::size) > 3, "it moves while it is dragged");
-        assertEquals(Optional.of("box"), onEdt(canvas::selectedObstacle));
+        assertEquals(List.of("box"), selection());
     }
 
     @Test
     void aClickSelectsAndMovesNothingAndOneOnEmptyGroundClears() {
         click(new Vec(4, 2));
-        assertEquals(Optional.of("box"), onEdt(canvas::selectedObstacle));
+        assertEquals(List.of("box"), selection());
         click(new Vec(2, 3));
-        assertEquals(Optional.empty(), onEdt(canvas::selectedObstacle));
+        assertEquals(List.of(), selection());
         assertEquals(List.of(), onEdt(() -> List.copyOf(moves)));
     }
 
@@ -141,11 +141,11 @@ class CanvasRobotTest {
 
     @Test
     void draggingEmptyGroundPansAndKeepsTheSelection() {
-        edt(() -> canvas.select(Optional.of("box")));
+        edt(() -> canvas.tools().select(List.of("box")));
         Vec before = screen(new Vec(2, 3));
         robot.drag(canvas, before.x(), before.y(), before.x() + 50, before.y() + 30, LEFT);
         assertEquals(0, screen(new Vec(2, 3)).distanceTo(before.plus(new Vec(50, 30))), 1e-6);
-        assertEquals(Optional.of("box"), onEdt(canvas::selectedObstacle));
+        assertEquals(List.of("box"), selection());
         assertEquals(List.of(), onEdt(() -> List.copyOf(moves)));
     }
 
@@ -191,6 +191,10 @@ class CanvasRobotTest {
         Vec start = screen(from);
         Vec end = screen(to);
         robot.drag(canvas, start.x(), start.y(), end.x(), end.y(), button);
+    }
+
+    private List<String> selection() {
+        return onEdt(() -> canvas.tools().selected().stream().map(Obstacle::id).toList());
     }
 
     private Camera camera() {
