@@ -42,7 +42,7 @@ final class Recorder implements TickObserver, CommandListener {
     public void observe(Simulation simulation) {
         noteState(simulation);
         noteCollision(simulation);
-        traceController(simulation);
+        traceMotion(simulation);
         traceSensors(simulation);
         trace.add(values);
         if (keyframes.isDue(simulation.ticks())) {
@@ -69,13 +69,14 @@ final class Recorder implements TickObserver, CommandListener {
         }
     }
 
-    private void traceController(Simulation simulation) {
+    private void traceMotion(Simulation simulation) {
         values[Channels.WANTED] = (float) last.wanted();
         values[Channels.MEASURED] = (float) last.measured();
         values[Channels.PROPORTIONAL] = (float) last.proportional();
         values[Channels.DERIVATIVE] = (float) last.derivative();
         values[Channels.LEFT_VOLTS] = (float) simulation.leftVolts();
         values[Channels.RIGHT_VOLTS] = (float) simulation.rightVolts();
+        values[Channels.HEADING] = (float) simulation.pose().heading();
     }
 
     private void traceSensors(Simulation simulation) {

@@ -1,6 +1,6 @@
 package faultline.engine.record;
 
-/** The numbers that are traced: six of the controller, and two of each sensor. */
+/** The numbers that are traced: six of the controller, the robot's heading, and two of each sensor. */
 public final class Channels {
 
     /** The distance that the controller holds, metres. */
@@ -16,7 +16,10 @@ public final class Channels {
     /** What the controller gives the right motors, volts. */
     public static final int RIGHT_VOLTS = 5;
 
-    private static final int FIRST_SENSOR = 6;
+    /** The robot's heading, radians, not normalised. */
+    public static final int HEADING = 6;
+
+    private static final int FIRST_SENSOR = 7;
 
     private Channels() {
     }

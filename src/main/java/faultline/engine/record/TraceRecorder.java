@@ -3,14 +3,20 @@ package faultline.engine.record;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Records all channels tick by tick, at full resolution for a while and ever coarser farther back. Some 23 MB with eight sensors at most. */
+/** Records all channels tick by tick, at full resolution for a while and ever coarser farther back. Some 21 MB with eight sensors at most. */
 public final class TraceRecorder {
 
-    /** Each level's buckets have so many times the ticks of the level below. */
-    static final int FACTOR = 16;
+    /** Each level's buckets have so many times the ticks of the next finer one. */
+    static final int FACTOR = 4;
 
-    /** The coarsest level, of 4096 ticks a bucket, reaches back 134 million ticks. */
-    private static final int LEVELS = 4;
+    /** The coarsest level, of 4096 ticks a bucket, reaches back 67 million ticks. */
+    private static final int LEVELS = 7;
+
+    /** How many chunks of single ticks are kept: 32 768 ticks, five minutes at 10 ms. */
+    private static final int KEPT_FINEST = 8;
+
+    /** How many chunks of other levels are: 16 384 buckets, some for every pixel of any screen. */
+    private static final int KEPT = 4;
 
     private final List<LevelRecorder> levels = new ArrayList<>();
 
@@ -20,10 +26,9 @@ public final class TraceRecorder {
      * @param channels how many numbers each tick has
      */
     public TraceRecorder(int channels) {
-        int ticksPerBucket = 1;
-        for (int i = 0; i < LEVELS; i++) {
-            levels.add(new LevelRecorder(channels, ticksPerBucket));
-            ticksPerBucket *= FACTOR;
+        levels.add(new LevelRecorder(channels, 1, 1, KEPT_FINEST));
+        for (int ticks = FACTOR; levels.size() < LEVELS; ticks *= FACTOR) {
+            levels.add(new LevelRecorder(channels, ticks, FACTOR, KEPT));
         }
     }
 
@@ -33,8 +38,14 @@ public final class TraceRecorder {
      * @param values of all channels; copied
      */
     public void add(float[] values) {
-        for (int i = 0; i < LEVELS; i++) {
-            levels.get(i).add(values);
+        float[] low = values;
+        float[] high = values;
+        for (LevelRecorder level : levels) {
+            if (!level.add(low, high)) {
+                return;
+            }
+            low = level.low();
+            high = level.high();
         }
     }
 

@@ -33,10 +33,14 @@ class TraceTest {
     @Test
     void aCoarserBucketSpansItsTicks() {
         Level level = after(100).levels().get(1);
-        assertEquals(16, level.ticksPerBucket());
-        assertEquals(6, level.end(), "only whole buckets");
-        assertEquals(32, level.low(0, 2));
-        assertEquals(47, level.high(0, 2));
+        assertEquals(4, level.ticksPerBucket());
+        assertEquals(25, level.end(), "only whole buckets");
+        assertEquals(8, level.low(0, 2));
+        assertEquals(11, level.high(0, 2));
+        Level coarser = recorder.view().levels().get(2);
+        assertEquals(6, coarser.end());
+        assertEquals(32, coarser.low(0, 2));
+        assertEquals(47, coarser.high(0, 2));
     }
 
     @Test
@@ -47,7 +51,7 @@ class TraceTest {
         for (int i = 6; i < 16; i++) {
             recorder.add(new float[] {2.5f, Float.POSITIVE_INFINITY});
         }
-        Level level = recorder.view().levels().get(1);
+        Level level = recorder.view().levels().get(2);
         assertEquals(2, level.low(0, 0));
         assertEquals(3, level.high(0, 0));
         assertTrue(Float.isNaN(level.low(1, 0)));
@@ -84,7 +88,7 @@ class TraceTest {
     void noLevelKeepsMoreThanItsShareHoweverLongTheRun() {
         Trace trace = after(3_000_000);
         for (Level level : trace.levels()) {
-            assertTrue(level.end() - level.first() <= 32_768, "buckets of " + level.ticksPerBucket());
+            assertTrue(level.end() - level.first() <= (level.ticksPerBucket() == 1 ? 32_768 : 16_384), "buckets of " + level.ticksPerBucket());
         }
     }
 
@@ -93,8 +97,8 @@ class TraceTest {
         Trace trace = after(100_000);
         assertSame(trace.levels().get(0), trace.level(99_000, 100_000, 1000));
         assertSame(trace.levels().get(1), trace.level(99_000, 100_000, 999));
-        assertSame(trace.levels().get(1), trace.level(0, 1000, 1000), "the finest has forgotten tick 0");
-        assertSame(trace.levels().get(2), trace.level(0, 100_000, 1000));
+        assertSame(trace.levels().get(2), trace.level(0, 1000, 1000), "the finer ones have forgotten tick 0");
+        assertSame(trace.levels().get(4), trace.level(0, 100_000, 1000));
     }
 
     @Test
