@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /** Readings and faults in words. */
-final class ReadingText {
+public final class ReadingText {
 
     private ReadingText() {
     }
@@ -30,8 +30,13 @@ final class ReadingText {
         return faults.stream().map(ReadingText::of).collect(Collectors.joining(", "));
     }
 
-    /** A fault, such as "stuck 0.40 m". */
-    static String of(Fault fault) {
+    /**
+     * A fault.
+     *
+     * @param fault any
+     * @return such as "stuck 0.40 m"
+     */
+    public static String of(Fault fault) {
         String kind = FaultNames.of(fault.kind());
         if (!fault.kind().takesValue()) {
             return kind;

@@ -53,8 +53,13 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
         return linear(label, low, high > low ? high : low + step);
     }
 
-    /** Where a value is on the axis: 0 at its beginning, 1 at its end. */
-    double share(double value) {
+    /**
+     * Where a value is on the axis.
+     *
+     * @param value positive if the axis is logarithmic
+     * @return 0 at its beginning, 1 at its end
+     */
+    public double share(double value) {
         if (logarithmic) {
             return StrictMath.log(value / low) / StrictMath.log(high / low);
         }
@@ -71,8 +76,12 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
         return logarithmic ? low * StrictMath.exp(share * StrictMath.log(high / low)) : low + share * (high - low);
     }
 
-    /** Round values along the axis. */
-    List<Double> ticks() {
+    /**
+     * Round values along the axis.
+     *
+     * @return in order
+     */
+    public List<Double> ticks() {
         return logarithmic ? decades() : steps();
     }
 
@@ -110,8 +119,13 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
         return Double.parseDouble("1e" + (int) Math.floor(StrictMath.log10(value) + 1e-9));
     }
 
-    /** A tick's name: no more digits than it needs, a true minus sign. */
-    static String name(double tick) {
+    /**
+     * A tick's name.
+     *
+     * @param tick a value
+     * @return no more digits than it needs, a true minus sign
+     */
+    public static String name(double tick) {
         BigDecimal rounded = new BigDecimal(tick).round(new java.math.MathContext(6)).stripTrailingZeros();
         String text = rounded.abs().compareTo(new BigDecimal("1e-9")) < 0 ? "0" : rounded.toPlainString();
         return text.replace('-', '\u2212');

@@ -1,0 +1,109 @@
+package faultline.gui.instrument;
+
+import faultline.engine.Frame;
+import faultline.gui.text.Texts;
+import java.awt.BorderLayout;
+import java.awt.EventQueue;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.function.LongConsumer;
+import javax.swing.AbstractAction;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.SwingConstants;
+
+/** The list of what happened in a run. A double click or Enter on an event jumps to its moment. The newest stays in view unless a row is chosen. */
+public final class EventLogView extends JPanel {
+
+    private static final int[] WIDTHS = {80, 100, 700};
+    private static final String JUMP = "jump";
+
+    private final EventTable events = new EventTable();
+    private final JTable table = new JTable(events);
+    private final transient LongConsumer jump;
+
+    /**
+     * A list that shows nothing yet.
+     *
+     * @param jump given the tick of the moment to go to
+     */
+    public EventLogView(LongConsumer jump) {
+        super(new BorderLayout());
+        this.jump = jump;
+        dress();
+        listen();
+        JScrollPane scroll = new JScrollPane(table);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        add(scroll, BorderLayout.CENTER);
+    }
+
+    private void dress() {
+        table.getAccessibleContext().setAccessibleName(Texts.text("events"));
+        table.setToolTipText(Texts.text("events.tip"));
+        table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        table.setShowVerticalLines(false);
+        table.setFillsViewportHeight(true);
+        table.getTableHeader().setReorderingAllowed(false);
+        for (int i = 0; i < WIDTHS.length; i++) {
+            table.getColumnModel().getColumn(i).setPreferredWidth(WIDTHS[i]);
+        }
+        table.getColumnModel().getColumn(0).setMaxWidth(2 * WIDTHS[0]);
+        table.getColumnModel().getColumn(1).setMaxWidth(2 * WIDTHS[1]);
+        if (table.getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
+            headings.setHorizontalAlignment(SwingConstants.LEADING);
+        }
+    }
+
+    private void listen() {
+        table.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                if (event.getClickCount() == 2) {
+                    jumpTo(table.rowAtPoint(event.getPoint()));
+                }
+            }
+        });
+        bind("ENTER", JUMP, () -> jumpTo(table.getSelectedRow()));
+        bind("ESCAPE", "release", table::clearSelection);
+    }
+
+    private void bind(String key, String name, Runnable deed) {
+        table.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), name);
+        table.getActionMap().put(name, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                deed.run();
+            }
+        });
+    }
+
+    private void jumpTo(int row) {
+        if (row >= 0) {
+            jump.accept(events.event(row).tick());
+        }
+    }
+
+    /**
+     * Shows a newer frame.
+     *
+     * @param frame with the recording of its run
+     */
+    public void show(Frame frame) {
+        assert EventQueue.isDispatchThread();
+        boolean added = events.show(frame.recording().events());
+        if (added && table.getSelectedRow() < 0 && table.getRowCount() > 0) {
+            table.scrollRectToVisible(table.getCellRect(table.getRowCount() - 1, 0, true));
+        }
+    }
+
+    JTable table() {
+        return table;
+    }
+}

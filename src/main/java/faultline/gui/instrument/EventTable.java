@@ -1,0 +1,57 @@
+package faultline.gui.instrument;
+
+import faultline.engine.record.EventLog;
+import faultline.engine.record.RunEvent;
+import faultline.gui.text.Texts;
+import javax.swing.table.AbstractTableModel;
+
+/** The event log as rows: time, kind, and what happened. */
+final class EventTable extends AbstractTableModel {
+
+    private static final String[] COLUMNS = {"events.time", "events.kind", "events.what"};
+
+    private transient EventLog log = EventLog.EMPTY;
+
+    /** Shows a newer log; true where rows were added. */
+    boolean show(EventLog newest) {
+        EventLog before = log;
+        log = newest;
+        boolean continues = before.first() == newest.first() && before.end() <= newest.end() && startsAlike(before, newest);
+        if (!continues) {
+            fireTableDataChanged();
+        } else if (newest.end() > before.end()) {
+            fireTableRowsInserted((int) (before.end() - before.first()), getRowCount() - 1);
+        }
+        return !continues || newest.end() > before.end();
+    }
+
+    /** Another run's events are other objects. */
+    private static boolean startsAlike(EventLog before, EventLog newest) {
+        return before.end() == before.first() || before.get(before.first()) == newest.get(newest.first());
+    }
+
+    RunEvent event(int row) {
+        return log.get(log.first() + row);
+    }
+
+    @Override
+    public int getRowCount() {
+        return (int) (log.end() - log.first());
+    }
+
+    @Override
+    public int getColumnCount() {
+        return COLUMNS.length;
+    }
+
+    @Override
+    public String getColumnName(int column) {
+        return Texts.text(COLUMNS[column]);
+    }
+
+    @Override
+    public String getValueAt(int row, int column) {
+        RunEvent event = event(row);
+        return column == 0 ? EventText.time(event) : column == 1 ? EventText.kind(event) : EventText.sentence(event);
+    }
+}

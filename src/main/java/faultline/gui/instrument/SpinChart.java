@@ -1,0 +1,150 @@
+package faultline.gui.instrument;
+
+import faultline.geometry.Vec;
+import faultline.gui.text.Texts;
+import faultline.gui.theme.Smooth;
+import faultline.gui.theme.Theme;
+import faultline.gui.theme.ThemeColours;
+import faultline.paint.plot.Axis;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Stroke;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.stream.DoubleStream;
+
+/** The left reading over the spin clock, with F3, F4, and t_p back from F4 to the middle of t_D. */
+final class SpinChart {
+
+    private static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
+    private static final Stroke DASHED = new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 4}, 0);
+    private static final double HEAD = 5;
+
+    private final Graphics2D g;
+    private final Theme theme;
+    private final Spin spin;
+    private final Rectangle2D plot;
+    private final Axis clock;
+    private final Axis reading;
+
+    SpinChart(Graphics2D g, Theme theme, Spin spin, Rectangle2D plot) {
+        this.g = g;
+        this.theme = theme;
+        this.spin = spin;
+        this.plot = plot;
+        clock = Axis.covering("s", DoubleStream.concat(DoubleStream.of(0, 0.5), spin.samples().stream().mapToDouble(Spin.Sample::clock)));
+        reading = Axis.covering("m", DoubleStream.concat(DoubleStream.of(0, 0.2), spin.samples().stream().mapToDouble(Spin.Sample::reading)));
+        g.setFont(SMALL);
+    }
+
+    void paint() {
+        grid();
+        readings();
+        if (spin.isTimed()) {
+            mark(spin.f3(), Texts.text("spin.f3"));
+            mark(spin.f4(), Texts.text("spin.f4"));
+            way(spin.f3(), spin.f4(), plot.getY() + 14, Texts.text("spin.tD"), true);
+            way(spin.f4(), spin.f4() - spin.tP(), plot.getY() + 30, Texts.text("spin.tP"), false);
+        }
+        robot();
+    }
+
+    private double x(double time) {
+        return plot.getX() + clock.share(time) * plot.getWidth();
+    }
+
+    private double y(double metres) {
+        return plot.getMaxY() - reading.share(metres) * plot.getHeight();
+    }
+
+    private void grid() {
+        for (double tick : reading.ticks()) {
+            rule(plot.getX(), y(tick), plot.getMaxX(), y(tick));
+            String name = Axis.name(tick);
+            text(name, plot.getX() - 6 - width(name), y(tick) + 4, theme.palette().muted());
+        }
+        for (double tick : clock.ticks()) {
+            rule(x(tick), plot.getY(), x(tick), plot.getMaxY());
+            String name = Axis.name(tick) + " s";
+            text(name, x(tick) - width(name) / 2, plot.getMaxY() + 22, theme.palette().muted());
+        }
+        text(Texts.text("spin.reading"), plot.getX(), plot.getY() - 9, theme.palette().text());
+    }
+
+    private void rule(double x0, double y0, double x1, double y1) {
+        line(x0, y0, x1, y1, theme.palette().gridMajor(), new BasicStroke(1));
+    }
+
+    private void line(double x0, double y0, double x1, double y1, Color colour, Stroke stroke) {
+        g.setColor(colour);
+        g.setStroke(stroke);
+        g.draw(new Line2D.Double(x0, y0, x1, y1));
+    }
+
+    private double width(String text) {
+        return g.getFontMetrics().stringWidth(text);
+    }
+
+    private void text(String text, double x, double y, Color colour) {
+        g.setColor(colour);
+        g.drawString(text, (float) x, (float) y);
+    }
+
+    private void readings() {
+        Path2D line = new Path2D.Double();
+        boolean drawing = false;
+        for (Spin.Sample sample : spin.samples()) {
+            if (Double.isFinite(sample.reading()) && drawing) {
+                line.lineTo(x(sample.clock()), y(sample.reading()));
+            } else if (Double.isFinite(sample.reading())) {
+                line.moveTo(x(sample.clock()), y(sample.reading()));
+            }
+            drawing = Double.isFinite(sample.reading());
+        }
+        g.setColor(theme.palette().path());
+        g.setStroke(Smooth.line(2));
+        g.draw(line);
+    }
+
+    private void mark(double time, String name) {
+        line(x(time), plot.getY(), x(time), plot.getMaxY(), theme.palette().hit(), DASHED);
+        text(name, x(time) + 4, plot.getMaxY() - 5, theme.palette().text());
+    }
+
+    /** An arrow from time to time with its name; both ends have heads where it is a length and not a turn. */
+    private void way(double from, double to, double y, String name, boolean bothWays) {
+        ThemeColours colours = theme.colours();
+        line(x(from), y, x(to), y, colours.accent(), Smooth.line(1.5));
+        g.fill(head(x(to), y, Math.signum(x(to) - x(from))));
+        if (bothWays) {
+            g.fill(head(x(from), y, Math.signum(x(from) - x(to))));
+        }
+        double middle = (x(from) + x(to)) / 2;
+        Vec corner = new Vec(middle - width(name) / 2, y);
+        g.setColor(theme.palette().canvas());
+        g.fill(new Rectangle2D.Double(corner.x() - 3, y - 6, width(name) + 6, 12));
+        text(name, corner.x(), y + 4, theme.palette().text());
+    }
+
+    private static Path2D head(double x, double y, double sign) {
+        Path2D head = new Path2D.Double();
+        head.moveTo(x, y);
+        head.lineTo(x - sign * 2 * HEAD, y - HEAD);
+        head.lineTo(x - sign * 2 * HEAD, y + HEAD);
+        head.closePath();
+        return head;
+    }
+
+    /** Where on the clock the robot's heading is now: it comes back from F4. */
+    private void robot() {
+        double x = x(spin.clock(spin.now()));
+        if (x >= plot.getX() - 1 && x <= plot.getMaxX() + 1) {
+            g.setColor(theme.palette().robotOutline());
+            g.fill(new Ellipse2D.Double(x - 4, plot.getMaxY() - 4, 8, 8));
+        }
+    }
+}

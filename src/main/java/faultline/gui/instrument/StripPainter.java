@@ -1,0 +1,132 @@
+package faultline.gui.instrument;
+
+import faultline.gui.theme.Theme;
+import faultline.paint.plot.Axis;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+
+/** Paints a strip chart: legend, axes, the ribbon of states, and the lines. */
+final class StripPainter {
+
+    private static final int RIBBON = 24;
+    private static final int RIBBON_HEIGHT = 15;
+    private static final int LEGEND_GAP = 16;
+    private static final int SAMPLE = 26;
+
+    private final Graphics2D g;
+    private final Theme theme;
+    private final StripScale scale;
+    private final Rectangle2D plot;
+
+    /** A painter of one picture; the graphics paints smooth edges. */
+    StripPainter(Graphics2D g, Theme theme, StripScale scale) {
+        this.g = g;
+        this.theme = theme;
+        this.scale = scale;
+        this.plot = scale.plot();
+        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 11));
+    }
+
+    void paint(List<StateRibbon.Stay> stays) {
+        legend();
+        stays.forEach(this::ribbon);
+        grid();
+        Shape clip = g.getClip();
+        g.clip(plot);
+        scale.signal().curves().forEach(this::curve);
+        g.setClip(clip);
+    }
+
+    private void legend() {
+        double x = plot.getX();
+        for (int i = scale.signal().curves().size() - 1; i >= 0; i--) {
+            Curve curve = scale.signal().curves().get(i);
+            line(x, 12, x + SAMPLE, 12, curve.colour().apply(theme), curve);
+            x = text(curve.name(), x + SAMPLE + 6, 16, theme.palette().text()) + LEGEND_GAP;
+        }
+    }
+
+    private void line(double x0, double y0, double x1, double y1, Color colour, Curve curve) {
+        g.setColor(colour);
+        g.setStroke(curve.stroke());
+        g.draw(new Line2D.Double(x0, y0, x1, y1));
+    }
+
+    private double text(String text, double x, double y, Color colour) {
+        g.setColor(colour);
+        g.drawString(text, (float) x, (float) y);
+        return x + g.getFontMetrics().stringWidth(text);
+    }
+
+    /** A state's name stands in its piece of the ribbon where there is room. */
+    private void ribbon(StateRibbon.Stay stay) {
+        double from = Math.max(plot.getX(), scale.x(stay.from()));
+        double to = Math.min(plot.getMaxX(), scale.x(stay.to()));
+        if (to <= from) {
+            return;
+        }
+        g.setColor(theme.colours().hover());
+        g.fill(new Rectangle2D.Double(from, RIBBON, to - from, RIBBON_HEIGHT));
+        g.setColor(theme.palette().muted());
+        g.fill(new Rectangle2D.Double(from, RIBBON, 1.5, RIBBON_HEIGHT));
+        String name = StateText.name(stay.state());
+        double room = to - from - g.getFontMetrics().stringWidth(name);
+        if (room > 8) {
+            text(name, from + room / 2, RIBBON + 12, theme.palette().text());
+        }
+    }
+
+    private void grid() {
+        FontMetrics metrics = g.getFontMetrics();
+        g.setStroke(new BasicStroke(1));
+        for (double tick : scale.values().ticks()) {
+            rule(plot.getX(), scale.y(tick), plot.getMaxX(), scale.y(tick));
+            String name = Axis.name(tick);
+            text(name, plot.getX() - 6 - metrics.stringWidth(name), scale.y(tick) + 4, theme.palette().muted());
+        }
+        for (double tick : Axis.linear("s", scale.span().from(), scale.span().to()).ticks()) {
+            rule(scale.x(tick), plot.getY(), scale.x(tick), plot.getMaxY());
+            String name = Axis.name(tick) + " s";
+            text(name, scale.x(tick) - metrics.stringWidth(name) / 2.0, plot.getMaxY() + 15, theme.palette().muted());
+        }
+        text(scale.signal().unit(), 4, 16, theme.palette().muted());
+    }
+
+    private void rule(double x0, double y0, double x1, double y1) {
+        g.setColor(theme.palette().gridMajor());
+        g.draw(new Line2D.Double(x0, y0, x1, y1));
+    }
+
+    private void curve(Curve curve) {
+        g.setColor(curve.colour().apply(theme));
+        g.setStroke(curve.stroke());
+        Path2D line = new Path2D.Double();
+        boolean drawing = false;
+        for (long bucket = scale.data().from(); bucket < scale.data().to(); bucket++) {
+            float low = scale.data().level().low(curve.channel(), bucket);
+            drawing = Float.isFinite(low) && add(line, drawing, scale.data().time(bucket), low, scale.data().level().high(curve.channel(), bucket));
+        }
+        g.draw(line);
+    }
+
+    private boolean add(Path2D line, boolean drawing, double time, float low, float high) {
+        if (drawing) {
+            line.lineTo(scale.x(time), scale.y(low));
+        } else {
+            line.moveTo(scale.x(time), scale.y(low));
+            line.lineTo(scale.x(time), scale.y(low));
+        }
+        if (high > low) {
+            line.lineTo(scale.x(time), scale.y(high));
+        }
+        return true;
+    }
+}
