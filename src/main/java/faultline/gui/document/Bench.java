@@ -23,6 +23,7 @@ public final class Bench implements AutoCloseable {
     private double speed = 1;
     private int orders;
     private boolean asking;
+    private boolean travelling;
     private boolean stale;
 
     /** Told of what happens on the bench. */
@@ -61,7 +62,9 @@ public final class Bench implements AutoCloseable {
         /** Writing the journal. */
         SAVE_JOURNAL,
         /** Beginning anew. */
-        RESTART
+        RESTART,
+        /** Going to another moment of the run. */
+        GO_TO
     }
 
     /**
@@ -81,6 +84,10 @@ public final class Bench implements AutoCloseable {
 
         Work withEdited(Scenario newEdited) {
             return new Work(file, saved, begun, newEdited, session);
+        }
+
+        Work at(Journal journal, long tick) {
+            return new Work(file, saved, begun, edited, Session.replay(journal, tick));
         }
 
         Work savedAs(Path newFile, Scenario newSaved) {
@@ -153,12 +160,38 @@ public final class Bench implements AutoCloseable {
         });
     }
 
+    /**
+     * Goes to another moment of the run, soon, and holds there. What was done later is done again when its tick comes, unless something else is done before.
+     *
+     * @param tick not negative
+     */
+    public void goTo(long tick) {
+        work.ifPresent(now -> {
+            now.session().pause();
+            CompletableFuture<Journal> journal = now.session().wholeJournal();
+            travelling = true;
+            begin(Task.GO_TO, path(now), () -> now.at(journal.join(), tick));
+        });
+    }
+
+    /** Goes back by one tick, soon, and holds there; while it is on its way there, nothing. */
+    public void stepBack() {
+        if (travelling) {
+            return;
+        }
+        frame().map(frame -> frame.world().tick()).filter(tick -> tick > 0).ifPresent(tick -> goTo(tick - 1));
+    }
+
     private void begin(Task task, Path file, Callable<Work> maker) {
         int order = ++orders;
-        Background.run(maker, made -> adopt(made, task, order), why -> listener.failed(task, file, why));
+        Background.run(maker, made -> adopt(made, task, order), why -> {
+            travelling = false;
+            listener.failed(task, file, why);
+        });
     }
 
     private void adopt(Work made, Task task, int order) {
+        travelling = false;
         if (order != orders) {
             made.session().close();
             return;
@@ -166,6 +199,7 @@ public final class Bench implements AutoCloseable {
         close();
         made.session().setSpeed(speed);
         work = Optional.of(made);
+        stale = true;
         if (task == Task.OPEN) {
             listener.opened();
         }

@@ -35,6 +35,8 @@ public final class StripChart extends JPanel {
         JPanel bar = new JPanel();
         bar.setLayout(new BoxLayout(bar, BoxLayout.LINE_AXIS));
         bar.setBorder(BorderFactory.createEmptyBorder(4, 10, 4, 10));
+        choice.setPrototypeDisplayValue(new Signal(Texts.text("signal.sensor", "front-right") + "  ", "", List.of()));
+        choice.setMaximumSize(choice.getPreferredSize());
         bar.add(choice);
         bar.add(Box.createHorizontalStrut(6));
         bar.add(hold);

@@ -26,6 +26,8 @@ public enum Glyph {
     STEP("", "M 4 3.5 L 11 9 L 4 14.5 Z M 12 3.5 L 14.5 3.5 L 14.5 14.5 L 12 14.5 Z"),
     /** Record a film. */
     RECORD("O 9 9 6.5", "O 9 9 3.6"),
+    /** Take one tick back. */
+    STEP_BACK("", "M 14 3.5 L 7 9 L 14 14.5 Z M 6 3.5 L 3.5 3.5 L 3.5 14.5 L 6 14.5 Z"),
     /** Begin again. */
     RESTART("M 5.2 4.4 C 8.5 1.8 13.2 2.8 14.7 6.6 C 16.2 10.6 13.4 15 9 15 C 5.7 15 3 12.3 3 9 M 5.4 1.2 L 5 4.7 L 8.5 5.2", ""),
     /** Show the whole world. */

@@ -24,8 +24,8 @@ final class Menus {
         bar.add(menus.file());
         bar.add(menus.menu("edit", "undo", "redo"));
         bar.add(menus.menu("view", "fit", "zoomIn", "zoomOut", "follow", RULE, "path", "cones", "hits", "routes", "labels", "grid", "scaleBar", RULE,
-                "dark"));
-        JMenu simulation = menus.menu("simulation", "run", "step", "restart", RULE, "record", RULE, "slower", "faster", "realTime", RULE);
+                "instruments", "dark"));
+        JMenu simulation = menus.menu("simulation", "run", "step", "stepBack", "restart", RULE, "record", RULE, "slower", "faster", "realTime", RULE);
         simulation.add(menus.menu("sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8"));
         bar.add(simulation);
         bar.add(menus.menu("help", "shortcuts", "about"));

@@ -33,6 +33,7 @@ final class RunActions {
     void addTo(UiActions actions, IntConsumer toggleSensor) {
         actions.add(run);
         actions.add(UiAction.of("step", bench::step).on(sign('.')).drawn(Glyph.STEP));
+        actions.add(UiAction.of("stepBack", bench::stepBack).on(sign(',')).drawn(Glyph.STEP_BACK));
         actions.add(UiAction.of("restart", bench::restart).on(menu(KeyEvent.VK_R)).drawn(Glyph.RESTART));
         actions.add(UiAction.of("slower", () -> change(SpeedScale::slower)).on(sign('[')));
         actions.add(UiAction.of("faster", () -> change(SpeedScale::faster)).on(sign(']')));

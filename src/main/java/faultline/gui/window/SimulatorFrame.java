@@ -59,7 +59,7 @@ public final class SimulatorFrame extends JFrame {
         BoundedRangeModel speed = new DefaultBoundedRangeModel(SpeedScale.REAL_TIME, 0, 0, SpeedScale.MOST);
         runActions = new RunActions(bench, speed);
         addActions();
-        area = new WorkArea(canvas, edits::send, actions, speed);
+        area = new WorkArea(canvas, edits::send, actions, speed, bench::goTo);
         setJMenuBar(Menus.of(actions));
         getJMenuBar().getMenu(0).insert(new RecentMenu(memory.recent(), files::open), 1);
         setContentPane(area);
@@ -79,6 +79,7 @@ public final class SimulatorFrame extends JFrame {
         editActions.bindTo(getRootPane());
         new ExportDesk(this, bench, canvas, files::fileFor).actions().forEach(actions::add);
         ViewActions.addTo(actions, canvas, this::setTheme);
+        actions.add(UiAction.toggle("instruments", memory.isDockShown(), this::showDock).on(Keystrokes.plain(KeyEvent.VK_I)));
         runActions.addTo(actions, this::toggleSensor);
         dialogs.addTo(actions);
         actions.get("dark").drawn(Theme.current() == Theme.DARK ? Glyph.SUN : Glyph.MOON);
@@ -86,6 +87,10 @@ public final class SimulatorFrame extends JFrame {
 
     private void showEdits() {
         editActions.show();
+    }
+
+    private void showDock(boolean shown) {
+        area.setDockShown(shown);
     }
 
     private void toggleSensor(int index) {
@@ -101,6 +106,13 @@ public final class SimulatorFrame extends JFrame {
         validate();
         int panelWidth = memory.panelWidth().orElse(area.panel().getMinimumSize().width);
         area.split().setDividerLocation(getWidth() - panelWidth - area.split().getDividerSize());
+        placeDock();
+    }
+
+    private void placeDock() {
+        memory.dockHeight().ifPresent(area::setDockHeight);
+        memory.chartWidth().ifPresent(width -> area.instruments().split().place(size -> width));
+        area.setDockShown(memory.isDockShown());
     }
 
     private void closeWithQuestion() {
@@ -122,6 +134,7 @@ public final class SimulatorFrame extends JFrame {
         files.unlessLost(() -> {
             memory.keepBounds(getBounds());
             memory.keepPanelWidth(area.panel().getWidth());
+            memory.keepDock(area.instruments().isVisible(), area.dockHeight(), area.instruments().split().getDividerLocation());
             dispose();
         });
     }

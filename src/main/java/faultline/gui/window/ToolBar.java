@@ -28,7 +28,7 @@ final class ToolBar extends JToolBar {
         addGroup("open", "save");
         addGroup("undo", "redo");
         add(runButton());
-        addGroup("step", "restart", "record");
+        addGroup("stepBack", "step", "restart", "record");
         JLabel label = new JLabel(Texts.text("speed"));
         SpeedSlider slider = new SpeedSlider(speed);
         label.setLabelFor(slider);

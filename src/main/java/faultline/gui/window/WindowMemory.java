@@ -13,6 +13,9 @@ public final class WindowMemory {
     private static final String DIVIDER = "divider";
     private static final String GALLERY = "gallery";
     private static final String HIDDEN = "hidden";
+    private static final String DOCK = "dock";
+    private static final String CHART = "chart";
+    private static final String DOCK_HIDDEN = "dock.hidden";
 
     private final Store store;
 
@@ -119,11 +122,36 @@ public final class WindowMemory {
 
     /** How wide the control panel was, pixels, empty where nobody knows. */
     Optional<Integer> panelWidth() {
-        String text = store.get(DIVIDER);
-        return text.matches("\\d{1,5}") ? Optional.of(Integer.valueOf(text)) : Optional.empty();
+        return pixels(DIVIDER);
     }
 
     void keepPanelWidth(int width) {
         store.put(DIVIDER, Integer.toString(width));
+    }
+
+    /** How high the instruments were, pixels, empty where nobody knows. */
+    Optional<Integer> dockHeight() {
+        return pixels(DOCK);
+    }
+
+    /** How wide the strip chart was, pixels, empty where nobody knows. */
+    Optional<Integer> chartWidth() {
+        return pixels(CHART);
+    }
+
+    /** Whether the instruments show. */
+    boolean isDockShown() {
+        return !Boolean.parseBoolean(store.get(DOCK_HIDDEN));
+    }
+
+    void keepDock(boolean shown, int height, int chartWidth) {
+        store.put(DOCK_HIDDEN, Boolean.toString(!shown));
+        store.put(DOCK, Integer.toString(height));
+        store.put(CHART, Integer.toString(chartWidth));
+    }
+
+    private Optional<Integer> pixels(String key) {
+        String text = store.get(key);
+        return text.matches("\\d{1,5}") ? Optional.of(Integer.valueOf(text)) : Optional.empty();
     }
 }

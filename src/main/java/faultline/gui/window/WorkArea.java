@@ -3,6 +3,8 @@ package faultline.gui.window;
 import faultline.engine.Frame;
 import faultline.engine.Session;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.instrument.InstrumentDock;
+import faultline.gui.instrument.PlacedSplit;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.theme.Theme;
 import faultline.world.Command;
@@ -10,17 +12,21 @@ import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.LongConsumer;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 
-/** All of the window below its menu bar: tool bar, canvas, control panel and status bar. Needs no display. */
+/** All of the window below its menu bar: tool bar, canvas, instruments, control panel and status bar. Needs no display. */
 final class WorkArea extends JPanel {
 
     private final SimulationCanvas canvas;
     private final ControlPanel panel;
     private final StatusBar status = new StatusBar();
+    private final InstrumentDock instruments;
+    private final PlacedSplit dockSplit;
     private final JSplitPane split;
+    private int dockHeight;
     private transient Optional<Frame> shown = Optional.empty();
 
     /**
@@ -30,12 +36,17 @@ final class WorkArea extends JPanel {
      * @param commands where the control panel's changes go
      * @param actions of the window
      * @param speed positions of {@link SpeedScale}
+     * @param jump given the tick of an event that the user wants to go to
      */
-    WorkArea(SimulationCanvas canvas, Consumer<Command> commands, UiActions actions, BoundedRangeModel speed) {
+    WorkArea(SimulationCanvas canvas, Consumer<Command> commands, UiActions actions, BoundedRangeModel speed, LongConsumer jump) {
         super(new BorderLayout());
         this.canvas = canvas;
         panel = new ControlPanel(commands, actions.get("path"));
-        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, canvas, panel);
+        instruments = new InstrumentDock(jump);
+        dockHeight = instruments.getPreferredSize().height;
+        dockSplit = new PlacedSplit(JSplitPane.VERTICAL_SPLIT, canvas, instruments, 1);
+        setDockHeight(dockHeight);
+        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, dockSplit, panel);
         split.setResizeWeight(1);
         split.setContinuousLayout(true);
         add(new ToolBar(actions, speed), BorderLayout.NORTH);
@@ -53,8 +64,33 @@ final class WorkArea extends JPanel {
             shown = Optional.of(frame);
             canvas.show(frame);
         }
+        if (instruments.isVisible()) {
+            instruments.show(frame);
+        }
         panel.show(frame.world());
         status.show(frame, now);
+    }
+
+    InstrumentDock instruments() {
+        return instruments;
+    }
+
+    /** How high the instruments are, or were before they were hidden, pixels. */
+    int dockHeight() {
+        return instruments.isVisible() && instruments.getHeight() > 0 ? instruments.getHeight() : dockHeight;
+    }
+
+    /** Makes the instruments so high, pixels. */
+    void setDockHeight(int height) {
+        dockHeight = height;
+        dockSplit.place(size -> size - height);
+    }
+
+    /** Shows or hides the instruments. */
+    void setDockShown(boolean shown) {
+        dockHeight = dockHeight();
+        instruments.setVisible(shown);
+        setDockHeight(dockHeight);
     }
 
     ControlPanel panel() {

@@ -77,7 +77,10 @@ class WorkAreaTest {
             new RunActions(bench, speed).addTo(actions, sensor -> {
             });
             new Dialogs(null).addTo(actions);
-            area = new WorkArea(canvas, bench::send, actions, speed);
+            actions.add(UiAction.toggle("instruments", true, shown -> {
+            }));
+            area = new WorkArea(canvas, bench::send, actions, speed, tick -> {
+            });
             menus = Menus.of(actions);
             area.show(SampleFrames.everything(), PAUSED);
         });

@@ -1,0 +1,80 @@
+package faultline.gui.instrument;
+
+import faultline.engine.Frame;
+import faultline.gui.text.Texts;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.util.Optional;
+import java.util.function.LongConsumer;
+import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
+
+/** All instruments, on tabs. Only those on the chosen tab are kept up to date, and those some twenty times a second, which eyes take for steady. */
+public final class InstrumentDock extends JTabbedPane {
+
+    private static final int EVERY = 3;
+    private static final Dimension LEAST = new Dimension(400, 120);
+    private static final Dimension USUAL = new Dimension(900, 230);
+
+    private final StripChart chart = new StripChart();
+    private final StateDiagramView diagram = new StateDiagramView();
+    private final TimingInstrument timing = new TimingInstrument();
+    private final EventLogView events;
+    private final PlacedSplit split;
+    private transient Optional<Frame> newest = Optional.empty();
+    private int skipped;
+
+    /**
+     * Instruments that show nothing yet.
+     *
+     * @param jump given the tick of an event that the user wants to go to
+     */
+    public InstrumentDock(LongConsumer jump) {
+        events = new EventLogView(jump);
+        split = new PlacedSplit(JSplitPane.HORIZONTAL_SPLIT, chart, diagram, 0.5);
+        split.place(width -> width / 2);
+        addTab(Texts.text("instruments.charts"), split);
+        addTab(Texts.text("instruments.timing"), timing);
+        addTab(Texts.text("instruments.events"), events);
+        setMinimumSize(LEAST);
+        setPreferredSize(USUAL);
+        getAccessibleContext().setAccessibleName(Texts.text("instruments"));
+        addChangeListener(event -> newest.ifPresent(this::update));
+    }
+
+    /**
+     * Shows a frame, now or with one of the next.
+     *
+     * @param frame the newest; the same one again is shown for sure before long
+     */
+    public void show(Frame frame) {
+        assert EventQueue.isDispatchThread();
+        skipped++;
+        boolean isNew = newest.isEmpty() || newest.get() != frame;
+        if (skipped >= EVERY && isNew) {
+            skipped = 0;
+            newest = Optional.of(frame);
+            update(frame);
+        }
+    }
+
+    private void update(Frame frame) {
+        if (getSelectedComponent() == split) {
+            chart.show(frame);
+            diagram.show(frame);
+        } else if (getSelectedComponent() == timing) {
+            timing.show(frame);
+        } else {
+            events.show(frame);
+        }
+    }
+
+    /**
+     * The divider between strip chart and state diagram.
+     *
+     * @return the split pane
+     */
+    public PlacedSplit split() {
+        return split;
+    }
+}

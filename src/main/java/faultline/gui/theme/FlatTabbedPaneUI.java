@@ -1,0 +1,87 @@
+package faultline.gui.theme;
+
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Insets;
+import java.awt.Rectangle;
+import javax.swing.JComponent;
+import javax.swing.plaf.ComponentUI;
+import javax.swing.plaf.basic.BasicTabbedPaneUI;
+
+/** Flat tabs: the chosen one is underlined in the accent and bold. */
+public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
+
+    private static final int UNDERLINE = 3;
+    private static final Insets NONE = new Insets(0, 0, 0, 0);
+
+    /**
+     * Made by Swing for a component.
+     *
+     * @param component a tabbed pane
+     * @return a delegate
+     */
+    public static ComponentUI createUI(JComponent component) {
+        return new FlatTabbedPaneUI();
+    }
+
+    @Override
+    protected void installDefaults() {
+        super.installDefaults();
+        tabInsets = new Insets(7, 14, 8, 14);
+        selectedTabPadInsets = NONE;
+        tabAreaInsets = new Insets(0, 6, 0, 6);
+        contentBorderInsets = new Insets(1, 0, 0, 0);
+        tabPane.setOpaque(true);
+        tabPane.setBackground(Theme.now().background());
+        tabPane.setForeground(Theme.now().text());
+    }
+
+    @Override
+    protected int calculateTabWidth(int placement, int index, FontMetrics metrics) {
+        FontMetrics bold = tabPane.getFontMetrics(metrics.getFont().deriveFont(Font.BOLD));
+        return super.calculateTabWidth(placement, index, bold);
+    }
+
+    @Override
+    protected void paintTabBackground(Graphics graphics, int placement, int index, int x, int y, int width, int height, boolean selected) {
+        if (getRolloverTab() == index && !selected) {
+            graphics.setColor(Theme.now().hover());
+            graphics.fillRect(x, y, width, height);
+        }
+    }
+
+    @Override
+    protected void paintTabBorder(Graphics graphics, int placement, int index, int x, int y, int width, int height, boolean selected) {
+        if (selected) {
+            graphics.setColor(Theme.now().accent());
+            graphics.fillRect(x, y + height - UNDERLINE, width, UNDERLINE);
+        }
+    }
+
+    @Override
+    protected void paintText(Graphics graphics, int placement, Font font, FontMetrics metrics, int index, String title, Rectangle place, boolean selected) {
+        Font shown = selected ? font.deriveFont(Font.BOLD) : font;
+        FontMetrics measure = tabPane.getFontMetrics(shown);
+        Rectangle middle = new Rectangle(place.x + (place.width - measure.stringWidth(title)) / 2, place.y, place.width, place.height);
+        Smooth.paint(graphics, g -> super.paintText(g, placement, shown, measure, index, title, middle, selected));
+    }
+
+    @Override
+    protected void paintFocusIndicator(Graphics graphics, int placement, Rectangle[] tabs, int index, Rectangle icon, Rectangle text, boolean selected) {
+        if (selected && tabPane.hasFocus()) {
+            Rectangle tab = tabs[index];
+            Smooth.paint(graphics, g -> {
+                g.setColor(Theme.now().accent());
+                g.draw(Smooth.box(tab.x + 2, tab.y + 2, tab.width - 4, tab.height - 4 - UNDERLINE));
+            });
+        }
+    }
+
+    @Override
+    protected void paintContentBorder(Graphics graphics, int placement, int index) {
+        int y = calculateTabAreaHeight(placement, runCount, maxTabHeight);
+        graphics.setColor(Theme.now().line());
+        graphics.fillRect(0, y, tabPane.getWidth(), 1);
+    }
+}
