@@ -50,7 +50,9 @@ final class ReadOut {
         if (!Float.isFinite(low)) {
             return "–";
         }
-        return low == high ? format("%.3f %s", low, chart.signal().unit()) : format("%.3f … %.3f %s", low, high, chart.signal().unit());
+        String least = format("%.3f", low);
+        String most = format("%.3f", high);
+        return (least.equals(most) ? least : least + " … " + most) + " " + chart.signal().unit();
     }
 
     private static String format(String pattern, Object... values) {

@@ -19,6 +19,7 @@ public final class StripChart extends JPanel {
 
     private final StripView view = new StripView();
     private final JComboBox<Signal> choice = new JComboBox<>();
+    private final StripLegend legend = new StripLegend();
     private final JToggleButton hold = new JToggleButton(Glyph.PAUSE.icon());
     private List<String> sensors = List.of("");
 
@@ -40,6 +41,8 @@ public final class StripChart extends JPanel {
         bar.add(choice);
         bar.add(Box.createHorizontalStrut(6));
         bar.add(hold);
+        bar.add(Box.createHorizontalStrut(14));
+        bar.add(legend);
         add(bar, BorderLayout.NORTH);
         add(view, BorderLayout.CENTER);
     }
@@ -52,6 +55,7 @@ public final class StripChart extends JPanel {
     private void choose() {
         if (choice.getSelectedItem() instanceof Signal signal) {
             view.setSignal(signal);
+            legend.setSignal(signal);
         }
     }
 

@@ -16,6 +16,8 @@ import java.util.stream.LongStream;
  */
 record StripData(Level level, long from, long to, double dt) {
 
+    private static final int MOST_PER_PIXEL = 3;
+
     /** What of a frame's recording lies in a span, for a chart of so many pixels. */
     static StripData of(Frame frame, TimeSpan span, int pixels) {
         Trace trace = frame.recording().trace();
@@ -23,7 +25,7 @@ record StripData(Level level, long from, long to, double dt) {
         double dt = frame.world().tick() > 0 ? frame.world().time() / frame.world().tick() : 1;
         long first = (long) Math.floor(span.from() / dt);
         long last = (long) Math.ceil(span.to() / dt) + 1;
-        Level level = trace.level(Math.max(0, first), Math.min(last, trace.end()), 2 * pixels);
+        Level level = trace.level(Math.max(0, first), Math.min(last, trace.end()), MOST_PER_PIXEL * pixels);
         long from = Math.max(level.first(), Math.floorDiv(first, level.ticksPerBucket()));
         long to = Math.min(level.end(), Math.floorDiv(last, level.ticksPerBucket()) + 1);
         return new StripData(level, Math.max(0, from), Math.max(from, to), dt);

@@ -13,13 +13,11 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 
-/** Paints a strip chart: legend, axes, the ribbon of states, and the lines. */
+/** Paints a strip chart: the ribbon of states, axes and lines. */
 final class StripPainter {
 
-    private static final int RIBBON = 24;
+    private static final int RIBBON = 6;
     private static final int RIBBON_HEIGHT = 15;
-    private static final int LEGEND_GAP = 16;
-    private static final int SAMPLE = 26;
 
     private final Graphics2D g;
     private final Theme theme;
@@ -36,7 +34,6 @@ final class StripPainter {
     }
 
     void paint(List<StateRibbon.Stay> stays) {
-        legend();
         stays.forEach(this::ribbon);
         grid();
         Shape clip = g.getClip();
@@ -45,25 +42,9 @@ final class StripPainter {
         g.setClip(clip);
     }
 
-    private void legend() {
-        double x = plot.getX();
-        for (int i = scale.signal().curves().size() - 1; i >= 0; i--) {
-            Curve curve = scale.signal().curves().get(i);
-            line(x, 12, x + SAMPLE, 12, curve.colour().apply(theme), curve);
-            x = text(curve.name(), x + SAMPLE + 6, 16, theme.palette().text()) + LEGEND_GAP;
-        }
-    }
-
-    private void line(double x0, double y0, double x1, double y1, Color colour, Curve curve) {
-        g.setColor(colour);
-        g.setStroke(curve.stroke());
-        g.draw(new Line2D.Double(x0, y0, x1, y1));
-    }
-
-    private double text(String text, double x, double y, Color colour) {
+    private void text(String text, double x, double y, Color colour) {
         g.setColor(colour);
         g.drawString(text, (float) x, (float) y);
-        return x + g.getFontMetrics().stringWidth(text);
     }
 
     /** A state's name stands in its piece of the ribbon where there is room. */
@@ -97,7 +78,7 @@ final class StripPainter {
             String name = Axis.name(tick) + " s";
             text(name, scale.x(tick) - metrics.stringWidth(name) / 2.0, plot.getMaxY() + 15, theme.palette().muted());
         }
-        text(scale.signal().unit(), 4, 16, theme.palette().muted());
+        text(scale.signal().unit(), 4, RIBBON + 12, theme.palette().muted());
     }
 
     private void rule(double x0, double y0, double x1, double y1) {

@@ -18,8 +18,8 @@ record StripScale(Signal signal, TimeSpan span, Rectangle2D plot, StripData data
 
     static final int LEFT = 46;
     static final int RIGHT = 14;
-    private static final int TOP = 44;
-    private static final int BOTTOM = 20;
+    private static final int TOP = 28;
+    private static final int BOTTOM = 22;
 
     /** A chart of a width and height in pixels. */
     static StripScale of(Frame frame, Signal signal, TimeSpan span, int width, int height) {

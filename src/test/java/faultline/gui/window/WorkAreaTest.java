@@ -144,7 +144,7 @@ class WorkAreaTest {
             edt(theme::install);
             build(theme);
             BufferedImage image = onEdt(this::picture);
-            assertEquals(theme.palette().canvas().getRGB(), image.getRGB(3, 600));
+            assertEquals(theme.palette().canvas().getRGB(), image.getRGB(3, 400));
             assertEquals(theme.colours().background().getRGB(), image.getRGB(1355, 835));
         }
         edt(Theme.LIGHT::install);

@@ -1,0 +1,91 @@
+package faultline.gui.instrument;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.engine.record.RunEvent;
+import faultline.geometry.Pose;
+import faultline.geometry.Vec;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import faultline.world.Collision;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+/** The event log without a display: its words, and the way to a moment. */
+class EventLogViewTest {
+
+    private final List<Long> jumps = new ArrayList<>();
+    private final EventLogView view = onEdt(() -> new EventLogView(jumps::add));
+
+    private List<String> rows() {
+        return onEdt(() -> IntStream.range(0, view.table().getRowCount())
+                .mapToObj(row -> view.table().getValueAt(row, 0) + " " + view.table().getValueAt(row, 1) + " " + view.table().getValueAt(row, 2)).toList());
+    }
+
+    @Test
+    void whatHappenedStandsInItsOrder() {
+        edt(() -> view.show(Runs.frame(310)));
+        List<String> rows = rows();
+        assertEquals("0.000 Command rear switched off", rows.get(0));
+        assertTrue(rows.contains("2.000 Fault rear-right: stuck 0.40 m"));
+        assertTrue(rows.contains("3.000 Refused nose switched on: the robot has no sensor nose"));
+    }
+
+    @Test
+    void aLaterFrameAddsItsEventsAndAnotherRunReplacesThem() {
+        edt(() -> view.show(Runs.frame(310)));
+        int before = rows().size();
+        edt(() -> view.show(Runs.frame(2000)));
+        assertTrue(rows().size() > before);
+        edt(() -> view.show(Runs.frame(100)));
+        assertEquals(List.of("0.000 Command rear switched off"), rows());
+    }
+
+    @Test
+    void enterAndADoubleClickGoToTheMoment() {
+        Frame frame = Runs.frame(310);
+        edt(() -> {
+            view.show(frame);
+            view.table().setRowSelectionInterval(1, 1);
+            view.table().getActionMap().get("jump").actionPerformed(null);
+            view.table().setSize(600, 400);
+            view.table().dispatchEvent(new MouseEvent(view.table(), MouseEvent.MOUSE_CLICKED, 0, 0, 20, view.table().getRowHeight() / 2, 2, false));
+        });
+        assertEquals(List.of(frame.recording().events().get(1).tick(), 0L), jumps);
+    }
+
+    @Test
+    void everyCommandHasItsOwnWords() {
+        Fault bias = new Fault.Bias(0.02);
+        List<Command> commands = List.of(new Command.SwitchSensor("left", true), new Command.SwitchSensor("left", false),
+                new Command.TuneSensor(RobotSpec.DEFAULT.sensors().get(0)), new Command.InjectFault("left", bias), new Command.ClearFault("left", bias),
+                new Command.ClearFaults("left"), new Command.MoveObstacle("desk", new Pose(1, 2, 0)),
+                new Command.PutObstacle(new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0))), new Command.RemoveObstacle("desk"),
+                new Command.SetPlatform(0.3, 0.2, 0.4));
+        List<String> words = commands.stream().map(command -> EventText.sentence(new RunEvent.Done(1, 0.01, command))).toList();
+        assertEquals(commands.size(), new HashSet<>(words).size());
+        assertEquals("left: bias 0.02 m mended", words.get(4));
+        assertEquals("desk moved to 1.000, 2.000, 0.0°", words.get(6));
+        assertEquals("platform 0.300 m × 0.200 m, 0.40 m/s", words.get(9));
+    }
+
+    @Test
+    void aCollisionSaysWhatAndWhere() {
+        Collision collision = new Collision(new Vec(1.5, 2), 3.217, 322, "desk", Map.of(), List.of());
+        RunEvent event = new RunEvent.Collided(322, collision);
+        assertEquals("3.217 Collision first contact with desk at 1.500, 2.000",
+                EventText.time(event) + " " + EventText.kind(event) + " " + EventText.sentence(event));
+    }
+}

@@ -1,0 +1,120 @@
+package faultline.gui.instrument;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.control.FollowerState;
+import faultline.control.StateDiagram;
+import faultline.control.StateDiagram.Arrow;
+import faultline.engine.Frame;
+import faultline.geometry.Vec;
+import faultline.gui.theme.Theme;
+import java.awt.Color;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import org.junit.jupiter.api.Test;
+
+/** The state diagram without a display: the state that holds, the arrow that was taken, and words for both. */
+class StateDiagramViewTest {
+
+    private static final int WIDTH = 480;
+    private static final int HEIGHT = 200;
+    private static final DiagramLayout LAYOUT = new DiagramLayout(WIDTH, HEIGHT);
+    private static final Frame FRAME = Runs.frame(2000);
+
+    private final StateDiagramView view = onEdt(StateDiagramView::new);
+
+    private BufferedImage picture(Frame frame) {
+        return onEdt(() -> {
+            view.show(frame);
+            return Runs.picture(view, WIDTH, HEIGHT);
+        });
+    }
+
+    private static Color ground(BufferedImage picture, FollowerState state) {
+        Rectangle2D box = LAYOUT.box(state);
+        return new Color(picture.getRGB((int) box.getX() + 6, (int) box.getY() + 6));
+    }
+
+    @Test
+    void onlyTheStateThatHoldsIsFilled() {
+        for (long tick : new long[] {0, 500, 800, 2000}) {
+            Frame frame = Runs.frame(tick);
+            BufferedImage picture = picture(frame);
+            for (FollowerState state : FollowerState.values()) {
+                boolean holds = state.name().equals(frame.control().state());
+                assertEquals(holds ? Theme.now().accent().getRGB() : Theme.now().field().getRGB(), ground(picture, state).getRGB(), state + " at tick " + tick);
+            }
+        }
+    }
+
+    @Test
+    void boxesKeepApartAndInsideAtAnySize() {
+        for (int width : new int[] {330, 480, 1200}) {
+            DiagramLayout layout = new DiagramLayout(width, width / 2.2);
+            for (FollowerState one : FollowerState.values()) {
+                assertTrue(new Rectangle2D.Double(0, 0, width, width / 2.2).contains(layout.box(one)));
+                for (FollowerState other : FollowerState.values()) {
+                    assertEquals(one == other, layout.box(one).intersects(layout.box(other)), one + " and " + other);
+                }
+            }
+        }
+    }
+
+    @Test
+    void everyArrowEndsAtTheEdgeOfItsState() {
+        for (Arrow arrow : StateDiagram.ARROWS) {
+            Vec tip = LAYOUT.route(arrow).tip();
+            Rectangle2D box = LAYOUT.box(arrow.to());
+            double across = Math.min(Math.abs(tip.x() - box.getX()), Math.abs(tip.x() - box.getMaxX()));
+            double down = Math.min(Math.abs(tip.y() - box.getY()), Math.abs(tip.y() - box.getMaxY()));
+            assertEquals(0, Math.min(across, down), 1e-9, arrow.toString());
+            assertTrue(box.intersects(tip.x() - 1, tip.y() - 1, 2, 2), arrow.toString());
+        }
+    }
+
+    @Test
+    void whatWasTakenLastIsSaidForReadersOfTheScreen() {
+        picture(FRAME);
+        assertEquals("State Follow. Align → Follow: turned back for t_p, spin died out", onEdt(() -> view.getAccessibleContext().getAccessibleDescription()));
+    }
+
+    @Test
+    void anArrowUnderTheMouseExplainsItself() {
+        picture(FRAME);
+        Arrow first = StateDiagram.ARROWS.get(0);
+        Vec middle = LAYOUT.route(first).tip();
+        String tip = onEdt(() -> view.getToolTipText(
+                new MouseEvent(view, MouseEvent.MOUSE_MOVED, 0, 0, (int) middle.x() - 12, (int) middle.y(), 0, false)));
+        assertEquals("Search → Turn: wall met (1×)", tip);
+    }
+
+    @Test
+    void theTextsAreTheControllersOwn() {
+        for (Arrow arrow : StateDiagram.ARROWS) {
+            assertEquals(arrow.condition(), StateText.condition(arrow));
+        }
+        for (FollowerState state : FollowerState.values()) {
+            assertFalse(StateText.name(state.name()).equals(state.name()), state + " has no name for people");
+        }
+    }
+
+    @Test
+    void anotherControllerHasNoDiagram() {
+        BufferedImage picture = picture(Runs.frame(Runs.setup(new ControllerSpec.None()), 10));
+        assertEquals(0, Runs.count(picture, Theme.now().accent()));
+        assertEquals("State None", onEdt(() -> view.getAccessibleContext().getAccessibleDescription()));
+    }
+
+    @Test
+    void framesAreShownOnTheEventDispatchThreadOnly() {
+        assertThrows(AssertionError.class, () -> view.show(FRAME));
+        edt(() -> view.show(FRAME));
+    }
+}
