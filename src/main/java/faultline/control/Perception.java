@@ -5,6 +5,11 @@ import faultline.robot.RobotSpec;
 /** What the follower knows at a decision: its sensors with what they remember, its own motion by dead reckoning, and how far its readings can be trusted. */
 final class Perception {
 
+    private static final double QUARTER = StrictMath.PI / 2;
+
+    /** Two sensors see one wall if it would be this much nearer for one of them at most, metres. */
+    private static final double SAME_WALL = 0.02;
+
     private final Hand hand;
     private final double wantedDistance;
     private final Odometer odometer = new Odometer();
@@ -116,8 +121,15 @@ final class Perception {
         return robot().speed() * (lag() + now.dt());
     }
 
-    /** Whether a wall ahead, slanted by no more than this to either side, will be at the wanted distance when the robot has rolled out. */
-    boolean wallAhead(double mostLeft, double mostRight) {
-        return WallAhead.isWithin(wantedRadius(), stopping(), sight, mostLeft, mostRight);
+    /** Whether a wall ahead, however slanted, will be at the wanted distance when the robot has rolled out. */
+    boolean wallAheadInTheOpen() {
+        return WallAhead.isWithin(wantedRadius(), stopping(), sight, WallAhead.MOST_IN_THE_OPEN, WallAhead.MOST_IN_THE_OPEN);
+    }
+
+    /** The same along a wall, which is itself no wall ahead: what the front left sensor sees of it says nothing. */
+    boolean wallAheadBesideAWall() {
+        boolean seesTheWall = sight.left().sees() && sight.frontLeft().wallDistance(QUARTER) >= sight.left().squareDistance() - SAME_WALL;
+        Sight ahead = seesTheWall ? sight.withFrontLeft(Eye.NONE) : sight;
+        return WallAhead.isWithin(wantedRadius(), stopping(), ahead, WallAhead.MOST_LEFT, WallAhead.MOST_RIGHT);
     }
 }

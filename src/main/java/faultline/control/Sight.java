@@ -35,6 +35,11 @@ record Sight(Eye left, Eye front, Eye frontLeft, Eye frontRight, Eye right) {
         return new Sight(left, other, frontLeft, frontRight, right);
     }
 
+    /** This sight with another front left sensor. */
+    Sight withFrontLeft(Eye other) {
+        return new Sight(left, front, other, frontRight, right);
+    }
+
     private static Eye eye(Observation observation, double bearing, double side) {
         RobotSpec robot = observation.robot();
         int best = -1;

@@ -146,7 +146,7 @@ final class WallFollower implements Controller {
         Sight sight = perception.sight();
         double radius = perception.wantedRadius();
         double near = radius + perception.stopping();
-        return perception.wallAhead(WallAhead.MOST_IN_THE_OPEN, WallAhead.MOST_IN_THE_OPEN)
+        return perception.wallAheadInTheOpen()
                 || perception.inTheWay(perception.robot().reach() + GUARD)
                 || sight.frontLeft().seesWithin(near) || sight.frontRight().seesWithin(near)
                 || sight.left().seesWithin(radius) || sight.right().seesWithin(radius);
@@ -154,7 +154,7 @@ final class WallFollower implements Controller {
 
     private boolean wallAhead() {
         double guarded = perception.robot().reach() + GUARD;
-        return perception.wallAhead(WallAhead.MOST_LEFT, WallAhead.MOST_RIGHT)
+        return perception.wallAheadBesideAWall()
                 || perception.inTheWay(guarded) || perception.sight().frontRight().seesWithin(guarded);
     }
 
