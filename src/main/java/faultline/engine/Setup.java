@@ -82,6 +82,16 @@ public record Setup(WorldSpec world, RobotSpec robot, Pose start, ControllerSpec
     }
 
     /**
+     * This setup with the robot elsewhere at time 0.
+     *
+     * @param pose where
+     * @return the same setup otherwise
+     */
+    public Setup withStart(Pose pose) {
+        return new Setup(world, robot, pose, controller, timeline, dt, seed, duration);
+    }
+
+    /**
      * This setup with another duration.
      *
      * @param seconds not negative

@@ -100,6 +100,15 @@ public final class CanvasTools {
     }
 
     /**
+     * The ids of all obstacles.
+     *
+     * @return of the frame that shows
+     */
+    public Set<String> ids() {
+        return desk.scene().ids();
+    }
+
+    /**
      * The obstacles that are selected.
      *
      * @return as they stand in the frame that shows, in drawing order
@@ -181,7 +190,7 @@ public final class CanvasTools {
     /**
      * Lets the hand take the robot while time has not begun, and tells a listener, from now on, where it is to start.
      *
-     * @param listener gets the pose; there may be no room for the robot
+     * @param listener gets the pose, where there is room for the robot
      */
     public void addStartListener(Consumer<Pose> listener) {
         desk.watchers().listenToStarts(listener);

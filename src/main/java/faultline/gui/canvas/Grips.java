@@ -45,7 +45,7 @@ final class Grips {
         }
         Optional<Snapshot> robot = restingRobot(at);
         if (robot.isPresent()) {
-            return new StartHold(robot.get(), turns, at, viewpoint, watchers::start);
+            return new StartHold(robot.get(), turns, at, viewpoint, watchers);
         }
         return left && shift ? new BandHold(scene, viewpoint, at) : new PanHold(viewpoint, at, left ? () -> click(at) : () -> { });
     }

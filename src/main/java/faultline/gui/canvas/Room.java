@@ -21,8 +21,12 @@ final class Room {
                 .isPresent();
     }
 
-    /** What the robot would overlap at a pose. */
+    /** What the robot would overlap at a pose; outside of an enclosed world, that is the wall round it. */
     static Optional<String> obstructing(Snapshot world, Pose pose) {
+        boolean inside = pose.x() > 0 && pose.x() < world.width() && pose.y() > 0 && pose.y() < world.height();
+        if (world.enclosed() && !inside) {
+            return Optional.of(WorldSpec.ENCLOSURE);
+        }
         return obstructing(world.robot(), pose, world.enclosed(), world, world.obstacles());
     }
 

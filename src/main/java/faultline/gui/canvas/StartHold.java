@@ -11,7 +11,6 @@ import faultline.world.Snapshot;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Consumer;
 
 /** The robot in the hand before a run has begun: where it is let go, the run starts. */
 final class StartHold implements Hold {
@@ -20,16 +19,16 @@ final class StartHold implements Hold {
     private final boolean turns;
     private final Vec pressed;
     private final Viewpoint viewpoint;
-    private final Consumer<Pose> starts;
+    private final Watchers watchers;
     private Optional<Pose> wanted = Optional.empty();
     private Vec last;
 
-    StartHold(Snapshot world, boolean turns, Vec pressed, Viewpoint viewpoint, Consumer<Pose> starts) {
+    StartHold(Snapshot world, boolean turns, Vec pressed, Viewpoint viewpoint, Watchers watchers) {
         this.world = world;
         this.turns = turns;
         this.pressed = pressed;
         this.viewpoint = viewpoint;
-        this.starts = starts;
+        this.watchers = watchers;
         this.last = pressed;
     }
 
@@ -55,7 +54,8 @@ final class StartHold implements Hold {
 
     @Override
     public void release() {
-        wanted.ifPresent(starts);
+        wanted.ifPresent(pose -> Room.obstructing(world, pose).ifPresentOrElse(
+                obstacle -> watchers.note(Texts.text("refused.start", obstacle)), () -> watchers.start(pose)));
     }
 
     @Override

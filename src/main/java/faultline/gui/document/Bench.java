@@ -3,6 +3,8 @@ package faultline.gui.document;
 import faultline.engine.Frame;
 import faultline.engine.Journal;
 import faultline.engine.Session;
+import faultline.engine.Setup;
+import faultline.geometry.Pose;
 import faultline.scenario.Journals;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
@@ -14,6 +16,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 
 /** Holds the open scenario and its run. A new file or a restart is a new session; the old one is closed when the new one is there. */
 public final class Bench implements AutoCloseable {
@@ -154,9 +157,25 @@ public final class Bench implements AutoCloseable {
 
     /** Begins anew, soon, with the scenario as it is edited by now. */
     public void restart() {
+        restart(UnaryOperator.identity());
+    }
+
+    /**
+     * Begins anew, soon, with the scenario as it is edited by now and the robot elsewhere.
+     *
+     * @param start where the robot starts; there is room for it
+     */
+    public void startAt(Pose start) {
+        restart(setup -> setup.withStart(start));
+    }
+
+    private void restart(UnaryOperator<Setup> change) {
         work.ifPresent(now -> {
             CompletableFuture<Journal> journal = now.session().journal();
-            begin(Task.RESTART, path(now), () -> Work.begin(now.file(), now.saved(), now.after(journal.join())));
+            begin(Task.RESTART, path(now), () -> {
+                Scenario edited = now.after(journal.join());
+                return Work.begin(now.file(), now.saved(), edited.withSetup(change.apply(edited.setup())));
+            });
         });
     }
 

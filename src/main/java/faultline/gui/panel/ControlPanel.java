@@ -73,6 +73,15 @@ public final class ControlPanel extends JPanel {
     }
 
     /**
+     * The rows of the sensors.
+     *
+     * @return a part of this panel
+     */
+    public SensorsPanel sensors() {
+        return sensors;
+    }
+
+    /**
      * Switches a sensor the other way.
      *
      * @param index its place in the robot's order, from 0; nothing happens where there is none

@@ -6,6 +6,11 @@ import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
 import java.awt.Dimension;
+import java.awt.Rectangle;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.function.Consumer;
 import javax.swing.JCheckBox;
 import javax.swing.JPanel;
@@ -29,7 +34,7 @@ final class SensorRow {
     private double coneRadians;
     private double coneDegrees;
 
-    SensorRow(int index, SensorSpec first, Consumer<Command> commands) {
+    SensorRow(int index, SensorSpec first, Consumer<Command> commands, Consumer<String> chosen) {
         this.commands = commands;
         spec = new Echo<>(first);
         swatch = new Swatch(index);
@@ -39,10 +44,36 @@ final class SensorRow {
         range.named(Texts.text("sensor.range", first.id())).columns(4);
         cone.named(Texts.text("sensor.cone", first.id())).columns(3);
         prepareSwitch(first.id());
+        listen(() -> chosen.accept(first.id()));
+    }
+
+    /** A row is chosen by its number, or by going to one of its controls. */
+    private void listen(Runnable chosen) {
+        swatch.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent event) {
+                chosen.run();
+            }
+        });
+        FocusAdapter focus = new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                chosen.run();
+            }
+        };
+        onOff.addFocusListener(focus);
+        range.text().addFocusListener(focus);
+        cone.text().addFocusListener(focus);
+    }
+
+    /** Where the row is in its grid. */
+    Rectangle bounds() {
+        return onOff.getBounds().union(reading.getBounds()).union(swatch.getBounds()).union(range.getBounds());
     }
 
     private void prepareSwitch(String id) {
         onOff.setText(id);
+        onOff.setOpaque(false);
         onOff.setPreferredSize(new Dimension(NAME_WIDTH, onOff.getPreferredSize().height));
         onOff.setMinimumSize(onOff.getPreferredSize());
         onOff.setToolTipText(Texts.text("sensor.switch", id));

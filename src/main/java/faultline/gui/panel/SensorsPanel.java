@@ -1,21 +1,32 @@
 package faultline.gui.panel;
 
 import faultline.gui.text.Texts;
+import faultline.gui.theme.Smooth;
+import faultline.gui.theme.Theme;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
+import java.awt.Color;
 import java.awt.EventQueue;
+import java.awt.Graphics;
+import java.awt.Shape;
 import java.awt.GridBagLayout;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
 
 /** A row of controls for every sensor of the robot. */
 public final class SensorsPanel extends JPanel {
 
+    private static final int MARK = 2;
+    private static final int MARK_ALPHA = 40;
+
     private final transient Consumer<Command> commands;
     private final transient List<SensorRow> rows = new ArrayList<>();
+    private final transient List<Consumer<Optional<String>>> listeners = new ArrayList<>();
     private List<String> ids = List.of();
+    private transient Optional<String> selected = Optional.empty();
 
     /**
      * Without sensors at first.
@@ -56,6 +67,51 @@ public final class SensorsPanel extends JPanel {
         }
     }
 
+    /**
+     * Marks the row of a sensor.
+     *
+     * @param sensor its id, empty for none
+     */
+    public void select(Optional<String> sensor) {
+        assert EventQueue.isDispatchThread();
+        if (!sensor.equals(selected)) {
+            selected = sensor;
+            rowOfSelected().ifPresent(row -> scrollRectToVisible(row.bounds()));
+            repaint();
+        }
+    }
+
+    /**
+     * Tells a listener, from now on, when the user chooses a row: by a click on its number, or by going to one of its controls.
+     *
+     * @param listener gets the sensor's id
+     */
+    public void addSelectionListener(Consumer<Optional<String>> listener) {
+        listeners.add(listener);
+    }
+
+    private void choose(String sensor) {
+        select(Optional.of(sensor));
+        listeners.forEach(listener -> listener.accept(selected));
+    }
+
+    private Optional<SensorRow> rowOfSelected() {
+        return selected.map(ids::indexOf).filter(index -> index >= 0 && index < rows.size()).map(rows::get);
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        super.paintComponent(graphics);
+        rowOfSelected().map(SensorRow::bounds).ifPresent(row -> Smooth.paint(graphics, g -> {
+            Color accent = Theme.current().palette().accent();
+            g.setColor(new Color(accent.getRed(), accent.getGreen(), accent.getBlue(), MARK_ALPHA));
+            Shape mark = Smooth.box(0, row.y - MARK, getWidth(), row.height + 2 * MARK);
+            g.fill(mark);
+            g.setColor(accent);
+            g.draw(mark);
+        }));
+    }
+
     private void rebuild(List<SensorSnapshot> sensors) {
         removeAll();
         rows.clear();
@@ -64,7 +120,7 @@ public final class SensorsPanel extends JPanel {
         add(new MutedLabel(Texts.text("sensors.cone")), Grid.cell(3, 0));
         add(new MutedLabel(Texts.text("sensors.reading")), Grid.cell(4, 0));
         for (int i = 0; i < sensors.size(); i++) {
-            SensorRow row = new SensorRow(i, sensors.get(i).spec(), commands);
+            SensorRow row = new SensorRow(i, sensors.get(i).spec(), commands, this::choose);
             row.addTo(this, i + 1);
             rows.add(row);
         }

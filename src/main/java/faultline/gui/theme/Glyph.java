@@ -18,6 +18,24 @@ public enum Glyph {
     UNDO("M 6.5 3.5 L 3 7 L 6.5 10.5 M 3 7 L 10.5 7 C 16.5 7 16.5 14.5 10.5 14.5 L 7 14.5", ""),
     /** Do it again. */
     REDO("M 11.5 3.5 L 15 7 L 11.5 10.5 M 15 7 L 7.5 7 C 1.5 7 1.5 14.5 7.5 14.5 L 11 14.5", ""),
+    /** A rectangle. */
+    RECTANGLE("M 2 5 L 16 5 L 16 13 L 2 13 Z", ""),
+    /** A square. */
+    SQUARE("M 4 4 L 14 4 L 14 14 L 4 14 Z", ""),
+    /** A circle. */
+    CIRCLE("O 9 9 6", ""),
+    /** An ellipse. */
+    ELLIPSE("M 2 9 C 2 3.7 16 3.7 16 9 C 16 14.3 2 14.3 2 9 Z", ""),
+    /** A triangle. */
+    TRIANGLE("M 9 3 L 16 15 L 2 15 Z", ""),
+    /** A hexagon. */
+    HEXAGON("M 16 9 L 12.5 15 L 5.5 15 L 2 9 L 5.5 3 L 12.5 3 Z", ""),
+    /** Two bars at a right angle. */
+    ANGLE("M 3.5 3 L 8 3 L 8 10.5 L 15 10.5 L 15 15 L 3.5 15 Z", ""),
+    /** A wall of several pieces. */
+    WALL("M 3 14 L 3 6 L 10 6 L 15 12", "O 3 14 1.5 O 3 6 1.5 O 10 6 1.5 O 15 12 1.5"),
+    /** A polygon drawn by hand. */
+    POLYGON("M 3 6 L 9 3 L 15 7 L 12 15 L 8 10.5 L 4 14 Z", ""),
     /** Let time run. */
     RUN("", "M 5 3 L 15 9 L 5 15 Z"),
     /** Hold time. */

@@ -2,10 +2,12 @@ package faultline.gui.window;
 
 import faultline.gui.action.UiAction;
 import faultline.gui.text.Texts;
+import java.util.List;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.JPopupMenu;
 
 /** The menu bar. */
 final class Menus {
@@ -22,14 +24,31 @@ final class Menus {
         Menus menus = new Menus(actions);
         JMenuBar bar = new GuardedMenuBar();
         bar.add(menus.file());
-        bar.add(menus.menu("edit", "undo", "redo"));
+        bar.add(menus.menu("edit", "undo", "redo", RULE, "cut", "copy", "paste", "duplicate", "delete", RULE, "selectAll"));
         bar.add(menus.menu("view", "fit", "zoomIn", "zoomOut", "follow", RULE, "path", "cones", "hits", "routes", "labels", "grid", "scaleBar", RULE,
                 "instruments", "dark"));
         JMenu simulation = menus.menu("simulation", "run", "step", "stepBack", "restart", RULE, "record", RULE, "slower", "faster", "realTime", RULE);
         simulation.add(menus.menu("sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8"));
+        simulation.add(menus.menu("presets", "sensorsTwo", "sensorsThree", "sensorsAll"));
         bar.add(simulation);
+        bar.add(menus.obstacles());
         bar.add(menus.menu("help", "shortcuts", "about"));
         return bar;
+    }
+
+    private JMenu obstacles() {
+        JMenu obstacles = menu("obstacles", ObstacleActions.PALETTE.toArray(String[]::new));
+        fill(obstacles, RULE, "drawWay", "standStill", RULE, "snapGrid", "snapAngle");
+        return obstacles;
+    }
+
+    /** What can be done to what is selected, beside the mouse. */
+    static JPopupMenu onCanvas(UiActions actions) {
+        JPopupMenu popup = new JPopupMenu();
+        for (String key : List.of("drawWay", "standStill", "duplicate", "cut", "copy", "paste", "delete")) {
+            popup.add(item(actions.get(key)));
+        }
+        return popup;
     }
 
     private JMenu file() {

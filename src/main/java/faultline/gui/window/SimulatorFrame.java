@@ -24,6 +24,7 @@ import java.nio.file.Path;
 import javax.swing.BoundedRangeModel;
 import javax.swing.DefaultBoundedRangeModel;
 import javax.swing.JFrame;
+import javax.swing.JPopupMenu;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
@@ -69,6 +70,7 @@ public final class SimulatorFrame extends JFrame {
         setMinimumSize(LEAST);
         placeWindow();
         closeWithQuestion();
+        edit();
         watch = new FileWatch(bench, files::changedOnDisk);
     }
 
@@ -77,12 +79,28 @@ public final class SimulatorFrame extends JFrame {
         actions.add(UiAction.of("examples", this::showExamples).on(Keystrokes.menuShift(KeyEvent.VK_O)));
         editActions.addTo(actions);
         editActions.bindTo(getRootPane());
+        new ObstacleActions(canvas.tools(), edits, this::note).addTo(actions);
+        new SensorActions(bench, edits).addTo(actions);
         new ExportDesk(this, bench, canvas, files::fileFor).actions().forEach(actions::add);
         ViewActions.addTo(actions, canvas, this::setTheme);
         actions.add(UiAction.toggle("instruments", memory.isDockShown(), this::showDock).on(Keystrokes.plain(KeyEvent.VK_I)));
         runActions.addTo(actions, this::toggleSensor);
         dialogs.addTo(actions);
         actions.get("dark").drawn(Theme.current() == Theme.DARK ? Glyph.SUN : Glyph.MOON);
+    }
+
+    private void note(String sentence) {
+        area.status().showNote(sentence);
+    }
+
+    /** What the canvas asks for. */
+    private void edit() {
+        JPopupMenu popup = Menus.onCanvas(actions);
+        canvas.tools().addMenuListener(at -> popup.show(canvas, at.x, at.y));
+        canvas.tools().addStartListener(pose -> bench.scenario().ifPresent(open -> {
+            edits.add(new StartEdit(open.setup().start(), pose, bench::startAt));
+            bench.startAt(pose);
+        }));
     }
 
     private void showEdits() {
@@ -105,7 +123,7 @@ public final class SimulatorFrame extends JFrame {
         setSize(Math.min(getWidth(), screen.width), Math.min(getHeight(), screen.height));
         validate();
         int panelWidth = memory.panelWidth().orElse(area.panel().getMinimumSize().width);
-        area.split().setDividerLocation(getWidth() - panelWidth - area.split().getDividerSize());
+        area.split().setDividerLocation(area.split().getWidth() - panelWidth - area.split().getDividerSize());
         placeDock();
     }
 

@@ -50,7 +50,8 @@ final class ToolBar extends JToolBar {
         add(Box.createHorizontalStrut(GROUP_GAP));
     }
 
-    private static AbstractButton button(UiAction action) {
+    /** A button that shows the drawing of an action. */
+    static AbstractButton button(UiAction action) {
         AbstractButton button = action.isToggle() ? new Switch() : new Push();
         button.setHideActionText(true);
         button.setAction(action);

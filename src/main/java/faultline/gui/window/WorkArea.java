@@ -50,8 +50,12 @@ final class WorkArea extends JPanel {
         split.setResizeWeight(1);
         split.setContinuousLayout(true);
         add(new ToolBar(actions, speed), BorderLayout.NORTH);
+        add(new ObstaclePalette(actions), BorderLayout.LINE_START);
         add(split, BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
+        canvas.tools().addNoteListener(status::showNote);
+        canvas.tools().addSensorListener(panel.sensors()::select);
+        panel.sensors().addSelectionListener(canvas.tools()::selectSensor);
         canvas.addCursorListener(status::showCursor);
         canvas.addCameraListener(camera -> status.showScale(camera.scale()));
         canvas.setPalette(Theme.current().palette());

@@ -2,17 +2,24 @@ package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.onEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
+import faultline.geometry.Sector;
 import faultline.geometry.Vec;
+import faultline.gui.Components;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import faultline.sensor.SensorSpec;
 import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import javax.swing.JLabel;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -94,5 +101,123 @@ class EditsRobotTest {
         for (int i = 0; i < times; i++) {
             driver.robot().type(keys);
         }
+    }
+
+    private Vec point(double x, double y) {
+        return onScreen(new Vec(x, y));
+    }
+
+    private void click(double x, double y) {
+        Vec at = point(x, y);
+        driver.robot().click(driver.canvas(), at.x(), at.y(), LEFT);
+    }
+
+    private void drag(Vec from, Vec to) {
+        driver.robot().drag(driver.canvas(), from.x(), from.y(), to.x(), to.y(), LEFT);
+    }
+
+    private Optional<Obstacle> obstacle(Frame frame, String id) {
+        return frame.world().obstacles().stream().filter(obstacle -> obstacle.id().equals(id)).findFirst();
+    }
+
+    private void waitForObstacle(String what, String id, Predicate<Obstacle> condition) {
+        driver.waitForFrame(what, frame -> obstacle(frame, id).filter(condition).isPresent());
+    }
+
+    private void waitForSelection(String... ids) {
+        driver.robot().waitFor("the selection is as wanted",
+                () -> driver.canvas().tools().selected().stream().map(Obstacle::id).toList().equals(List.of(ids)));
+    }
+
+    @Test
+    void aPolygonIsDrawnCornerByCornerAndSelected() {
+        driver.choose("drawPolygon");
+        click(6, 1.5);
+        click(7, 1.5);
+        click(6.5, 2.2);
+        driver.robot().type(KeyEvent.VK_ENTER);
+        waitForObstacle("the polygon is there", "polygon", polygon -> ((ObstacleShape.Polygon) polygon.shape()).points().size() == 3);
+        waitForSelection("polygon");
+        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+        driver.waitForFrame("the polygon is gone", frame -> obstacle(frame, "polygon").isEmpty());
+    }
+
+    @Test
+    void aRectangleIsDrawnResizedDuplicatedAndDeleted() {
+        driver.choose("snapGrid");
+        driver.choose("placeRectangle");
+        drag(point(6, 1.5), point(7, 2));
+        waitForObstacle("it is as large as drawn", "rectangle", box -> box.shape().equals(new ObstacleShape.Rectangle(1, 0.5)));
+        waitForSelection("rectangle");
+        drag(point(7, 1.75), point(7.3, 1.75));
+        waitForObstacle("it is wider", "rectangle", box -> box.shape().equals(new ObstacleShape.Rectangle(1.3, 0.5)));
+        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_D);
+        waitForSelection("rectangle-2");
+        driver.robot().type(KeyEvent.VK_DELETE);
+        driver.waitForFrame("the copy is gone", frame -> obstacle(frame, "rectangle-2").isEmpty());
+    }
+
+    @Test
+    void obstaclesGoOverTheClipboardAsText() {
+        driver.robot().holding(KeyEvent.VK_SHIFT, () -> drag(point(2.9, 3.9), point(3.6, 3.1)));
+        waitForSelection("chair-1");
+        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
+        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_V);
+        waitForObstacle("the copy is there", "chair-3", copy -> true);
+    }
+
+    @Test
+    void whatWouldOverlapTheRobotIsRefusedWithAReason() {
+        driver.choose("placeCircle");
+        click(2, 1.8);
+        driver.robot().waitFor("the status bar says why", () -> Components.all(driver.window(), JLabel.class)
+                .anyMatch(label -> "circle cannot be put there: it would overlap the robot".equals(label.getText())));
+        assertTrue(obstacle(driver.frame(), "circle").isEmpty());
+        click(6.5, 2);
+        waitForObstacle("it is put elsewhere", "circle", circle -> true);
+    }
+
+    @Test
+    void anObstacleIsGivenAWayByClicks() {
+        click(4.7, 2.5);
+        waitForSelection("chair-2");
+        driver.choose("drawWay");
+        click(6.5, 2.5);
+        driver.robot().type(KeyEvent.VK_ENTER);
+        waitForObstacle("it has a way to there and back", "chair-2", chair -> chair.motion().filter(way -> way.points().size() == 2).isPresent());
+    }
+
+    @Test
+    void theRobotIsDraggedToAnotherStartAndBackByUndo() {
+        drag(point(2, 1.8), point(2.5, 2));
+        driver.waitForFrame("it starts elsewhere", frame -> frame.world().pose().position().distanceTo(new Vec(2.5, 2)) < 0.03);
+        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+        driver.waitForFrame("it starts where it did", frame -> frame.world().pose().position().equals(new Vec(2, 1.8)));
+        driver.robot().waitFor("the window says that nothing is changed", () -> !isMarkedChanged());
+    }
+
+    @Test
+    void aConeIsSelectedByAClickAndItsRangeDraggedByTheRim() {
+        Sector cone = driver.frame().world().sensors().get(4).sector();
+        Vec inside = onScreen(cone.apex().plus(cone.axis().times(cone.range() / 2)));
+        driver.robot().click(driver.canvas(), inside.x(), inside.y(), LEFT);
+        Vec rim = onScreen(cone.apex().plus(cone.axis().times(cone.range())));
+        Vec farther = onScreen(cone.apex().plus(cone.axis().times(1.2)));
+        drag(rim, farther);
+        driver.waitForFrame("the range is larger", frame -> Math.abs(frame.world().sensors().get(4).spec().range() - 1.2) < 0.02);
+    }
+
+    @Test
+    void presetsSwitchSensorsInOneEdit() {
+        driver.choose("sensorsTwo");
+        driver.waitForFrame("two are on", frame -> on(frame).equals(List.of("front", "left")));
+        driver.choose("sensorsThree");
+        driver.waitForFrame("three are on", frame -> on(frame).equals(List.of("front", "left", "front-right")));
+        times(2, KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+        driver.waitForFrame("all are on", frame -> on(frame).size() == 8);
+    }
+
+    private static List<String> on(Frame frame) {
+        return frame.world().robot().sensors().stream().filter(SensorSpec::on).map(SensorSpec::id).toList();
     }
 }

@@ -67,8 +67,12 @@ class WorkAreaTest {
             FileDesk files = new FileDesk(canvas, bench);
             files.addTo(actions, () -> {
             });
-            new EditActions(new EditDesk(bench::send, () -> {
-            })).addTo(actions);
+            EditDesk edits = new EditDesk(bench::send, () -> {
+            });
+            new EditActions(edits).addTo(actions);
+            new ObstacleActions(canvas.tools(), edits, sentence -> {
+            }).addTo(actions);
+            new SensorActions(bench, edits).addTo(actions);
             new ExportDesk(canvas, bench, canvas, files::fileFor).actions().forEach(actions::add);
             actions.add(UiAction.of("examples", () -> {
             }));
@@ -144,7 +148,7 @@ class WorkAreaTest {
             edt(theme::install);
             build(theme);
             BufferedImage image = onEdt(this::picture);
-            assertEquals(theme.palette().canvas().getRGB(), image.getRGB(3, 400));
+            assertEquals(theme.palette().canvas().getRGB(), image.getRGB(53, 400));
             assertEquals(theme.colours().background().getRGB(), image.getRGB(1355, 835));
         }
         edt(Theme.LIGHT::install);

@@ -1,0 +1,148 @@
+package faultline.gui.window;
+
+import static faultline.gui.action.Keystrokes.menu;
+import static faultline.gui.action.Keystrokes.plain;
+
+import faultline.geometry.Degrees;
+import faultline.gui.action.UiAction;
+import faultline.gui.canvas.CanvasTools;
+import faultline.gui.edit.Copies;
+import faultline.gui.edit.Editor;
+import faultline.gui.edit.ReadyShape;
+import faultline.gui.edit.Snap;
+import faultline.gui.text.Texts;
+import faultline.gui.theme.Glyph;
+import faultline.scenario.ObstacleText;
+import faultline.scenario.ScenarioException;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import java.awt.Toolkit;
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/** The actions on obstacles: new ones from the palette, copies by way of the clipboard, deleting, ways, and snapping. */
+final class ObstacleActions {
+
+    /** The palette: all that makes a new obstacle, in the order of its buttons. */
+    static final List<String> PALETTE = List.of("placeRectangle", "placeSquare", "placeCircle", "placeEllipse", "placeTriangle", "placeHexagon",
+            "placeAngle", "drawWall", "drawPolygon");
+
+    private static final Map<ReadyShape, Glyph> GLYPHS = Map.of(ReadyShape.RECTANGLE, Glyph.RECTANGLE, ReadyShape.SQUARE, Glyph.SQUARE, ReadyShape.CIRCLE,
+            Glyph.CIRCLE, ReadyShape.ELLIPSE, Glyph.ELLIPSE, ReadyShape.TRIANGLE, Glyph.TRIANGLE, ReadyShape.HEXAGON, Glyph.HEXAGON, ReadyShape.ANGLE,
+            Glyph.ANGLE);
+    private static final double GRID = 0.05;
+    private static final double TURN = Degrees.toRadians(15);
+
+    private final CanvasTools tools;
+    private final Editor editor;
+    private final Consumer<String> note;
+    private final UiAction snapGrid = UiAction.toggle("snapGrid", false, on -> snap());
+    private final UiAction snapAngle = UiAction.toggle("snapAngle", false, on -> snap());
+
+    ObstacleActions(CanvasTools tools, Editor editor, Consumer<String> note) {
+        this.tools = tools;
+        this.editor = editor;
+        this.note = note;
+    }
+
+    void addTo(UiActions actions) {
+        for (ReadyShape shape : ReadyShape.values()) {
+            String name = shape.name();
+            String key = "place" + name.charAt(0) + name.substring(1).toLowerCase(Locale.ROOT);
+            actions.add(UiAction.of(key, () -> use(key, () -> tools.place(shape))).drawn(GLYPHS.get(shape)));
+        }
+        actions.add(UiAction.of("drawWall", () -> use("drawWall", tools::drawWall)).drawn(Glyph.WALL));
+        actions.add(UiAction.of("drawPolygon", () -> use("drawPolygon", tools::drawPolygon)).drawn(Glyph.POLYGON));
+        actions.add(UiAction.of("drawWay", this::drawWay));
+        actions.add(UiAction.of("standStill", this::standStill));
+        actions.add(UiAction.of("cut", this::cut).on(menu(KeyEvent.VK_X)));
+        actions.add(UiAction.of("copy", this::copy).on(menu(KeyEvent.VK_C)));
+        actions.add(UiAction.of("paste", this::paste).on(menu(KeyEvent.VK_V)));
+        actions.add(UiAction.of("duplicate", () -> put(tools.selected())).on(menu(KeyEvent.VK_D)));
+        actions.add(UiAction.of("delete", this::delete).on(plain(KeyEvent.VK_DELETE)));
+        actions.add(UiAction.of("selectAll", tools::selectAll).on(menu(KeyEvent.VK_A)));
+        actions.add(snapGrid);
+        actions.add(snapAngle);
+    }
+
+    /** Says how a tool is used while it is taken up. */
+    private void use(String key, Runnable tool) {
+        tool.run();
+        note.accept(Texts.text("action." + key + ".tip"));
+    }
+
+    private void snap() {
+        tools.setSnap(new Snap(snapGrid.isOn() ? GRID : 0, snapAngle.isOn() ? TURN : 0));
+    }
+
+    private void drawWay() {
+        if (tools.selected().size() == 1) {
+            use("drawWay", tools::drawWay);
+        } else {
+            note.accept(Texts.text("note.selectOne"));
+        }
+    }
+
+    private void standStill() {
+        editor.send(tools.selected().stream().filter(obstacle -> obstacle.motion().isPresent())
+                .<Command>map(obstacle -> new Command.PutObstacle(new Obstacle(obstacle.id(), obstacle.shape(), obstacle.pose()))).toList());
+    }
+
+    private void cut() {
+        copy();
+        delete();
+    }
+
+    private void delete() {
+        editor.send(tools.selected().stream().<Command>map(obstacle -> new Command.RemoveObstacle(obstacle.id())).toList());
+    }
+
+    private void copy() {
+        if (!tools.selected().isEmpty()) {
+            clipboard().setContents(new StringSelection(ObstacleText.write(tools.selected())), null);
+        }
+    }
+
+    private void paste() {
+        try {
+            pastedText().ifPresent(this::paste);
+        } catch (IllegalStateException busy) {
+            note.accept(Texts.text("note.clipboardBusy"));
+        }
+    }
+
+    private void paste(String text) {
+        try {
+            put(ObstacleText.read(text));
+        } catch (ScenarioException bad) {
+            note.accept(Texts.text("note.notPasted", bad.complaints().get(0).text()));
+        }
+    }
+
+    private static Optional<String> pastedText() {
+        try {
+            return Optional.of((String) clipboard().getData(DataFlavor.stringFlavor));
+        } catch (UnsupportedFlavorException | IOException noText) {
+            return Optional.empty();
+        }
+    }
+
+    private static Clipboard clipboard() {
+        return Toolkit.getDefaultToolkit().getSystemClipboard();
+    }
+
+    private void put(List<Obstacle> originals) {
+        List<Obstacle> copies = Copies.of(originals, tools.ids());
+        tools.selectSoon(copies.stream().map(Obstacle::id).toList());
+        editor.send(copies.stream().<Command>map(Command.PutObstacle::new).toList());
+    }
+}
