@@ -30,6 +30,7 @@ final class CommandLine {
         commands.put("figures", new FiguresCommand(console)::run);
         commands.put("--help", arguments -> tell(HelpText.LINES));
         commands.put("--version", arguments -> tell(HelpText.version()));
+        commands.put("--startup-time", new WindowCommand(console)::time);
     }
 
     /**

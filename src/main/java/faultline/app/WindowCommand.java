@@ -7,6 +7,8 @@ import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** No command: the window, or where there is no display a run without one. */
@@ -28,6 +30,20 @@ final class WindowCommand {
     /** With a file, which is read first: what is wrong with it is told here, not in a window. */
     int run(Path file) throws ScenarioException {
         return show(Optional.of(file), Scenario.load(file), file.toString());
+    }
+
+    /** Opens the window, and closes it when its first picture is there. */
+    int time(List<String> arguments) throws UsageException {
+        Arguments given = new Arguments(arguments, List.of());
+        if (given.files().size() > 1) {
+            throw new UsageException("the window takes one scenario file, not also \"" + given.files().get(1) + "\"");
+        }
+        if (!hasDisplay()) {
+            throw new UsageException("--startup-time needs a display, and there is none");
+        }
+        Optional<Path> file = given.files().isEmpty() ? Optional.empty() : Optional.of(Arguments.path(given.files().get(0)));
+        GuiLauncher.openBriefly(file, () -> console.tell(String.format(Locale.ROOT, "startup_s: %.2f", ProcessAge.seconds())));
+        return ExitCode.DONE;
     }
 
     private int show(Optional<Path> file, Scenario scenario, String name) {

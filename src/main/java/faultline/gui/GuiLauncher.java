@@ -1,6 +1,8 @@
 package faultline.gui;
 
 import faultline.gui.document.Recovery;
+import faultline.gui.text.SwingTexts;
+import faultline.gui.text.Texts;
 import faultline.gui.window.SimulatorFrame;
 import faultline.gui.window.UncaughtDialog;
 import faultline.gui.window.WindowMemory;
@@ -27,12 +29,36 @@ public final class GuiLauncher {
         EventQueue.invokeLater(() -> openNow(file));
     }
 
-    private static void openNow(Optional<Path> file) {
-        WindowMemory memory = WindowMemory.ofUser();
+    /**
+     * Opens the window, and closes it again when it has painted its first frame.
+     *
+     * @param file the scenario to open, empty for the default one
+     * @param painted told when that was, on the event dispatch thread
+     */
+    public static void openBriefly(Optional<Path> file, Runnable painted) {
+        EventQueue.invokeLater(() -> {
+            SimulatorFrame window = show(WindowMemory.ofUser(), file);
+            window.whenPainted(() -> {
+                painted.run();
+                window.dispose();
+            });
+        });
+    }
+
+    private static SimulatorFrame show(WindowMemory memory, Optional<Path> file) {
+        Texts.speak(memory.language());
+        SwingTexts.install();
+        memory.textSize().install();
         memory.theme().install();
         SimulatorFrame window = new SimulatorFrame(memory);
         window.setVisible(true);
         file.ifPresentOrElse(window::open, () -> window.openShipped(DEFAULT));
+        return window;
+    }
+
+    private static void openNow(Optional<Path> file) {
+        WindowMemory memory = WindowMemory.ofUser();
+        SimulatorFrame window = show(memory, file);
         if (file.isEmpty() && memory.galleryAtStart()) {
             window.showExamples();
         }

@@ -36,6 +36,7 @@ public final class SimulationCanvas extends JComponent {
     private final Hand hand;
     private final CanvasTools tools;
     private Palette palette = Palette.LIGHT;
+    private Optional<Runnable> painted = Optional.empty();
 
     /**
      * A canvas without a frame.
@@ -203,6 +204,16 @@ public final class SimulationCanvas extends JComponent {
         return tools;
     }
 
+    /**
+     * Tells once, soon, that a frame has been painted.
+     *
+     * @param listener told on the event dispatch thread, after the next painting of a frame
+     */
+    public void whenPainted(Runnable listener) {
+        assert EventQueue.isDispatchThread();
+        painted = Optional.of(listener);
+    }
+
     @Override
     public void setBounds(int x, int y, int width, int height) {
         super.setBounds(x, y, width, height);
@@ -228,6 +239,10 @@ public final class SimulationCanvas extends JComponent {
         });
         if (!picture.isComplete()) {
             repaint();
+        }
+        if (scene.frame().isPresent()) {
+            painted.ifPresent(EventQueue::invokeLater);
+            painted = Optional.empty();
         }
     }
 

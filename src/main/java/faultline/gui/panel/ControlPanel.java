@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.gui.text.Texts;
+import faultline.gui.theme.TextSize;
 import faultline.world.Command;
 import faultline.world.Snapshot;
 import java.awt.BorderLayout;
@@ -52,12 +53,12 @@ public final class ControlPanel extends JPanel {
     /** Wide enough for its rows before there are any, and for the scroll bar before it comes. */
     @Override
     public Dimension getMinimumSize() {
-        return new Dimension(WIDTH, super.getMinimumSize().height);
+        return new Dimension(TextSize.scaled(WIDTH), super.getMinimumSize().height);
     }
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(WIDTH, super.getPreferredSize().height);
+        return new Dimension(TextSize.scaled(WIDTH), super.getPreferredSize().height);
     }
 
     /**

@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.gui.text.Texts;
+import faultline.gui.theme.TextSize;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.awt.Dimension;
@@ -70,7 +71,7 @@ public final class RobotPanel extends JPanel {
     /** All as wide as the widest, so that the fields stand in line. */
     private static JLabel unit(String text) {
         JLabel label = new MutedLabel(text);
-        label.setPreferredSize(new Dimension(UNIT_WIDTH, label.getPreferredSize().height));
+        label.setPreferredSize(new Dimension(TextSize.scaled(UNIT_WIDTH), label.getPreferredSize().height));
         return label;
     }
 

@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
 import faultline.gui.text.Texts;
+import faultline.gui.theme.TextSize;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
@@ -74,7 +75,7 @@ final class SensorRow {
     private void prepareSwitch(String id) {
         onOff.setText(id);
         onOff.setOpaque(false);
-        onOff.setPreferredSize(new Dimension(NAME_WIDTH, onOff.getPreferredSize().height));
+        onOff.setPreferredSize(new Dimension(TextSize.scaled(NAME_WIDTH), onOff.getPreferredSize().height));
         onOff.setMinimumSize(onOff.getPreferredSize());
         onOff.setToolTipText(Texts.text("sensor.switch", id));
         onOff.getAccessibleContext().setAccessibleName(Texts.text("sensor.switch", id));

@@ -1,16 +1,59 @@
 package faultline.gui.text;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.text.MessageFormat;
 import java.util.Locale;
+import java.util.MissingResourceException;
 import java.util.ResourceBundle;
+import java.util.stream.Stream;
 
 /** The texts that users see. Numbers in them are written before they get here, so that no locale changes them. */
 public final class Texts {
 
-    private static final ResourceBundle BUNDLE = ResourceBundle.getBundle("faultline.gui.Messages", Locale.getDefault(),
-            ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
+    private static volatile Language language = Language.ENGLISH;
+    private static volatile ResourceBundle bundle = bundle(Language.ENGLISH);
 
     private Texts() {
+    }
+
+    private static ResourceBundle bundle(Language language) {
+        return ResourceBundle.getBundle("faultline.gui.Messages", language.locale(),
+                ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
+    }
+
+    /**
+     * Chooses the language of all texts that are asked for from now on.
+     *
+     * @param chosen the language
+     */
+    public static void speak(Language chosen) {
+        language = chosen;
+        bundle = bundle(chosen);
+    }
+
+    static Stream<String> keys() {
+        return bundle.keySet().stream().sorted();
+    }
+
+    /**
+     * A page of more than a few words.
+     *
+     * @param name of the page
+     * @return HTML
+     */
+    public static String page(String name) {
+        String file = name + (language == Language.ENGLISH ? "" : "_" + language.locale().getLanguage()) + ".html";
+        try (InputStream in = Texts.class.getResourceAsStream("/faultline/gui/" + file)) {
+            if (in == null) {
+                throw new MissingResourceException("there is no page " + file, Texts.class.getName(), file);
+            }
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException broken) {
+            throw new UncheckedIOException(broken);
+        }
     }
 
     /**
@@ -21,7 +64,7 @@ public final class Texts {
      * @throws java.util.MissingResourceException if there is none
      */
     public static String text(String key) {
-        return BUNDLE.getString(key);
+        return bundle.getString(key);
     }
 
     /**
@@ -43,6 +86,6 @@ public final class Texts {
      * @return true where there is
      */
     public static boolean has(String key) {
-        return BUNDLE.containsKey(key);
+        return bundle.containsKey(key);
     }
 }

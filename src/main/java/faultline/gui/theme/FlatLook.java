@@ -6,6 +6,7 @@ import java.util.List;
 import javax.swing.UIDefaults;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
+import javax.swing.plaf.FontUIResource;
 import javax.swing.plaf.metal.MetalLookAndFeel;
 
 /** Puts the flat look on top of Metal. */
@@ -27,7 +28,8 @@ final class FlatLook {
             throw new IllegalStateException("Metal is on every machine", impossible);
         }
         UIDefaults defaults = UIManager.getLookAndFeelDefaults();
-        List.copyOf(defaults.keySet()).stream().filter(key -> key.toString().endsWith(".font")).forEach(key -> defaults.put(key, FlatTheme.FONT));
+        FontUIResource font = FlatTheme.font();
+        List.copyOf(defaults.keySet()).stream().filter(key -> key.toString().endsWith(".font")).forEach(key -> defaults.put(key, font));
         DELEGATES.forEach(delegate -> register(defaults, delegate));
         FlatDefaults.table(theme.colours()).forEach(defaults::put);
         FlatIcons.table().forEach(defaults::put);

@@ -9,12 +9,17 @@ import javax.swing.plaf.metal.DefaultMetalTheme;
 /** Our colours and our one font in the places where Metal looks for its own. */
 final class FlatTheme extends DefaultMetalTheme {
 
-    static final FontUIResource FONT = new FontUIResource(Font.SANS_SERIF, Font.PLAIN, 13);
+    private final FontUIResource font = font();
 
     private final ThemeColours colours;
 
     FlatTheme(ThemeColours colours) {
         this.colours = colours;
+    }
+
+    /** Our font at the installed size. */
+    static FontUIResource font() {
+        return new FontUIResource(Font.SANS_SERIF, Font.PLAIN, TextSize.scaled(13));
     }
 
     private static ColorUIResource resource(Color colour) {
@@ -93,31 +98,31 @@ final class FlatTheme extends DefaultMetalTheme {
 
     @Override
     public FontUIResource getControlTextFont() {
-        return FONT;
+        return font;
     }
 
     @Override
     public FontUIResource getMenuTextFont() {
-        return FONT;
+        return font;
     }
 
     @Override
     public FontUIResource getSystemTextFont() {
-        return FONT;
+        return font;
     }
 
     @Override
     public FontUIResource getUserTextFont() {
-        return FONT;
+        return font;
     }
 
     @Override
     public FontUIResource getWindowTitleFont() {
-        return FONT;
+        return font;
     }
 
     @Override
     public FontUIResource getSubTextFont() {
-        return FONT;
+        return font;
     }
 }

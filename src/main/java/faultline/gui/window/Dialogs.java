@@ -13,6 +13,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javax.swing.Icon;
+import javax.swing.ImageIcon;
 import javax.swing.JDialog;
 import javax.swing.JOptionPane;
 import javax.swing.UIManager;
@@ -31,6 +33,7 @@ final class Dialogs {
 
     void addTo(UiActions actions) {
         actions.add(UiAction.of("shortcuts", () -> shortcuts(actions).setVisible(true)).on(Keystrokes.plain(KeyEvent.VK_F1)));
+        actions.add(UiAction.of("guide", () -> new GuideDialog(owner).setVisible(true)));
         actions.add(UiAction.of("about", this::about));
     }
 
@@ -69,6 +72,9 @@ final class Dialogs {
     }
 
     private void about() {
-        JOptionPane.showMessageDialog(owner, Texts.text("about.text"), Texts.text("about.title"), JOptionPane.INFORMATION_MESSAGE);
+        String version = Optional.ofNullable(Dialogs.class.getPackage().getImplementationVersion()).orElse("–");
+        Icon robot = new ImageIcon(AppIcon.images().get(AppIcon.images().size() - 1));
+        JOptionPane.showMessageDialog(owner, Texts.text("about.text", version, System.getProperty("java.version")), Texts.text("about.title"),
+                JOptionPane.INFORMATION_MESSAGE, robot);
     }
 }

@@ -25,14 +25,17 @@ final class Menus {
         JMenuBar bar = new GuardedMenuBar();
         bar.add(menus.file());
         bar.add(menus.menu("edit", "undo", "redo", RULE, "cut", "copy", "paste", "duplicate", "delete", RULE, "selectAll"));
-        bar.add(menus.menu("view", "fit", "zoomIn", "zoomOut", "follow", RULE, "path", "cones", "hits", "routes", "labels", "grid", "scaleBar", RULE,
-                "instruments", "dark"));
+        JMenu view = menus.menu("view", "fit", "zoomIn", "zoomOut", "follow", RULE, "path", "cones", "hits", "routes", "labels", "grid", "scaleBar", RULE,
+                "instruments", "dark");
+        view.add(menus.menu("language", "languageEnglish", "languagePolish"));
+        view.add(menus.menu("textSize", "textSizeNormal", "textSizeLarge", "textSizeLargest"));
+        bar.add(view);
         JMenu simulation = menus.menu("simulation", "run", "step", "stepBack", "restart", RULE, "record", RULE, "slower", "faster", "realTime", RULE);
         simulation.add(menus.menu("sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8"));
         simulation.add(menus.menu("presets", "sensorsTwo", "sensorsThree", "sensorsAll"));
         bar.add(simulation);
         bar.add(menus.obstacles());
-        bar.add(menus.menu("help", "shortcuts", "about"));
+        bar.add(menus.menu("help", "guide", "shortcuts", RULE, "about"));
         return bar;
     }
 

@@ -86,6 +86,7 @@ public final class SimulatorFrame extends JFrame {
         actions.add(UiAction.toggle("instruments", memory.isDockShown(), this::showDock).on(Keystrokes.plain(KeyEvent.VK_I)));
         runActions.addTo(actions, this::toggleSensor);
         dialogs.addTo(actions);
+        new ChoiceActions(this, memory).addTo(actions);
         actions.get("dark").drawn(Theme.current() == Theme.DARK ? Glyph.SUN : Glyph.MOON);
     }
 
@@ -182,6 +183,15 @@ public final class SimulatorFrame extends JFrame {
      */
     public void openShipped(String name) {
         bench.openShipped(name);
+    }
+
+    /**
+     * Tells once that a frame has been painted.
+     *
+     * @param listener told on the event dispatch thread
+     */
+    public void whenPainted(Runnable listener) {
+        canvas.whenPainted(listener);
     }
 
     /** Shows the examples that ship with the program, in front of the window. */

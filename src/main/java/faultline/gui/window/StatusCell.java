@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.gui.theme.TextSize;
 import java.awt.Dimension;
 import javax.swing.JLabel;
 
@@ -9,7 +10,7 @@ final class StatusCell extends JLabel {
     private static final int HEIGHT = 20;
 
     StatusCell(String name, String widest) {
-        Dimension size = new Dimension(getFontMetrics(getFont()).stringWidth(widest) + 2, HEIGHT);
+        Dimension size = new Dimension(getFontMetrics(getFont()).stringWidth(widest) + 2, TextSize.scaled(HEIGHT));
         setPreferredSize(size);
         setMinimumSize(size);
         setMaximumSize(size);

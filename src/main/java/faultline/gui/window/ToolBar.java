@@ -3,6 +3,7 @@ package faultline.gui.window;
 import faultline.gui.action.UiAction;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.ButtonFace;
+import faultline.gui.theme.TextSize;
 import java.awt.Dimension;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
@@ -56,7 +57,7 @@ final class ToolBar extends JToolBar {
         button.setHideActionText(true);
         button.setAction(action);
         button.getAccessibleContext().setAccessibleName(action.name());
-        fix(button, 0, SIDE);
+        fix(button, 0, TextSize.scaled(SIDE));
         return button;
     }
 
@@ -78,7 +79,7 @@ final class ToolBar extends JToolBar {
     private static void fix(AbstractButton button, int padding, int width) {
         button.setFocusable(false);
         button.setBorder(BorderFactory.createEmptyBorder(0, padding, 0, padding));
-        Dimension size = new Dimension(width, SIDE);
+        Dimension size = new Dimension(width, TextSize.scaled(SIDE));
         button.setPreferredSize(size);
         button.setMinimumSize(size);
         button.setMaximumSize(size);

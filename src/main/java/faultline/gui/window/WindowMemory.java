@@ -1,9 +1,12 @@
 package faultline.gui.window;
 
+import faultline.gui.text.Language;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Rectangle;
 import java.util.Optional;
 import java.util.prefs.Preferences;
+import java.util.stream.Stream;
 
 /** What is remembered of the window from one day to the next. Where the machine keeps no preferences, nothing is, and nothing else changes. */
 public final class WindowMemory {
@@ -11,6 +14,8 @@ public final class WindowMemory {
     private static final String THEME = "theme";
     private static final String BOUNDS = "bounds";
     private static final String DIVIDER = "divider";
+    private static final String LANGUAGE = "language";
+    private static final String TEXT_SIZE = "textSize";
     private static final String GALLERY = "gallery";
     private static final String HIDDEN = "hidden";
     private static final String DOCK = "dock";
@@ -86,6 +91,37 @@ public final class WindowMemory {
 
     void keepTheme(Theme theme) {
         store.put(THEME, theme.name());
+    }
+
+    /**
+     * The language that was chosen.
+     *
+     * @return English where none was
+     */
+    public Language language() {
+        return kept(LANGUAGE, Language.class, Language.ENGLISH);
+    }
+
+    void keepLanguage(Language language) {
+        store.put(LANGUAGE, language.name());
+    }
+
+    /**
+     * The size of texts that was chosen.
+     *
+     * @return normal where none was
+     */
+    public TextSize textSize() {
+        return kept(TEXT_SIZE, TextSize.class, TextSize.NORMAL);
+    }
+
+    void keepTextSize(TextSize size) {
+        store.put(TEXT_SIZE, size.name());
+    }
+
+    private <E extends Enum<E>> E kept(String key, Class<E> options, E otherwise) {
+        String name = store.get(key);
+        return Stream.of(options.getEnumConstants()).filter(option -> option.name().equals(name)).findFirst().orElse(otherwise);
     }
 
     /**

@@ -14,6 +14,8 @@ import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
 import faultline.gui.edit.EditDesk;
 import faultline.gui.export.ExportDesk;
+import faultline.gui.text.Language;
+import faultline.gui.text.Texts;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
 import java.awt.Container;
@@ -45,6 +47,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** All of the window but its frame, without a display. */
 class WorkAreaTest {
@@ -52,7 +55,7 @@ class WorkAreaTest {
     private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, Optional.empty(), Optional.empty());
     private static final Session.Status FAST = new Session.Status(true, 100, 12345.67, 0, Optional.empty(), Optional.empty());
 
-    private final UiActions actions = new UiActions();
+    private UiActions actions = new UiActions();
     private SimulationCanvas canvas;
     private WorkArea area;
     private JMenuBar menus;
@@ -83,6 +86,7 @@ class WorkAreaTest {
             new Dialogs(null).addTo(actions);
             actions.add(UiAction.toggle("instruments", true, shown -> {
             }));
+            new ChoiceActions(null, WindowMemory.none()).addTo(actions);
             area = new WorkArea(canvas, bench::send, actions, speed, tick -> {
             });
             menus = Menus.of(actions);
@@ -120,8 +124,13 @@ class WorkAreaTest {
         assertTrue(onEdt(() -> Components.tree(area).filter(WorkAreaTest::isUsed).count()) > 40);
     }
 
-    @Test
-    void everyMenuHasMnemonicsAndNoneTwice() {
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void everyMenuHasMnemonicsAndNoneTwice(Language language) {
+        Texts.speak(language);
+        actions = new UiActions();
+        build();
+        Texts.speak(Language.ENGLISH);
         List<JMenu> all = onEdt(() -> Components.all(menus, JMenu.class).toList());
         assertTrue(all.size() > 5);
         assertDistinct(all.stream().filter(menu -> menu.getParent() == menus).map(menu -> (AbstractButton) menu).toList());

@@ -1,0 +1,44 @@
+package faultline.app;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+
+/** How long ago this process began. */
+final class ProcessAge {
+
+    /** Ticks of a process's clock in a second, the same on every Linux. */
+    private static final double TICKS = 100;
+    /** Where the start stands in the words after the process's name. */
+    private static final int START = 19;
+    /** How far the time of day of the start may be off, seconds. */
+    private static final double ROUGHNESS = 2;
+
+    private ProcessAge() {
+    }
+
+    /** Seconds, to a hundredth on Linux; where only the start's time of day is known, as well as that is. */
+    static double seconds() {
+        double rough = rough();
+        try {
+            double exact = exact(Files.readString(Path.of("/proc/self/stat")), Files.readString(Path.of("/proc/uptime")));
+            // In some containers the two files count from different starts.
+            return Math.abs(exact - rough) < ROUGHNESS ? exact : rough;
+        } catch (IOException elsewhere) {
+            return rough;
+        }
+    }
+
+    private static double rough() {
+        Instant start = ProcessHandle.current().info().startInstant().orElseGet(Instant::now);
+        return Duration.between(start, Instant.now()).toNanos() / 1e9;
+    }
+
+    /** From when it began and what time it is now, both counted from the machine's start. The process's name may hold blanks and brackets. */
+    static double exact(String stat, String uptime) {
+        String[] words = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
+        return Double.parseDouble(uptime.split(" ")[0]) - Long.parseLong(words[START]) / TICKS;
+    }
+}

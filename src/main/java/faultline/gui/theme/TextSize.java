@@ -1,0 +1,55 @@
+package faultline.gui.theme;
+
+import javax.swing.UIManager;
+
+/** How large texts are. Whole screens are enlarged by whole numbers only on some systems; this is for what lies between. */
+public enum TextSize {
+    /** As designed. */
+    NORMAL(100),
+    /** A quarter larger. */
+    LARGE(125),
+    /** Half as large again. */
+    LARGEST(150);
+
+    private static final String KEY = "faultline.textSize";
+    private static final double WHOLE = 100;
+
+    private final int percent;
+
+    TextSize(int percent) {
+        this.percent = percent;
+    }
+
+    /**
+     * The size that is installed.
+     *
+     * @return normal where none is
+     */
+    public static TextSize current() {
+        return UIManager.get(KEY) instanceof TextSize size ? size : NORMAL;
+    }
+
+    /**
+     * A length that goes along with texts.
+     *
+     * @param pixels at the normal size
+     * @return pixels at the installed size
+     */
+    public static int scaled(int pixels) {
+        return (int) Math.round(pixels * current().percent / WHOLE);
+    }
+
+    /** Makes this the size of all texts of windows made from now on, once a theme is installed after it. */
+    public void install() {
+        UIManager.put(KEY, this);
+    }
+
+    /**
+     * The size.
+     *
+     * @return percent of the normal one
+     */
+    public int percent() {
+        return percent;
+    }
+}

@@ -1,0 +1,118 @@
+package faultline.gui.text;
+
+import static faultline.gui.GuiRobot.edt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Properties;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.swing.JFileChooser;
+import javax.swing.UIManager;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** Both languages say the same things. */
+class LanguagesTest {
+
+    private static final Path FOLDER = Path.of("src/main/resources/faultline/gui");
+    private static final Properties ENGLISH = read("Messages.properties");
+    private static final Properties POLISH = read("Messages_pl.properties");
+    private static final Pattern GAP = Pattern.compile("\\{\\d+}");
+    private static final Pattern TAG = Pattern.compile("</?(?:h1|h2|p)>");
+
+    @AfterEach
+    void speakEnglish() {
+        Texts.speak(Language.ENGLISH);
+    }
+
+    @Test
+    void bothHaveTheSameKeys() {
+        assertEquals(String.join("\n", new TreeSet<>(ENGLISH.stringPropertyNames())),
+                String.join("\n", new TreeSet<>(POLISH.stringPropertyNames())));
+    }
+
+    @Test
+    void everyTextHasTheSameGapsMarksAndParts() {
+        List<String> unlike = keys().filter(key -> !form(ENGLISH, key).equals(form(POLISH, key))).toList();
+        assertEquals(List.of(), unlike);
+    }
+
+    @Test
+    void aTextWithGapsHasNoLoneQuote() {
+        Pattern lone = Pattern.compile("(?<!')'(?!')");
+        Stream.of(ENGLISH, POLISH).forEach(language -> assertEquals(List.of(), keys()
+                .filter(key -> GAP.matcher(text(language, key)).find() && lone.matcher(text(language, key)).find()).toList()));
+    }
+
+    @Test
+    void wordsAreTranslated() {
+        List<String> same = keys().filter(key -> key.endsWith(".tip") && !key.equals("action.languagePolish.tip"))
+                .filter(key -> text(ENGLISH, key).equals(text(POLISH, key))).toList();
+        assertEquals(List.of(), same);
+    }
+
+    @Test
+    void theGuideHasTheSamePartsInBoth() {
+        List<String> english = tags(Texts.page("guide"));
+        Texts.speak(Language.POLISH);
+        assertEquals(english, tags(Texts.page("guide")));
+        assertTrue(english.size() > 20);
+    }
+
+    @Test
+    void theWindowSpeaksEnglishUntilAnotherLanguageIsChosen() {
+        assertEquals("&File", Texts.text("menu.file"));
+        Texts.speak(Language.POLISH);
+        assertEquals("&Plik", Texts.text("menu.file"));
+    }
+
+    @Test
+    void swingsOwnDialogsSpeakTheLanguageToo() {
+        Texts.speak(Language.POLISH);
+        edt(() -> {
+            SwingTexts.install();
+            assertEquals("Anuluj", UIManager.getString("OptionPane.cancelButtonText"));
+            assertEquals("Otwórz", UIManager.getString("FileChooser.openButtonText"));
+            assertEquals("Wszystkie pliki", new JFileChooser().getAcceptAllFileFilter().getDescription());
+        });
+        Texts.speak(Language.ENGLISH);
+        edt(SwingTexts::install);
+    }
+
+    private static Stream<String> keys() {
+        return new TreeSet<>(ENGLISH.stringPropertyNames()).stream();
+    }
+
+    /** What two languages must have in common: gaps, the mark of the mnemonic, an ellipsis, and how many parts a list has. */
+    private static String form(Properties language, String key) {
+        String text = text(language, key);
+        TreeSet<String> gaps = new TreeSet<>(GAP.matcher(text).results().map(found -> found.group()).toList());
+        return gaps + " " + text.contains("&") + " " + text.endsWith("…") + " " + text.chars().filter(letter -> letter == ';').count();
+    }
+
+    private static String text(Properties language, String key) {
+        return language.getProperty(key, "");
+    }
+
+    private static List<String> tags(String page) {
+        return TAG.matcher(page).results().map(found -> found.group()).toList();
+    }
+
+    private static Properties read(String name) {
+        Properties texts = new Properties();
+        try (Reader in = Files.newBufferedReader(FOLDER.resolve(name), StandardCharsets.UTF_8)) {
+            texts.load(in);
+        } catch (IOException unreadable) {
+            throw new AssertionError(unreadable);
+        }
+        return texts;
+    }
+}
