@@ -7,6 +7,7 @@ import static faultline.control.FollowerState.ROUND;
 import static faultline.control.FollowerState.SEARCH;
 import static faultline.control.FollowerState.TURN;
 
+import faultline.geometry.Angles;
 import faultline.robot.MotorSpec;
 import java.util.List;
 
@@ -38,6 +39,13 @@ final class WallFollower implements Controller {
     /** What is at the far front corner, or slipped out of the front cone, is turned from when it is this near to the circle that the platform turns in, metres. */
     private static final double GUARD = 0.06;
 
+    /**
+     * A spin that ends within this of the heading at which it began has found the same wall again: the slight corner ahead does not show apart from it, so the robot steers
+     * through by the left sensor, and looks out for walls ahead only after this way.
+     */
+    private static final double SAME_HEADING = StrictMath.toRadians(15);
+    private static final double STEERED_THROUGH = 0.15;
+
     /** A bend too tight for the turn rate slows the robot down, but not below this share of its speed. */
     private static final double SLOWEST = 0.3;
 
@@ -51,6 +59,8 @@ final class WallFollower implements Controller {
     private long since;
     private int transitions;
     private double entryHeading;
+    private double spinHeading = Double.NaN;
+    private double steerThrough;
     private double v;
     private double omega;
 
@@ -79,10 +89,15 @@ final class WallFollower implements Controller {
         switch (state) {
             case TURN -> spin.approach();
             case MEASURE -> spin.pass();
-            case FOLLOW -> steering.trackWall();
+            case FOLLOW -> follow();
             case ROUND -> steering.trackCorner();
             default -> { }
         }
+    }
+
+    private void follow() {
+        steering.trackWall();
+        steerThrough -= perception.rolled();
     }
 
     private void enter(Transition transition) {
@@ -92,7 +107,7 @@ final class WallFollower implements Controller {
         transitions++;
         entryHeading = perception.heading();
         switch (state) {
-            case TURN -> spin.begin(transition.from() == SEARCH);
+            case TURN -> enterTurn(transition.from());
             case ALIGN -> spin.turnBack();
             case FOLLOW -> enterFollow(transition.from());
             case ROUND -> steering.takeCorner();
@@ -100,11 +115,19 @@ final class WallFollower implements Controller {
         }
     }
 
+    private void enterTurn(FollowerState from) {
+        spinHeading = from == SEARCH ? Double.NaN : perception.heading();
+        spin.begin(from == SEARCH);
+    }
+
     private void enterFollow(FollowerState from) {
         if (from == ROUND) {
             steering.takeWall();
         } else {
             steering.begin();
+            // Not a number after a search, which has followed no wall yet.
+            boolean sameWall = Math.abs(Angles.difference(spinHeading, perception.heading())) < SAME_HEADING;
+            steerThrough = sameWall ? STEERED_THROUGH : 0;
         }
     }
 
@@ -154,7 +177,7 @@ final class WallFollower implements Controller {
 
     private boolean wallAhead() {
         double guarded = perception.robot().reach() + GUARD;
-        return perception.wallAheadBesideAWall()
+        return steerThrough <= 0 && perception.wallAheadBesideAWall()
                 || perception.inTheWay(guarded) || perception.sight().frontRight().seesWithin(guarded);
     }
 
