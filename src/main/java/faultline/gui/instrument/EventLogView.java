@@ -22,7 +22,8 @@ import javax.swing.SwingConstants;
 /** The list of what happened in a run. A double click or Enter on an event jumps to its moment. The newest stays in view unless a row is chosen. */
 public final class EventLogView extends JPanel {
 
-    private static final int[] WIDTHS = {80, 100, 700};
+    private static final int[] WIDTHS = {100, 130, 700};
+    private static final int ROW = 22;
     private static final String JUMP = "jump";
 
     private final EventTable events = new EventTable();
@@ -48,7 +49,9 @@ public final class EventLogView extends JPanel {
         table.getAccessibleContext().setAccessibleName(Texts.text("events"));
         table.setToolTipText(Texts.text("events.tip"));
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        table.setDefaultRenderer(Object.class, new EventCells(events));
         table.setShowVerticalLines(false);
+        table.setRowHeight(ROW);
         table.setFillsViewportHeight(true);
         table.getTableHeader().setReorderingAllowed(false);
         for (int i = 0; i < WIDTHS.length; i++) {

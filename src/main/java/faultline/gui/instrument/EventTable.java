@@ -8,6 +8,9 @@ import javax.swing.table.AbstractTableModel;
 /** The event log as rows: time, kind, and what happened. */
 final class EventTable extends AbstractTableModel {
 
+    /** The column of the kinds. */
+    static final int KIND = 1;
+
     private static final String[] COLUMNS = {"events.time", "events.kind", "events.what"};
 
     private transient EventLog log = EventLog.EMPTY;
@@ -52,6 +55,6 @@ final class EventTable extends AbstractTableModel {
     @Override
     public String getValueAt(int row, int column) {
         RunEvent event = event(row);
-        return column == 0 ? EventText.time(event) : column == 1 ? EventText.kind(event) : EventText.sentence(event);
+        return column == 0 ? EventText.time(event) : column == KIND ? EventText.kind(event) : EventText.sentence(event);
     }
 }

@@ -21,6 +21,11 @@ final class EventText {
                 : event instanceof RunEvent.Refused ? "event.refused" : "event.collision");
     }
 
+    /** Whether something broke: a sensor, or the run into an obstacle. */
+    static boolean isWrong(RunEvent event) {
+        return event instanceof RunEvent.Collided || event instanceof RunEvent.Done done && done.command() instanceof Command.InjectFault;
+    }
+
     private static boolean isFault(Command command) {
         return command instanceof Command.InjectFault || command instanceof Command.ClearFault || command instanceof Command.ClearFaults;
     }

@@ -47,8 +47,8 @@ final class SpinChart {
         if (spin.isTimed()) {
             mark(spin.f3(), Texts.text("spin.f3"));
             mark(spin.f4(), Texts.text("spin.f4"));
-            way(spin.f3(), spin.f4(), plot.getY() + 14, Texts.text("spin.tD"), true);
-            way(spin.f4(), spin.f4() - spin.tP(), plot.getY() + 30, Texts.text("spin.tP"), false);
+            way(spin.f3(), spin.f4(), height(0.5), Texts.text("spin.tD"), true);
+            way(spin.f4(), spin.f4() - spin.tP(), height(0.28), Texts.text("spin.tP"), false);
         }
         robot();
     }
@@ -59,6 +59,11 @@ final class SpinChart {
 
     private double y(double metres) {
         return plot.getMaxY() - reading.share(metres) * plot.getHeight();
+    }
+
+    /** A share of the height from below; readings mostly leave the lower half free. */
+    private double height(double share) {
+        return plot.getMaxY() - share * plot.getHeight();
     }
 
     private void grid() {

@@ -45,7 +45,7 @@ final class SpinDial {
     }
 
     private void circle() {
-        g.setColor(theme.palette().gridMajor());
+        g.setColor(theme.colours().border());
         g.setStroke(new BasicStroke(1));
         g.draw(new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
         for (int i = 0; i < 12; i++) {

@@ -1,5 +1,6 @@
 package faultline.gui.instrument;
 
+import faultline.gui.text.Texts;
 import faultline.gui.theme.Theme;
 import faultline.paint.plot.Axis;
 import java.awt.BasicStroke;
@@ -40,6 +41,10 @@ final class StripPainter {
         g.clip(plot);
         scale.signal().curves().forEach(this::curve);
         g.setClip(clip);
+        if (scale.isEmpty()) {
+            String none = Texts.text("strip.none");
+            text(none, plot.getCenterX() - g.getFontMetrics().stringWidth(none) / 2.0, plot.getCenterY() - 4, theme.palette().muted());
+        }
     }
 
     private void text(String text, double x, double y, Color colour) {

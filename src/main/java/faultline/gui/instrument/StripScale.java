@@ -25,9 +25,23 @@ record StripScale(Signal signal, TimeSpan span, Rectangle2D plot, StripData data
     static StripScale of(Frame frame, Signal signal, TimeSpan span, int width, int height) {
         Rectangle2D plot = new Rectangle2D.Double(LEFT, TOP, Math.max(1, width - LEFT - RIGHT), Math.max(1, height - TOP - BOTTOM));
         StripData data = StripData.of(frame, span, (int) plot.getWidth());
-        // Zero is always shown, so that the chart's heights are honest.
-        DoubleStream shown = DoubleStream.concat(DoubleStream.of(0), signal.curves().stream().flatMapToDouble(data::values));
-        return new StripScale(signal, span, plot, data, Axis.covering(signal.unit(), shown));
+        return new StripScale(signal, span, plot, data, axis(signal, data));
+    }
+
+    /** Zero is always shown, so that the chart's heights are honest. */
+    private static Axis axis(Signal signal, StripData data) {
+        double[] values = values(signal, data).toArray();
+        boolean flat = DoubleStream.of(values).allMatch(value -> value == 0);
+        return flat ? Axis.linear(signal.unit(), 0, 1) : Axis.covering(signal.unit(), DoubleStream.concat(DoubleStream.of(0), DoubleStream.of(values)));
+    }
+
+    private static DoubleStream values(Signal signal, StripData data) {
+        return signal.curves().stream().flatMapToDouble(data::values);
+    }
+
+    /** Whether there is nothing to draw. */
+    boolean isEmpty() {
+        return values(signal, data).findAny().isEmpty();
     }
 
     double x(double time) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.Frame;
 import faultline.engine.record.Channels;
 import faultline.gui.Components;
@@ -138,6 +139,13 @@ class StripChartTest {
         for (long pixels : seen) {
             assertTrue(pixels > 20, "only " + pixels + " pixels");
         }
+    }
+
+    @Test
+    void whereNothingIsMeasuredTheAxisStillHasAScale() {
+        StripScale scale = StripScale.of(Runs.frame(Runs.setup(new ControllerSpec.None()), 100), Signal.of(FRAME.world().sensors()).get(0), TimeSpan.USUAL, WIDTH, HEIGHT);
+        assertTrue(scale.isEmpty());
+        assertEquals(1, scale.values().high());
     }
 
     @Test

@@ -6,18 +6,24 @@ import static faultline.gui.GuiRobot.onEdt;
 import faultline.gui.Components;
 import faultline.gui.theme.Theme;
 import java.awt.AWTException;
+import java.awt.Component;
+import java.awt.Image;
 import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.image.MultiResolutionImage;
+import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JTabbedPane;
 
 /**
- * Writes pictures of the window, light and dark, for the documentation. Arguments: a scenario, a folder, and how far the run is to have come in
+ * Writes pictures of the window and its instruments, light and dark, for the documentation. Arguments: a scenario, a folder, and how far the run is to have come in
  * seconds. Needs a display, and {@code mvn test-compile} before:
  * <pre>{@code
  * mvn -q dependency:build-classpath -Dmdep.outputFile=target/classpath.txt
@@ -35,7 +41,13 @@ public final class Screenshots {
         for (Theme theme : Theme.values()) {
             try (WindowDriver driver = WindowDriver.open(theme, Path.of(arguments[0]))) {
                 prepare(driver, Double.parseDouble(arguments[2]));
-                write(driver, folder.resolve("window-" + theme.name().toLowerCase(Locale.ROOT) + ".png"));
+                String suffix = "-" + theme.name().toLowerCase(Locale.ROOT) + ".png";
+                write(driver, driver.window(), folder.resolve("window" + suffix));
+                JTabbedPane instruments = Components.named(driver.window(), JTabbedPane.class, "Instruments");
+                show(driver, instruments, 1);
+                write(driver, instruments, folder.resolve("timing" + suffix));
+                show(driver, instruments, 2);
+                write(driver, instruments, folder.resolve("events" + suffix));
             }
         }
         System.exit(0);
@@ -57,9 +69,22 @@ public final class Screenshots {
         driver.waitForFrame("the pace has settled", frame -> frame.world().time() > settled);
     }
 
-    private static void write(WindowDriver driver, Path file) throws IOException, AWTException {
+    private static void show(WindowDriver driver, JTabbedPane instruments, int tab) {
+        edt(() -> instruments.setSelectedIndex(tab));
+        double shown = driver.frame().world().time() + 0.5;
+        driver.waitForFrame("the instrument shows", frame -> frame.world().time() > shown);
+    }
+
+    /** What is on the screen where a component is. */
+    private static void write(WindowDriver driver, Component component, Path file) throws IOException, AWTException {
         driver.robot().moveTo(driver.canvas(), 400, 300);
-        Rectangle bounds = onEdt(driver.window()::getBounds);
-        ImageIO.write(new Robot().createScreenCapture(bounds), "png", file.toFile());
+        Rectangle bounds = onEdt(() -> new Rectangle(component.getLocationOnScreen(), component.getSize()));
+        ImageIO.write((RenderedImage) sharpest(new Robot().createMultiResolutionScreenCapture(bounds)), "png", file.toFile());
+    }
+
+    /** Of a screen with several pixels to a unit, all of them. */
+    private static Image sharpest(MultiResolutionImage image) {
+        List<Image> variants = image.getResolutionVariants();
+        return variants.get(variants.size() - 1);
     }
 }
