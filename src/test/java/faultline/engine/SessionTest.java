@@ -13,6 +13,7 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
@@ -115,5 +116,21 @@ class SessionTest {
         var journal = session.journal();
         session.close();
         assertEquals(1, journal.get().ticks());
+    }
+
+    @Test
+    void whatTakesCommandsBackComesWithTheirOutcomesAndIsJournaledLikeThem() throws Exception {
+        Pose elsewhere = new Pose(4, 3, 0);
+        CompletableFuture<List<Session.Outcome>> told = new CompletableFuture<>();
+        session.send(List.of(new Command.MoveObstacle("pole", elsewhere), new Command.RemoveObstacle("sofa")), told::complete);
+        List<Session.Outcome> outcomes = told.get();
+        assertEquals(List.of(new Command.MoveObstacle("pole", POLE.pose())), outcomes.get(0).undo());
+        assertTrue(outcomes.get(0).refusal().isEmpty());
+        assertEquals(List.of(), outcomes.get(1).undo());
+        assertTrue(outcomes.get(1).refusal().isPresent());
+        session.send(outcomes.get(0).undo(), ignored -> { });
+        assertEquals(List.of(new Command.MoveObstacle("pole", elsewhere), new Command.MoveObstacle("pole", POLE.pose())),
+                session.journal().get().entries().stream().map(Journal.Entry::command).toList());
+        await(() -> session.status().refusals() == 1);
     }
 }

@@ -137,6 +137,15 @@ public final class UiAction extends AbstractAction {
     }
 
     /**
+     * Shows a switch in another position, without doing anything.
+     *
+     * @param on how it stands from now on
+     */
+    public void setOn(boolean on) {
+        putValue(SELECTED_KEY, on);
+    }
+
+    /**
      * Whether it is switched on and off rather than done.
      *
      * @return true for a switch

@@ -4,6 +4,7 @@ import faultline.geometry.Vec;
 import faultline.gui.edit.Snap;
 import faultline.paint.Brush;
 import java.awt.Cursor;
+import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -42,6 +43,11 @@ final class Hand extends MouseAdapter {
     /** What the left button does in place of selecting and moving. */
     Watched<Optional<Tool>> tool() {
         return tool;
+    }
+
+    /** Asks for a menu where the mouse was last, for those who have no right button at hand. */
+    void askForMenu() {
+        watchers.menu(new Point((int) pressed.x(), (int) pressed.y()));
     }
 
     void setSnap(Snap newSnap) {

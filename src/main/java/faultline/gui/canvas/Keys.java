@@ -40,6 +40,8 @@ final class Keys {
         bind(canvas, "E", () -> change(obstacle -> ObstacleOutlines.turned(obstacle, -TURN)));
         bind(canvas, "ENTER", () -> withTool(Tool::finish));
         bind(canvas, "BACK_SPACE", () -> withTool(Tool::back));
+        bind(canvas, "shift F10", hand::askForMenu);
+        bind(canvas, "CONTEXT_MENU", hand::askForMenu);
         bind(canvas, "ESCAPE", this::letGo);
     }
 

@@ -65,6 +65,9 @@ public final class EditDesk implements Editor {
     @Override
     public void send(List<Command> commands) {
         assert EventQueue.isDispatchThread();
+        if (commands.isEmpty()) {
+            return;
+        }
         int now = gestureOf(commands);
         int sentIn = era;
         channel.send(commands, outcomes -> {

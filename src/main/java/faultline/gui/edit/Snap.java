@@ -10,7 +10,9 @@ import faultline.geometry.Vec;
  */
 public record Snap(double step, double turn) {
 
-    /** Rounds nothing. */
+    private static final double FINEST = 1e-5;
+
+    /** Rounds nothing that a hand means. */
     public static final Snap NONE = new Snap(0, 0);
 
     /**
@@ -27,10 +29,10 @@ public record Snap(double step, double turn) {
      * A length on the grid.
      *
      * @param free as the hand has it, metres
-     * @return the nearest length
+     * @return the nearest length; without a grid, to the hundredth of a millimetre, because no hand means more
      */
     public double length(double free) {
-        return rounded(free, step);
+        return rounded(free, step > 0 ? step : FINEST);
     }
 
     /**
@@ -40,10 +42,10 @@ public record Snap(double step, double turn) {
      * @return the nearest angle
      */
     public double angle(double free) {
-        return rounded(free, turn);
+        return turn > 0 ? rounded(free, turn) : free;
     }
 
     private static double rounded(double free, double to) {
-        return to > 0 ? Metres.round(Math.rint(free / to) * to) : free;
+        return Metres.round(Math.rint(free / to) * to);
     }
 }

@@ -58,10 +58,10 @@ final class ObstacleActions {
         for (ReadyShape shape : ReadyShape.values()) {
             String name = shape.name();
             String key = "place" + name.charAt(0) + name.substring(1).toLowerCase(Locale.ROOT);
-            actions.add(UiAction.of(key, () -> use(key, () -> tools.place(shape))).drawn(GLYPHS.get(shape)));
+            actions.add(tool(key, () -> tools.place(shape)).drawn(GLYPHS.get(shape)));
         }
-        actions.add(UiAction.of("drawWall", () -> use("drawWall", tools::drawWall)).drawn(Glyph.WALL));
-        actions.add(UiAction.of("drawPolygon", () -> use("drawPolygon", tools::drawPolygon)).drawn(Glyph.POLYGON));
+        actions.add(tool("drawWall", tools::drawWall).drawn(Glyph.WALL));
+        actions.add(tool("drawPolygon", tools::drawPolygon).drawn(Glyph.POLYGON));
         actions.add(UiAction.of("drawWay", this::drawWay));
         actions.add(UiAction.of("standStill", this::standStill));
         actions.add(UiAction.of("cut", this::cut).on(menu(KeyEvent.VK_X)));
@@ -74,10 +74,18 @@ final class ObstacleActions {
         actions.add(snapAngle);
     }
 
-    /** Says how a tool is used while it is taken up. */
-    private void use(String key, Runnable tool) {
+    private UiAction tool(String key, Runnable tool) {
+        UiAction[] self = new UiAction[1];
+        self[0] = UiAction.of(key, () -> use(self[0], tool));
+        tools.addToolListener(inUse -> self[0].setOn(false));
+        return self[0];
+    }
+
+    /** Says how a tool is used, and shows that it is. */
+    private void use(UiAction action, Runnable tool) {
         tool.run();
-        note.accept(Texts.text("action." + key + ".tip"));
+        action.setOn(true);
+        note.accept(Texts.text("action." + action.key() + ".tip"));
     }
 
     private void snap() {
@@ -86,7 +94,8 @@ final class ObstacleActions {
 
     private void drawWay() {
         if (tools.selected().size() == 1) {
-            use("drawWay", tools::drawWay);
+            tools.drawWay();
+            note.accept(Texts.text("action.drawWay.tip"));
         } else {
             note.accept(Texts.text("note.selectOne"));
         }

@@ -14,7 +14,7 @@ final class ObstaclePalette extends JToolBar {
         setFloatable(false);
         getAccessibleContext().setAccessibleName(Texts.text("palette"));
         for (String key : ObstacleActions.PALETTE) {
-            add(ToolBar.button(actions.get(key)));
+            add(ToolBar.toolButton(actions.get(key)));
             add(Box.createVerticalStrut(GAP));
         }
     }

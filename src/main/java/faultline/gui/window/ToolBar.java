@@ -53,7 +53,15 @@ final class ToolBar extends JToolBar {
 
     /** A button that shows the drawing of an action. */
     static AbstractButton button(UiAction action) {
-        AbstractButton button = action.isToggle() ? new Switch() : new Push();
+        return showing(action, action.isToggle() ? new Switch() : new Push());
+    }
+
+    /** A button that also shows whether the tool that an action takes up is in use. */
+    static AbstractButton toolButton(UiAction action) {
+        return showing(action, new Switch());
+    }
+
+    private static AbstractButton showing(UiAction action, AbstractButton button) {
         button.setHideActionText(true);
         button.setAction(action);
         button.getAccessibleContext().setAccessibleName(action.name());

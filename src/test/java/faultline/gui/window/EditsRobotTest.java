@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import javax.swing.JLabel;
+import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -132,12 +133,14 @@ class EditsRobotTest {
     @Test
     void aPolygonIsDrawnCornerByCornerAndSelected() {
         driver.choose("drawPolygon");
+        driver.robot().waitFor("its button is lit", () -> Components.named(driver.window(), JToggleButton.class, "Polygon").isSelected());
         click(6, 1.5);
         click(7, 1.5);
         click(6.5, 2.2);
         driver.robot().type(KeyEvent.VK_ENTER);
         waitForObstacle("the polygon is there", "polygon", polygon -> ((ObstacleShape.Polygon) polygon.shape()).points().size() == 3);
         waitForSelection("polygon");
+        driver.robot().waitFor("no button is lit", () -> !Components.named(driver.window(), JToggleButton.class, "Polygon").isSelected());
         driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
         driver.waitForFrame("the polygon is gone", frame -> obstacle(frame, "polygon").isEmpty());
     }
