@@ -59,6 +59,11 @@ public final class CanvasTools {
         desk.scene().single().ifPresent(obstacle -> use(new PointsTool(desk, 1, true, points -> moveAlong(obstacle.id(), points))));
     }
 
+    /** Lets the left button measure distances and angles until it is told to stop; nothing is changed. */
+    public void measure() {
+        use(new MeasureTool());
+    }
+
     private boolean moveAlong(String id, List<Vec> points) {
         desk.scene().obstacles().stream().filter(obstacle -> obstacle.id().equals(id)).findFirst().ifPresent(obstacle -> {
             List<Vec> way = new ArrayList<>(points);

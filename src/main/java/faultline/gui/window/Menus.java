@@ -25,8 +25,8 @@ final class Menus {
         JMenuBar bar = new GuardedMenuBar();
         bar.add(menus.file());
         bar.add(menus.menu("edit", "undo", "redo", RULE, "cut", "copy", "paste", "duplicate", "delete", RULE, "selectAll"));
-        JMenu view = menus.menu("view", "fit", "zoomIn", "zoomOut", "follow", RULE, "path", "cones", "hits", "routes", "labels", "grid", "scaleBar", RULE,
-                "instruments", "dark");
+        JMenu view = menus.menu("view", "fit", "zoomIn", "zoomOut", "follow", "measure", RULE, "path", "cones", "hits", "routes", "labels", "grid",
+                "scaleBar", RULE, "instruments", "dark");
         view.add(menus.menu("language", "languageEnglish", "languagePolish"));
         view.add(menus.menu("textSize", "textSizeNormal", "textSizeLarge", "textSizeLargest"));
         bar.add(view);

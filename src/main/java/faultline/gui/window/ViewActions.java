@@ -22,6 +22,7 @@ final class ViewActions {
         actions.add(UiAction.of("zoomIn", canvas::zoomIn).on(menu(KeyEvent.VK_EQUALS)));
         actions.add(UiAction.of("zoomOut", canvas::zoomOut).on(menu(KeyEvent.VK_MINUS)));
         actions.add(UiAction.toggle("follow", false, canvas::setFollowing).on(plain(KeyEvent.VK_F)).drawn(Glyph.FOLLOW));
+        actions.add(UiAction.of("measure", canvas.tools()::measure).on(plain(KeyEvent.VK_M)));
         actions.add(layer("path", canvas, Layer.PATH).on(plain(KeyEvent.VK_P)).drawn(Glyph.PATH));
         actions.add(layer("cones", canvas, Layer.CONES).on(plain(KeyEvent.VK_C)));
         actions.add(layer("hits", canvas, Layer.HITS));
