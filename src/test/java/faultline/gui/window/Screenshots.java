@@ -28,7 +28,7 @@ import javax.swing.JTabbedPane;
  * <pre>{@code
  * mvn -q dependency:build-classpath -Dmdep.outputFile=target/classpath.txt
  * xvfb-run -a -s "-screen 0 1600x1000x24" java -cp "target/classes:target/test-classes:$(cat target/classpath.txt)" \
- *     faultline.gui.window.Screenshots scenarios/office.xml docs/images 62
+ *     faultline.gui.window.Screenshots scenarios/office.xml docs/images 140
  * }</pre>
  */
 public final class Screenshots {
