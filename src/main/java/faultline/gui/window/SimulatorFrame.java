@@ -123,9 +123,13 @@ public final class SimulatorFrame extends JFrame {
         memory.bounds().filter(screen::intersects).ifPresent(this::setBounds);
         setSize(Math.min(getWidth(), screen.width), Math.min(getHeight(), screen.height));
         validate();
+        placeDivider();
+        placeDock();
+    }
+
+    private void placeDivider() {
         int panelWidth = memory.panelWidth().orElse(area.panel().getMinimumSize().width);
         area.split().setDividerLocation(area.split().getWidth() - panelWidth - area.split().getDividerSize());
-        placeDock();
     }
 
     private void placeDock() {
@@ -144,6 +148,9 @@ public final class SimulatorFrame extends JFrame {
 
             @Override
             public void windowOpened(WindowEvent event) {
+                // Only now is it known how much of the window its frame takes.
+                validate();
+                placeDivider();
                 canvas.requestFocusInWindow();
             }
         });

@@ -5,11 +5,16 @@ import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Rectangle;
 import java.util.Optional;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 import java.util.prefs.Preferences;
 import java.util.stream.Stream;
 
 /** What is remembered of the window from one day to the next. Where the machine keeps no preferences, nothing is, and nothing else changes. */
 public final class WindowMemory {
+
+    /** The platform's own messages about preferences are of no use to a user; held here, or the level would be forgotten. */
+    private static final Logger PREFERENCES_LOG = Logger.getLogger("java.util.prefs");
 
     private static final String THEME = "theme";
     private static final String BOUNDS = "bounds";
@@ -43,6 +48,7 @@ public final class WindowMemory {
      * @return the user's preferences, or nothing where there are none
      */
     public static WindowMemory ofUser() {
+        PREFERENCES_LOG.setLevel(Level.OFF);
         try {
             Preferences preferences = Preferences.userRoot().node("faultline/window");
             return new WindowMemory(new Store() {

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.geometry.Degrees;
 import faultline.gui.Components;
 import faultline.gui.EdtChecker;
+import faultline.gui.panel.ControlPanel;
 import faultline.gui.theme.Theme;
 import faultline.paint.Layer;
 import faultline.robot.RobotSpec;
@@ -44,6 +45,12 @@ class ControlsRobotTest {
     void close() {
         driver.close();
         Locale.setDefault(locale);
+    }
+
+    @Test
+    void theControlPanelIsAsWideAsItsRowsNeedWhateverTheFrameTakes() {
+        ControlPanel panel = onEdt(() -> Components.all(driver.window(), ControlPanel.class).findFirst().orElseThrow());
+        driver.robot().waitFor("the panel has its width", () -> panel.getWidth() == panel.getMinimumSize().width);
     }
 
     @Test
