@@ -14,6 +14,8 @@ import java.util.function.Function;
 /** Makes obstacles of elements, in the world and in the timeline, and counts how many parts the file has had. */
 final class ObstacleReader {
 
+    /** The surfaces that can be specular. */
+    private static final List<String> FLAT = List.of("rectangle", "polygon", "wall");
     private static final List<String> INSIDE = List.of("motion");
 
     private final Complaints complaints;
@@ -44,9 +46,10 @@ final class ObstacleReader {
         Pose pose = new Pose(fields.number("x", Range.COORDINATE), fields.number("y", Range.COORDINATE),
                 fields.angle("heading", Range.ANGLE, 0));
         ObstacleShape shape = shapes.get(node.name()).apply(fields);
+        double specular = FLAT.contains(node.name()) ? fields.angle("specular", Range.INCIDENCE, Obstacle.MATT) : Obstacle.MATT;
         fields.done();
         Optional<Motion> motion = node.first("motion").map(this::motion);
-        return new Obstacle(id, shape, pose, motion);
+        return new Obstacle(id, shape, pose, motion, specular);
     }
 
     private Motion motion(Node node) {

@@ -18,6 +18,7 @@ record Range(BigDecimal least, boolean leastAllowed, BigDecimal most, boolean mo
     static final Range NOISE = closed("0", "100", "metres");
     static final Range ANGLE = closed("-1000000", "1000000", "degrees");
     static final Range CONE = new Range(BigDecimal.ZERO, false, new BigDecimal("180"), false, "degrees");
+    static final Range INCIDENCE = new Range(BigDecimal.ZERO, false, new BigDecimal("90"), true, "degrees");
     static final Range TURN_RATE = closed("0.001", "36000", "degrees per second");
     static final Range SPEED = closed("0", "1000", "metres per second");
     static final Range POSITIVE_SPEED = positive("1000", "metres per second");

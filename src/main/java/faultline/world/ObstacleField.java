@@ -90,6 +90,11 @@ final class ObstacleField {
         return owner == ENCLOSURE ? WorldSpec.ENCLOSURE : obstacles.get(owner).id();
     }
 
+    /** The greatest angle of incidence that a candidate's owner sends light back from, radians. */
+    double specular(int owner) {
+        return owner == ENCLOSURE ? Obstacle.MATT : obstacles.get(owner).specular();
+    }
+
     /** Adds the static figures near a point, and perhaps others. */
     void staticNear(double x, double y, double distance, Candidates found) {
         index.near(x, y, distance, found);

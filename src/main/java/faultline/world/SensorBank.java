@@ -1,9 +1,12 @@
 package faultline.world;
 
+import faultline.geometry.Convex;
+import faultline.geometry.GlossyDistance;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
 import faultline.geometry.SectorDistance;
 import faultline.geometry.SectorOutline;
+import faultline.geometry.Segment;
 import faultline.geometry.Vec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Dice;
@@ -108,9 +111,14 @@ final class SensorBank {
         }
         double least = Reading.NOTHING;
         for (int i = 0; i < near.size(); i++) {
-            least = Math.min(least, SectorDistance.nearest(sector, near.figure(i)));
+            least = Math.min(least, nearest(sector, near.figure(i), field.specular(near.owner(i))));
         }
         return least;
+    }
+
+    private static double nearest(Sector sector, Convex figure, double specular) {
+        return specular < Obstacle.MATT && figure instanceof Segment segment
+                ? GlossyDistance.nearest(sector, segment, specular) : SectorDistance.nearest(sector, figure);
     }
 
     private static double report(Mount mount, double truth, long tick) {

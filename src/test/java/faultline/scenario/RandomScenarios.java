@@ -67,7 +67,10 @@ final class RandomScenarios {
     private Obstacle obstacle(String id, boolean mayMove) {
         Optional<Motion> motion = mayMove && random.nextBoolean()
                 ? Optional.of(motion(points(1))) : Optional.empty();
-        return new Obstacle(id, shape(), new Pose(coordinate(), coordinate(), angle()), motion);
+        ObstacleShape shape = shape();
+        boolean flat = !(shape instanceof ObstacleShape.Circle || shape instanceof ObstacleShape.Ellipse);
+        double specular = flat && random.nextBoolean() ? Math.nextUp(Obstacle.MATT * random.nextDouble()) : Obstacle.MATT;
+        return new Obstacle(id, shape, new Pose(coordinate(), coordinate(), angle()), motion, specular);
     }
 
     /** Where the last way-point leads back to the first, not quicker than a file may have it. */

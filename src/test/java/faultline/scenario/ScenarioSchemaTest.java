@@ -44,7 +44,7 @@ class ScenarioSchemaTest {
 
     @Test
     void theRangesOfTheReaderAreThoseOfTheSchema() throws Exception {
-        Map<String, Range> ranges = Map.ofEntries(entry("size", Range.SIZE), entry("coordinate", Range.COORDINATE), entry("noise", Range.NOISE),
+        Map<String, Range> ranges = Map.ofEntries(entry("size", Range.SIZE), entry("coordinate", Range.COORDINATE), entry("noise", Range.NOISE), entry("incidence", Range.INCIDENCE),
                 entry("angle", Range.ANGLE), entry("cone", Range.CONE), entry("turnRate", Range.TURN_RATE), entry("speed", Range.SPEED),
                 entry("positiveSpeed", Range.POSITIVE_SPEED), entry("time", Range.TIME), entry("tick", Range.TICK),
                 entry("timeConstant", Range.TIME_CONSTANT), entry("voltage", Range.VOLTAGE), entry("positiveVoltage", Range.POSITIVE_VOLTAGE),

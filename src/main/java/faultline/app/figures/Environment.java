@@ -1,7 +1,9 @@
 package faultline.app.figures;
 
+import faultline.geometry.Vec;
 import faultline.paint.plot.Area;
 import faultline.paint.plot.Plan;
+import faultline.world.Collision;
 import faultline.world.WorldSpec;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
@@ -34,15 +36,19 @@ record Environment(String name, String scenario, Rectangle2D bounds) implements 
         plan.line(journey.path(), Sheet.PATH);
         plan.robot(journey.setup().robot(), journey.setup().start(), 0.4);
         plan.robot(journey.setup().robot(), journey.last(), 1);
-        plan.label("start", journey.setup().start().position(), 14, 20, Sheet.SMALL);
-        plan.scaleBar(1, WIDTH - 2 * MARGIN, height + 40);
+        plan.label("start", journey.setup().start().position().plus(new Vec(0.1, -0.3)), 0, 0, Sheet.SMALL);
+        plan.scaleBar(bounds.getWidth() > 5 ? 1 : 0.5, WIDTH - 2 * MARGIN, height + 40);
         sheet.text(numbers(journey), MARGIN, height + MARGIN + 40, Sheet.TEXT);
         folder.svg(name, sheet.drawing());
     }
 
     private static String numbers(Journey journey) {
-        return Numbers.text(journey.result().simulatedSeconds(), 0) + " s; coverage of the wall "
+        return journey.result().collision().map(Environment::end).orElseGet(() -> Numbers.text(journey.result().simulatedSeconds(), 0) + " s; coverage of the wall "
                 + Numbers.text(100 * journey.result().coverage().orElse(0), 1) + " %; distance error "
-                + Numbers.text(1000 * journey.result().distanceRms().orElse(Double.NaN), 2) + " mm RMS";
+                + Numbers.text(1000 * journey.result().distanceRms().orElse(Double.NaN), 2) + " mm RMS");
+    }
+
+    private static String end(Collision collision) {
+        return "runs into the " + collision.obstacle() + " after " + Numbers.text(collision.time(), 2) + " s";
     }
 }

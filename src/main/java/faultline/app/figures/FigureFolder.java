@@ -2,10 +2,12 @@ package faultline.app.figures;
 
 import faultline.paint.plot.SvgDrawing;
 import faultline.scenario.AtomicFile;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.imageio.ImageIO;
 
 /**
  * Where figures go.
@@ -27,6 +29,14 @@ record FigureFolder(Path path) {
     /** Writes a table. */
     void csv(String name, Table table) throws IOException {
         write(name + ".csv", table.toFile());
+    }
+
+    /** Writes pixels. What letters look like hangs on the machine's fonts, so these files may differ from one machine to another. */
+    void png(String name, BufferedImage image) throws IOException {
+        try (AtomicFile file = AtomicFile.create(path.resolve(name + ".png"))) {
+            ImageIO.write(image, "png", file.stream());
+            file.commit();
+        }
     }
 
     private void write(String name, String text) throws IOException {

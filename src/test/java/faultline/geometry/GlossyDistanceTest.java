@@ -1,0 +1,64 @@
+package faultline.geometry;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** A glossy surface answers only where light meets it steeply enough. */
+class GlossyDistanceTest {
+
+    private static final Segment WALL = new Segment(-10, 1, 10, 1);
+    private static final double CONE = Math.toRadians(20);
+
+    private static double reading(double bearing, double incidence) {
+        return GlossyDistance.nearest(Sector.of(Vec.ZERO, Math.toRadians(bearing), CONE, 5), WALL, Math.toRadians(incidence));
+    }
+
+    @Test
+    void lookingSquarelyAtItItIsSeenAtItsFoot() {
+        assertEquals(1, reading(90, 5));
+    }
+
+    @Test
+    void lookedAtAtASlantItIsSeenByTheConesSteepestRay() {
+        // The cone of 20 degrees about a slant of 40 reaches from an incidence of 30 to one of 50.
+        assertEquals(1 / Math.cos(Math.toRadians(30)), reading(50, 35), 1e-12);
+    }
+
+    @Test
+    void beyondItsAngleNothingComesBack() {
+        assertEquals(Double.POSITIVE_INFINITY, reading(50, 29));
+    }
+
+    @Test
+    void aSurfaceWhoseFootIsFarBesideItIsNotSeenAtAll() {
+        Segment aside = new Segment(2, 1, 3, 1);
+        assertEquals(Double.POSITIVE_INFINITY, GlossyDistance.nearest(Sector.of(Vec.ZERO, 0.4, 2, 5), aside, Math.toRadians(60)));
+        assertEquals(Math.sqrt(5), GlossyDistance.nearest(Sector.of(Vec.ZERO, 0.4, 2, 5), aside, Math.toRadians(64)), 1e-12);
+    }
+
+    @Test
+    void itIsTheNearestOfManyPointsThatAnswer() {
+        SplittableRandom random = new SplittableRandom(401);
+        for (int i = 0; i < 300; i++) {
+            Segment segment = new Segment(random.nextDouble(-2, 2), random.nextDouble(-2, 2), random.nextDouble(-2, 2), random.nextDouble(-2, 2));
+            Sector sector = Sector.of(Vec.ZERO, random.nextDouble(6.3), random.nextDouble(0.1, 2.5), random.nextDouble(0.5, 3));
+            double incidence = random.nextDouble(0.05, 1.5);
+            assertEquals(sampled(sector, segment, incidence), GlossyDistance.nearest(sector, segment, incidence), 2e-3, "case " + i);
+        }
+    }
+
+    private static double sampled(Sector sector, Segment segment, double incidence) {
+        int points = 20_000;
+        Vec normal = segment.b().minus(segment.a()).perpendicular();
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i <= points; i++) {
+            Vec point = segment.at((double) i / points);
+            double off = Math.acos(Math.min(1, Math.abs(point.dot(normal)) / point.length() / normal.length()));
+            boolean inCone = point.dot(sector.axis()) >= sector.cosHalf() * point.length() && point.length() <= sector.range();
+            least = inCone && off <= incidence ? Math.min(least, point.length()) : least;
+        }
+        return least;
+    }
+}
