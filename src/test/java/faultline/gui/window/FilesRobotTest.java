@@ -99,6 +99,9 @@ class FilesRobotTest {
         driver.click(Components.all(dialog, JButton.class).filter(button -> button.getText().equals("Cancel")).findFirst().orElseThrow());
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
         assertTrue(onEdt(driver.window()::isShowing));
+        // Without a window manager nobody gives the focus back but a click.
+        driver.robot().click(driver.canvas(), 5, 5, InputEvent.BUTTON1_DOWN_MASK);
+        driver.robot().waitFor("the window has the focus again", driver.window()::isFocused);
         driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
         JDialog again = dialog("Unsaved changes");
         driver.click(Components.all(again, JButton.class).filter(button -> button.getText().equals("Don't save")).findFirst().orElseThrow());
