@@ -28,6 +28,7 @@ public final class Bench implements AutoCloseable {
     private boolean asking;
     private boolean travelling;
     private boolean stale;
+    private long furthest;
 
     /** Told of what happens on the bench. */
     public interface Listener {
@@ -219,6 +220,7 @@ public final class Bench implements AutoCloseable {
         made.session().setSpeed(speed);
         work = Optional.of(made);
         stale = true;
+        furthest = task == Task.GO_TO ? furthest : 0;
         if (task == Task.OPEN) {
             listener.opened();
         }
@@ -287,7 +289,18 @@ public final class Bench implements AutoCloseable {
     public Optional<Frame> frame() {
         assert EventQueue.isDispatchThread();
         look();
-        return work.map(now -> now.session().frame());
+        Optional<Frame> newest = work.map(now -> now.session().frame());
+        newest.ifPresent(frame -> furthest = Math.max(furthest, frame.world().tick()));
+        return newest;
+    }
+
+    /**
+     * How far the run has been, whatever moment it was taken back to since; what is done to it there gives it another future.
+     *
+     * @return ticks
+     */
+    public long furthest() {
+        return furthest;
     }
 
     /** Finds out, without waiting, what the commands since the last look have made of the scenario. */
@@ -318,6 +331,7 @@ public final class Bench implements AutoCloseable {
     public void send(Command command) {
         assert EventQueue.isDispatchThread();
         stale = true;
+        furthest = 0;
         work.ifPresent(now -> now.session().send(command));
     }
 
@@ -330,6 +344,7 @@ public final class Bench implements AutoCloseable {
     public void send(List<Command> commands, Consumer<List<Session.Outcome>> told) {
         assert EventQueue.isDispatchThread();
         stale = true;
+        furthest = 0;
         work.ifPresent(now -> now.session().send(commands, outcomes -> EventQueue.invokeLater(() -> told.accept(outcomes))));
     }
 

@@ -233,6 +233,7 @@ public final class SimulatorFrame extends JFrame {
     private void poll() {
         bench.frame().ifPresent(frame -> bench.status().ifPresent(status -> {
             area.show(frame, status);
+            area.time().show(frame, bench.furthest());
             runActions.show(status);
         }));
     }

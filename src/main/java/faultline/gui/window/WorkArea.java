@@ -24,6 +24,7 @@ final class WorkArea extends JPanel {
     private final ControlPanel panel;
     private final StatusBar status = new StatusBar();
     private final InstrumentDock instruments;
+    private final TimeBar time;
     private final PlacedSplit dockSplit;
     private final JSplitPane split;
     private int dockHeight;
@@ -44,7 +45,11 @@ final class WorkArea extends JPanel {
         panel = new ControlPanel(commands, actions.get("path"));
         instruments = new InstrumentDock(jump);
         dockHeight = instruments.getPreferredSize().height;
-        dockSplit = new PlacedSplit(JSplitPane.VERTICAL_SPLIT, canvas, instruments, 1);
+        time = new TimeBar(jump, canvas::show);
+        JPanel stage = new JPanel(new BorderLayout());
+        stage.add(canvas, BorderLayout.CENTER);
+        stage.add(time, BorderLayout.SOUTH);
+        dockSplit = new PlacedSplit(JSplitPane.VERTICAL_SPLIT, stage, instruments, 1);
         setDockHeight(dockHeight);
         split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, dockSplit, panel);
         split.setResizeWeight(1);
@@ -64,7 +69,7 @@ final class WorkArea extends JPanel {
     /** Shows how the run is; the picture is painted anew only where there is a new one. */
     void show(Frame frame, Session.Status now) {
         assert EventQueue.isDispatchThread();
-        if (shown.isEmpty() || shown.get() != frame) {
+        if (!time.isHeld() && (shown.isEmpty() || shown.get() != frame)) {
             shown = Optional.of(frame);
             canvas.show(frame);
         }
@@ -73,6 +78,10 @@ final class WorkArea extends JPanel {
         }
         panel.show(frame.world());
         status.show(frame, now);
+    }
+
+    TimeBar time() {
+        return time;
     }
 
     InstrumentDock instruments() {

@@ -1,0 +1,117 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.gui.Components;
+import faultline.gui.EdtChecker;
+import faultline.gui.Patience;
+import faultline.gui.document.Bench;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JSlider;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** Going along a run and back, without a display. */
+@ExtendWith(EdtChecker.class)
+class TimeBarTest {
+
+    private static final int TICKS = 40;
+
+    private final List<Frame> previews = new ArrayList<>();
+    private Bench bench;
+    private TimeBar bar;
+    private JSlider slider;
+
+    @BeforeEach
+    void runAWhile() {
+        edt(() -> {
+            bench = new Bench(new Quiet());
+            bar = new TimeBar(bench::goTo, previews::add);
+            slider = Components.all(bar, JSlider.class).findFirst().orElseThrow();
+            bench.open(Path.of("scenarios/office.xml"));
+        });
+        Patience.waitFor("the scenario", () -> bench.frame().isPresent());
+        for (int i = 0; i < TICKS; i++) {
+            edt(bench::step);
+        }
+        waitForTick(TICKS);
+    }
+
+    @AfterEach
+    void close() {
+        edt(bench::close);
+    }
+
+    @Test
+    void theThumbStandsAtTheEndOfARunThatGoesOn() {
+        assertEquals(TICKS, onEdt(slider::getMaximum));
+        assertEquals(TICKS, onEdt(slider::getValue));
+    }
+
+    @Test
+    void letGoSomewhereTheRunGoesThereToTheBitAndItsFutureIsKept() {
+        long hash = onEdt(() -> bench.frame().orElseThrow().trajectoryHash());
+        edt(() -> slider.setValue(15));
+        waitForTick(15);
+        assertEquals(TICKS, onEdt(slider::getMaximum));
+        edt(() -> slider.setValue(TICKS));
+        waitForTick(TICKS);
+        assertEquals(hash, onEdt(() -> bench.frame().orElseThrow().trajectoryHash()));
+    }
+
+    @Test
+    void whileTheThumbIsHeldARememberedPictureShowsAndTheRunStaysWhereItIs() {
+        edt(() -> {
+            slider.setValueIsAdjusting(true);
+            slider.setValue(3);
+        });
+        assertTrue(onEdt(bar::isHeld));
+        assertTrue(onEdt(() -> previews.get(previews.size() - 1).world().tick()) <= 3);
+        waitForTick(TICKS);
+        assertEquals(3, onEdt(slider::getValue), "the bar leaves the thumb to the hand");
+        edt(() -> slider.setValueIsAdjusting(false));
+        waitForTick(3);
+    }
+
+    @Test
+    void aRestartForgetsTheOldFuture() {
+        edt(bench::restart);
+        waitForTick(0);
+        assertEquals(0, onEdt(bench::furthest));
+        assertEquals(0, onEdt(slider::getMaximum));
+    }
+
+    private void waitForTick(long tick) {
+        Patience.waitFor("tick " + tick, () -> {
+            Frame frame = bench.frame().orElseThrow();
+            bar.show(frame, bench.furthest());
+            return frame.world().tick() == tick;
+        });
+    }
+
+    /** Nothing here fails. */
+    private static final class Quiet implements Bench.Listener {
+        @Override
+        public void begun() {
+            // Frames are asked for.
+        }
+
+        @Override
+        public void renamed() {
+            // Nobody reads the title.
+        }
+
+        @Override
+        public void failed(Bench.Task what, Path file, Throwable why) {
+            throw new AssertionError(why);
+        }
+    }
+}
