@@ -8,6 +8,7 @@ import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.Point;
 import java.awt.Robot;
+import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.AWTEventListener;
 import java.awt.event.MouseEvent;
@@ -96,8 +97,8 @@ public final class GuiRobot {
         edt(() -> window.getToolkit().addAWTEventListener(listener, AWTEvent.MOUSE_MOTION_EVENT_MASK));
         int[] turn = {0};
         waitFor("the mouse is where the window is", () -> {
-            Point aim = new Point(window.getWidth() / 2 + turn[0] % 2, window.getHeight() / 2);
-            boolean there = hit.get().equals(new Point(window.getWidth() / 2 + (turn[0] + 1) % 2, window.getHeight() / 2));
+            Point aim = new Point(window.getWidth() / 2 + 3 * (turn[0] % 2), window.getHeight() / 2);
+            boolean there = hit.get().distance(window.getWidth() / 2 + 3 * ((turn[0] + 1) % 2), window.getHeight() / 2) < 1.5;
             Point origin = window.getLocationOnScreen();
             robot.mouseMove(origin.x + aim.x, origin.y + aim.y);
             turn[0]++;
@@ -119,6 +120,12 @@ public final class GuiRobot {
     /** Closes a window for good. */
     public void close(Window window) {
         edt(window::dispose);
+        robot.waitForIdle();
+    }
+
+    /** Waits until all that is to be painted is. */
+    public void waitForPaint() {
+        edt(() -> Toolkit.getDefaultToolkit().sync());
         robot.waitForIdle();
     }
 

@@ -43,6 +43,8 @@ final class GuideDialog extends JDialog {
         HTMLEditorKit kit = new HTMLEditorKit();
         kit.setStyleSheet(styles(kit));
         page.setEditorKit(kit);
+        // Without this a pixel of the page would be 1.3 of the window.
+        page.putClientProperty(JEditorPane.W3C_LENGTH_UNITS, true);
         page.setText(Texts.page("guide"));
         page.setEditable(false);
         page.setCaretPosition(0);

@@ -65,6 +65,11 @@ final class WindowDriver implements AutoCloseable {
         edt(() -> item(action).doClick(0));
     }
 
+    /** Does the same on the event dispatch thread, where it may wait for a dialog. */
+    void chooseNow(String action) {
+        item(action).doClick(0);
+    }
+
     private JMenuItem item(String action) {
         return Components.all(window, JMenuItem.class).filter(item -> action.equals(item.getActionCommand())).findFirst().orElseThrow();
     }
