@@ -5,6 +5,7 @@ import static faultline.gui.action.Keystrokes.menuShift;
 
 import faultline.gui.action.UiAction;
 import faultline.gui.document.Bench;
+import faultline.gui.document.Filing;
 import faultline.gui.document.Recovery;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
@@ -19,11 +20,13 @@ final class FileDesk {
 
     private final Component parent;
     private final Bench bench;
+    private final Filing filing;
     private final FileQuestions questions;
 
     FileDesk(Component parent, Bench bench) {
         this.parent = parent;
         this.bench = bench;
+        this.filing = new Filing(bench);
         this.questions = new FileQuestions(parent);
     }
 
@@ -40,22 +43,32 @@ final class FileDesk {
     }
 
     private void open() {
-        unlessLost(() -> questions.fileToOpen(bench.file()).ifPresent(bench::open));
+        unlessLost(() -> questions.fileToOpen(bench.file()).ifPresent(filing::open));
+    }
+
+    /** Opens a file, whatever is lost. */
+    void openAtOnce(Path file) {
+        filing.open(file);
+    }
+
+    /** Opens a scenario that ships with the program, whatever is lost. */
+    void openShippedAtOnce(String name) {
+        filing.openShipped(name);
     }
 
     /** Opens a file that was dropped on the window. */
     void open(Path file) {
-        unlessLost(() -> bench.open(file));
+        unlessLost(() -> filing.open(file));
     }
 
     /** Opens a scenario that ships with the program. */
     void openShipped(String name) {
-        unlessLost(() -> bench.openShipped(name));
+        unlessLost(() -> filing.openShipped(name));
     }
 
     private void revert() {
         if (bench.isChanged() && questions.ask("revert", Texts.text("revert.question"), "revert.revert", "unsaved.cancel")) {
-            bench.revert();
+            filing.revert();
         }
     }
 
@@ -63,7 +76,7 @@ final class FileDesk {
     void changedOnDisk(Path file) {
         String question = Texts.text(bench.isChanged() ? "changed.questionUnsaved" : "changed.question", String.valueOf(file.getFileName()));
         if (questions.ask("changed", question, "changed.reload", "changed.keep")) {
-            bench.open(file);
+            filing.open(file);
         }
     }
 
@@ -72,7 +85,7 @@ final class FileDesk {
         String name = rescue.origin().map(file -> String.valueOf(file.getFileName())).orElse(rescue.scenario().name());
         boolean wanted = questions.ask("recover", Texts.text("recover.question", name), "recover.recover", "recover.discard");
         if (wanted) {
-            bench.recover(rescue);
+            filing.recover(rescue);
         }
         return wanted;
     }
@@ -82,15 +95,15 @@ final class FileDesk {
     }
 
     private void save(Runnable then) {
-        bench.file().ifPresentOrElse(file -> bench.save(file, then), () -> saveAs(then));
+        bench.file().ifPresentOrElse(file -> filing.save(file, then), () -> saveAs(then));
     }
 
     private void saveAs(Runnable then) {
-        questions.fileToSave("saveAs", suggestion(".xml")).ifPresent(file -> bench.save(file, then));
+        questions.fileToSave("saveAs", suggestion(".xml")).ifPresent(file -> filing.save(file, then));
     }
 
     private void saveJournal() {
-        questions.fileToSave("saveJournal", suggestion("-journal.xml")).ifPresent(bench::saveJournal);
+        questions.fileToSave("saveJournal", suggestion("-journal.xml")).ifPresent(filing::saveJournal);
     }
 
     /** Asks which file of another kind to write; its name is suggested after the open file's. */

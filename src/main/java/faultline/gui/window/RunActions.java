@@ -6,7 +6,7 @@ import static faultline.gui.action.Keystrokes.sign;
 
 import faultline.engine.Session;
 import faultline.gui.action.UiAction;
-import faultline.gui.document.Bench;
+import faultline.gui.document.RunDesk;
 import faultline.gui.theme.Glyph;
 import java.awt.event.KeyEvent;
 import java.util.function.IntConsumer;
@@ -18,23 +18,23 @@ final class RunActions {
 
     private static final int SENSOR_KEYS = 8;
 
-    private final Bench bench;
+    private final RunDesk desk;
     private final BoundedRangeModel speed;
     private final UiAction run;
     private boolean running;
 
-    RunActions(Bench bench, BoundedRangeModel speed) {
-        this.bench = bench;
+    RunActions(RunDesk desk, BoundedRangeModel speed) {
+        this.desk = desk;
         this.speed = speed;
-        this.run = UiAction.of("run", bench::toggleRunning).on(plain(KeyEvent.VK_SPACE)).drawn(Glyph.RUN);
-        speed.addChangeListener(event -> bench.setSpeed(SpeedScale.speed(speed.getValue())));
+        this.run = UiAction.of("run", desk::toggleRunning).on(plain(KeyEvent.VK_SPACE)).drawn(Glyph.RUN);
+        speed.addChangeListener(event -> desk.setSpeed(SpeedScale.speed(speed.getValue())));
     }
 
     void addTo(UiActions actions, IntConsumer toggleSensor) {
         actions.add(run);
-        actions.add(UiAction.of("step", bench::step).on(sign('.')).drawn(Glyph.STEP));
-        actions.add(UiAction.of("stepBack", bench::stepBack).on(sign(',')).drawn(Glyph.STEP_BACK));
-        actions.add(UiAction.of("restart", bench::restart).on(menu(KeyEvent.VK_R)).drawn(Glyph.RESTART));
+        actions.add(UiAction.of("step", desk::step).on(sign('.')).drawn(Glyph.STEP));
+        actions.add(UiAction.of("stepBack", desk.travel()::stepBack).on(sign(',')).drawn(Glyph.STEP_BACK));
+        actions.add(UiAction.of("restart", desk::restart).on(menu(KeyEvent.VK_R)).drawn(Glyph.RESTART));
         actions.add(UiAction.of("slower", () -> change(SpeedScale::slower)).on(sign('[')));
         actions.add(UiAction.of("faster", () -> change(SpeedScale::faster)).on(sign(']')));
         actions.add(UiAction.of("realTime", () -> speed.setValue(SpeedScale.REAL_TIME)).on(sign('\\')));

@@ -4,6 +4,7 @@ import faultline.control.ControllerSpec;
 import faultline.control.Hand;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.Bench;
+import faultline.gui.document.RunDesk;
 import faultline.gui.edit.Editor;
 import faultline.gui.edit.SensorPresets;
 import faultline.world.Command;
@@ -15,10 +16,12 @@ final class SensorActions {
     private static final int ALL = Integer.MAX_VALUE;
 
     private final Bench bench;
+    private final RunDesk run;
     private final Editor editor;
 
-    SensorActions(Bench bench, Editor editor) {
+    SensorActions(Bench bench, RunDesk run, Editor editor) {
         this.bench = bench;
+        this.run = run;
         this.editor = editor;
     }
 
@@ -29,7 +32,7 @@ final class SensorActions {
     }
 
     private void preset(int count) {
-        bench.frame().ifPresent(frame -> {
+        run.frame().ifPresent(frame -> {
             List<Command> commands = SensorPresets.commands(frame.world().robot(), isWallOnLeft(), count);
             if (!commands.isEmpty()) {
                 editor.send(commands);

@@ -8,6 +8,7 @@ import faultline.gui.document.Bench;
 import faultline.gui.document.FileWatch;
 import faultline.gui.document.Recovery;
 import faultline.gui.document.Rescuer;
+import faultline.gui.document.RunDesk;
 import faultline.gui.edit.EditDesk;
 import faultline.gui.export.ExportDesk;
 import faultline.gui.gallery.Gallery;
@@ -37,7 +38,8 @@ public final class SimulatorFrame extends JFrame {
     private static final Dimension LEAST = new Dimension(1024, 600);
 
     private final transient Bench bench = new Bench(new Events());
-    private final transient EditDesk edits = new EditDesk(bench::send, this::showEdits);
+    private final transient RunDesk run = new RunDesk(bench);
+    private final transient EditDesk edits = new EditDesk(run::send, this::showEdits);
     private final transient EditActions editActions = new EditActions(edits);
     private final transient UiActions actions = new UiActions();
     private final transient Dialogs dialogs = new Dialogs(this);
@@ -58,9 +60,9 @@ public final class SimulatorFrame extends JFrame {
         assert EventQueue.isDispatchThread();
         this.memory = memory;
         BoundedRangeModel speed = new DefaultBoundedRangeModel(SpeedScale.REAL_TIME, 0, 0, SpeedScale.MOST);
-        runActions = new RunActions(bench, speed);
+        runActions = new RunActions(run, speed);
         addActions();
-        area = new WorkArea(canvas, edits::send, actions, speed, bench::goTo);
+        area = new WorkArea(canvas, edits::send, actions, speed, run.travel()::goTo);
         setJMenuBar(Menus.of(actions));
         getJMenuBar().getMenu(0).insert(new RecentMenu(memory.recent(), files::open), 1);
         setContentPane(area);
@@ -80,7 +82,7 @@ public final class SimulatorFrame extends JFrame {
         editActions.addTo(actions);
         editActions.bindTo(getRootPane());
         new ObstacleActions(canvas.tools(), edits, this::note).addTo(actions);
-        new SensorActions(bench, edits).addTo(actions);
+        new SensorActions(bench, run, edits).addTo(actions);
         new ExportDesk(this, bench, canvas, files::fileFor).actions().forEach(actions::add);
         ViewActions.addTo(actions, canvas, this::setTheme);
         actions.add(UiAction.toggle("instruments", memory.isDockShown(), this::showDock).on(Keystrokes.plain(KeyEvent.VK_I)));
@@ -99,8 +101,8 @@ public final class SimulatorFrame extends JFrame {
         JPopupMenu popup = Menus.onCanvas(actions);
         canvas.tools().addMenuListener(at -> popup.show(canvas, at.x, at.y));
         canvas.tools().addStartListener(pose -> bench.scenario().ifPresent(open -> {
-            edits.add(new StartEdit(open.setup().start(), pose, bench::startAt));
-            bench.startAt(pose);
+            edits.add(new StartEdit(open.setup().start(), pose, run::startAt));
+            run.startAt(pose);
         }));
     }
 
@@ -180,7 +182,7 @@ public final class SimulatorFrame extends JFrame {
      * @param file the file
      */
     public void open(Path file) {
-        bench.open(file);
+        files.openAtOnce(file);
     }
 
     /**
@@ -189,7 +191,7 @@ public final class SimulatorFrame extends JFrame {
      * @param name its file's name
      */
     public void openShipped(String name) {
-        bench.openShipped(name);
+        files.openShippedAtOnce(name);
     }
 
     /**
@@ -231,9 +233,9 @@ public final class SimulatorFrame extends JFrame {
     }
 
     private void poll() {
-        bench.frame().ifPresent(frame -> bench.status().ifPresent(status -> {
+        run.frame().ifPresent(frame -> run.status().ifPresent(status -> {
             area.show(frame, status);
-            area.time().show(frame, bench.furthest());
+            area.time().show(frame, run.travel().furthest());
             runActions.show(status);
         }));
     }

@@ -40,6 +40,8 @@ class BenchTest {
     private final List<Throwable> failures = new ArrayList<>();
     private int begun;
     private Bench bench;
+    private RunDesk run;
+    private Filing filing;
 
     @BeforeEach
     void openAFile() throws IOException {
@@ -60,7 +62,11 @@ class BenchTest {
                 failures.add(why);
             }
         }));
-        edt(() -> bench.open(file));
+        edt(() -> {
+            run = new RunDesk(bench);
+            filing = new Filing(bench);
+            filing.open(file);
+        });
         waitFor("the first session", () -> begun == 1);
     }
 
@@ -72,7 +78,7 @@ class BenchTest {
     @Test
     void aFileOpensPausedAtTimeZeroAndUnchanged() {
         assertEquals(0, frame().world().tick());
-        assertFalse(onEdt(() -> bench.status().orElseThrow().running()));
+        assertFalse(onEdt(() -> run.status().orElseThrow().running()));
         assertFalse(onEdt(bench::isChanged));
         assertEquals(Optional.of(file), onEdt(bench::file));
     }
@@ -81,7 +87,7 @@ class BenchTest {
     void aMovedObstacleMarksTheScenarioAsChangedUntilItIsSavedAndReadsBackAsItStands() throws ScenarioException {
         move();
         waitFor("the mark", bench::isChanged);
-        edt(() -> bench.save(file, () -> begun = 7));
+        edt(() -> filing.save(file, () -> begun = 7));
         waitFor("the save", () -> begun == 7);
         assertFalse(onEdt(bench::isChanged));
         assertEquals(onEdt(bench::scenario), Optional.of(Scenario.load(file)));
@@ -92,11 +98,11 @@ class BenchTest {
     void aRestartGoesBackToTimeZeroWithEditsKeptAndSwitchesAsInTheFile() {
         move();
         edt(() -> {
-            bench.send(new Command.SwitchSensor("left", false));
-            bench.step();
+            send(new Command.SwitchSensor("left", false));
+            run.step();
         });
-        waitFor("the tick", () -> bench.frame().orElseThrow().world().tick() == 1);
-        edt(bench::restart);
+        waitFor("the tick", () -> run.frame().orElseThrow().world().tick() == 1);
+        edt(run::restart);
         waitFor("the second session", () -> begun == 2);
         assertEquals(0, frame().world().tick());
         assertEquals(ELSEWHERE, obstacle(frame().world().obstacles()).pose());
@@ -108,7 +114,7 @@ class BenchTest {
     void aBrokenFileIsToldWithItsComplaintsAndLeavesTheOldRunAsItIs() throws IOException {
         Frame before = frame();
         Path broken = Files.writeString(folder.resolve("broken.xml"), "<scenario/>");
-        edt(() -> bench.open(broken));
+        edt(() -> filing.open(broken));
         waitFor("the failure", () -> !failures.isEmpty());
         assertInstanceOf(ScenarioException.class, failures.get(0));
         assertSame(before, frame());
@@ -119,7 +125,7 @@ class BenchTest {
     void aFileThatCannotBeWrittenIsToldAndTheChangeStaysUnsaved() {
         move();
         waitFor("the mark", bench::isChanged);
-        edt(() -> bench.save(folder.resolve("no/such/folder/room.xml"), () -> begun = 7));
+        edt(() -> filing.save(folder.resolve("no/such/folder/room.xml"), () -> begun = 7));
         waitFor("the failure", () -> !failures.isEmpty());
         assertTrue(onEdt(bench::isChanged));
         assertEquals(1, begun);
@@ -128,17 +134,17 @@ class BenchTest {
     @Test
     void aSavedJournalReplaysTheRunToTheBit() throws ScenarioException {
         edt(() -> {
-            bench.setSpeed(Double.POSITIVE_INFINITY);
-            bench.toggleRunning();
+            run.setSpeed(Double.POSITIVE_INFINITY);
+            run.toggleRunning();
         });
-        waitFor("some time", () -> bench.frame().orElseThrow().world().tick() > 50);
-        edt(() -> bench.send(new Command.SetPlatform(0.3, 0.2, 0.5)));
-        edt(bench::toggleRunning);
-        waitFor("the pause", () -> !bench.status().orElseThrow().running());
+        waitFor("some time", () -> run.frame().orElseThrow().world().tick() > 50);
+        edt(() -> send(new Command.SetPlatform(0.3, 0.2, 0.5)));
+        edt(run::toggleRunning);
+        waitFor("the pause", () -> !run.status().orElseThrow().running());
         Path journal = folder.resolve("journal.xml");
-        edt(() -> bench.saveJournal(journal));
+        edt(() -> filing.saveJournal(journal));
         waitFor("the journal", () -> Files.exists(journal));
-        waitFor("the last frame", () -> bench.frame().orElseThrow().world().robot().length() == 0.3);
+        waitFor("the last frame", () -> run.frame().orElseThrow().world().robot().length() == 0.3);
         String hash = Scenario.load(journal).run().trajectoryHash();
         assertEquals(String.format("%016x", frame().trajectoryHash()), hash);
     }
@@ -147,19 +153,24 @@ class BenchTest {
     void ofTwoFilesOpenedAtOnceTheLaterOneStays() throws IOException {
         Path other = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("other.xml"));
         edt(() -> {
-            bench.open(file);
-            bench.open(other);
+            filing.open(file);
+            filing.open(other);
         });
         waitFor("the other file", () -> bench.file().equals(Optional.of(other)));
         assertEquals(2, begun);
     }
 
+    private void send(Command command) {
+        run.send(List.of(command), outcomes -> {
+        });
+    }
+
     private void move() {
-        edt(() -> bench.send(new Command.MoveObstacle(OBSTACLE, ELSEWHERE)));
+        edt(() -> send(new Command.MoveObstacle(OBSTACLE, ELSEWHERE)));
     }
 
     private Frame frame() {
-        return onEdt(() -> bench.frame().orElseThrow());
+        return onEdt(() -> run.frame().orElseThrow());
     }
 
     private static Obstacle obstacle(List<Obstacle> obstacles) {
@@ -168,7 +179,7 @@ class BenchTest {
 
     private void waitFor(String what, Callable<Boolean> condition) {
         Patience.waitFor(what, () -> {
-            bench.frame();
+            run.frame();
             return condition.call();
         });
     }

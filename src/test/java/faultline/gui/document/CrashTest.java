@@ -34,13 +34,19 @@ class CrashTest {
     private Path folder;
     private Path file;
     private Bench bench;
+    private RunDesk run;
+    private Filing filing;
     private final List<Path> told = new ArrayList<>();
 
     @BeforeEach
     void openAFile() throws IOException {
         file = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("room.xml"));
         bench = onEdt(() -> new Bench(new Quiet()));
-        edt(() -> bench.open(file));
+        edt(() -> {
+            run = new RunDesk(bench);
+            filing = new Filing(bench);
+            filing.open(file);
+        });
         waitForTheFile();
     }
 
@@ -59,7 +65,7 @@ class CrashTest {
         Recovery.Rescue rescue = new Recovery(folder.resolve("kept"), ProcessHandle.current().pid()).left().orElseThrow();
         assertEquals(Optional.of(file.toAbsolutePath()), rescue.origin());
         assertEquals(edited, rescue.scenario());
-        edt(() -> bench.recover(rescue));
+        edt(() -> filing.recover(rescue));
         Patience.waitFor("the edits", () -> bench.scenario().equals(Optional.of(edited)) && bench.saved().isEmpty());
         assertTrue(onEdt(bench::isChanged));
         assertEquals(rescue.origin(), onEdt(bench::file));
@@ -78,7 +84,7 @@ class CrashTest {
         edit();
         Autosave autosave = autosave(dying);
         Patience.waitFor("the kept edits", () -> dying.left().isPresent());
-        edt(() -> bench.save(file, autosave::keep));
+        edt(() -> filing.save(file, autosave::keep));
         Patience.waitFor("nothing to be kept", () -> dying.left().isEmpty());
     }
 
@@ -100,7 +106,7 @@ class CrashTest {
     void revertingGivesEditsUp() {
         Scenario before = onEdt(() -> bench.scenario().orElseThrow());
         edit();
-        edt(bench::revert);
+        edt(filing::revert);
         Patience.waitFor("the scenario as it was", () -> bench.scenario().equals(Optional.of(before)));
         assertFalse(onEdt(bench::isChanged));
     }
@@ -148,10 +154,15 @@ class CrashTest {
         return autosave;
     }
 
+    private void send(Command command) {
+        run.send(List.of(command), outcomes -> {
+        });
+    }
+
     private void edit() {
-        edt(() -> bench.send(new Command.MoveObstacle("pole", ELSEWHERE)));
+        edt(() -> send(new Command.MoveObstacle("pole", ELSEWHERE)));
         Patience.waitFor("the edit", () -> {
-            bench.frame();
+            run.frame();
             return bench.isChanged();
         });
     }

@@ -15,6 +15,9 @@ import faultline.gui.Patience;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
+import faultline.gui.document.Filing;
+import faultline.gui.document.RunDesk;
+import faultline.gui.edit.EditDesk;
 import faultline.gui.theme.Theme;
 import faultline.paint.Palette;
 import faultline.scenario.Scenario;
@@ -50,6 +53,7 @@ class ExportDeskTest {
     @TempDir
     private Path folder;
     private Bench bench;
+    private RunDesk run;
     private SimulationCanvas canvas;
     private List<UiAction> actions;
 
@@ -58,17 +62,19 @@ class ExportDeskTest {
         edt(() -> {
             Theme.LIGHT.install();
             bench = new Bench(new Quiet());
-            canvas = new SimulationCanvas(bench::send);
+            run = new RunDesk(bench);
+            canvas = new SimulationCanvas(new EditDesk(run::send, () -> {
+            }));
             canvas.setSize(300, 200);
             actions = new ExportDesk(canvas, bench, canvas, (action, extension) -> Optional.of(folder.resolve("out" + extension))).actions();
-            bench.open(Path.of("scenarios/office.xml"));
+            new Filing(bench).open(Path.of("scenarios/office.xml"));
         });
-        Patience.waitFor("the scenario", () -> bench.frame().isPresent());
+        Patience.waitFor("the scenario", () -> run.frame().isPresent());
         for (int i = 0; i < STEPS; i++) {
-            edt(bench::step);
+            edt(run::step);
         }
-        Patience.waitFor("the last tick", () -> bench.frame().orElseThrow().world().tick() == STEPS);
-        edt(() -> canvas.show(bench.frame().orElseThrow()));
+        Patience.waitFor("the last tick", () -> run.frame().orElseThrow().world().tick() == STEPS);
+        edt(() -> canvas.show(run.frame().orElseThrow()));
     }
 
     @AfterEach

@@ -10,6 +10,8 @@ import faultline.gui.Components;
 import faultline.gui.EdtChecker;
 import faultline.gui.Patience;
 import faultline.gui.document.Bench;
+import faultline.gui.document.Filing;
+import faultline.gui.document.RunDesk;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -27,6 +29,7 @@ class TimeBarTest {
 
     private final List<Frame> previews = new ArrayList<>();
     private Bench bench;
+    private RunDesk run;
     private TimeBar bar;
     private JSlider slider;
 
@@ -34,13 +37,14 @@ class TimeBarTest {
     void runAWhile() {
         edt(() -> {
             bench = new Bench(new Quiet());
-            bar = new TimeBar(bench::goTo, previews::add);
+            run = new RunDesk(bench);
+            bar = new TimeBar(run.travel()::goTo, previews::add);
             slider = Components.all(bar, JSlider.class).findFirst().orElseThrow();
-            bench.open(Path.of("scenarios/office.xml"));
+            new Filing(bench).open(Path.of("scenarios/office.xml"));
         });
-        Patience.waitFor("the scenario", () -> bench.frame().isPresent());
+        Patience.waitFor("the scenario", () -> run.frame().isPresent());
         for (int i = 0; i < TICKS; i++) {
-            edt(bench::step);
+            edt(run::step);
         }
         waitForTick(TICKS);
     }
@@ -58,13 +62,13 @@ class TimeBarTest {
 
     @Test
     void letGoSomewhereTheRunGoesThereToTheBitAndItsFutureIsKept() {
-        long hash = onEdt(() -> bench.frame().orElseThrow().trajectoryHash());
+        long hash = onEdt(() -> run.frame().orElseThrow().trajectoryHash());
         edt(() -> slider.setValue(15));
         waitForTick(15);
         assertEquals(TICKS, onEdt(slider::getMaximum));
         edt(() -> slider.setValue(TICKS));
         waitForTick(TICKS);
-        assertEquals(hash, onEdt(() -> bench.frame().orElseThrow().trajectoryHash()));
+        assertEquals(hash, onEdt(() -> run.frame().orElseThrow().trajectoryHash()));
     }
 
     @Test
@@ -83,16 +87,16 @@ class TimeBarTest {
 
     @Test
     void aRestartForgetsTheOldFuture() {
-        edt(bench::restart);
+        edt(run::restart);
         waitForTick(0);
-        assertEquals(0, onEdt(bench::furthest));
+        assertEquals(0, onEdt(run.travel()::furthest));
         assertEquals(0, onEdt(slider::getMaximum));
     }
 
     private void waitForTick(long tick) {
         Patience.waitFor("tick " + tick, () -> {
-            Frame frame = bench.frame().orElseThrow();
-            bar.show(frame, bench.furthest());
+            Frame frame = run.frame().orElseThrow();
+            bar.show(frame, run.travel().furthest());
             return frame.world().tick() == tick;
         });
     }

@@ -12,6 +12,7 @@ import faultline.gui.Components;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
+import faultline.gui.document.RunDesk;
 import faultline.gui.edit.EditDesk;
 import faultline.gui.export.ExportDesk;
 import faultline.gui.text.Language;
@@ -66,28 +67,29 @@ class WorkAreaTest {
             Theme.LIGHT.install();
             DefaultBoundedRangeModel speed = new DefaultBoundedRangeModel(SpeedScale.REAL_TIME, 0, 0, SpeedScale.MOST);
             Bench bench = new Bench(new Deaf());
-            canvas = new SimulationCanvas(bench::send);
+            RunDesk run = new RunDesk(bench);
+            EditDesk edits = new EditDesk(run::send, () -> {
+            });
+            canvas = new SimulationCanvas(edits);
             FileDesk files = new FileDesk(canvas, bench);
             files.addTo(actions, () -> {
-            });
-            EditDesk edits = new EditDesk(bench::send, () -> {
             });
             new EditActions(edits).addTo(actions);
             new ObstacleActions(canvas.tools(), edits, sentence -> {
             }).addTo(actions);
-            new SensorActions(bench, edits).addTo(actions);
+            new SensorActions(bench, run, edits).addTo(actions);
             new ExportDesk(canvas, bench, canvas, files::fileFor).actions().forEach(actions::add);
             actions.add(UiAction.of("examples", () -> {
             }));
             ViewActions.addTo(actions, canvas, theme -> {
             });
-            new RunActions(bench, speed).addTo(actions, sensor -> {
+            new RunActions(run, speed).addTo(actions, sensor -> {
             });
             new Dialogs(null).addTo(actions);
             actions.add(UiAction.toggle("instruments", true, shown -> {
             }));
             new ChoiceActions(null, WindowMemory.none()).addTo(actions);
-            area = new WorkArea(canvas, bench::send, actions, speed, tick -> {
+            area = new WorkArea(canvas, edits::send, actions, speed, tick -> {
             });
             menus = Menus.of(actions);
             area.show(SampleFrames.everything(), PAUSED);

@@ -1,0 +1,58 @@
+package faultline.gui.document;
+
+import faultline.engine.Frame;
+import faultline.engine.Journal;
+import faultline.engine.Session;
+import faultline.gui.document.Bench.Task;
+import java.util.concurrent.CompletableFuture;
+
+/** Takes the run on the bench to another moment of its own: a new session that replays the old one's journal up to there. */
+public final class TimeTravel {
+
+    private final Bench bench;
+    private long furthest;
+
+    TimeTravel(Bench bench) {
+        this.bench = bench;
+        bench.addDesk((task, made) -> furthest = task == Task.GO_TO ? furthest : 0);
+    }
+
+    /**
+     * Goes to another moment of the run, soon, and holds there. What was done later is done again when its tick comes, unless something else is done before.
+     *
+     * @param tick not negative
+     */
+    public void goTo(long tick) {
+        bench.work().ifPresent(now -> {
+            now.session().pause();
+            CompletableFuture<Journal> journal = now.session().wholeJournal();
+            bench.begin(Task.GO_TO, now.document().name(), () -> new Work(now.document(), Session.replay(journal.join(), tick)));
+        });
+    }
+
+    /** Goes back by one tick, soon, and holds there; while it is on its way, nothing. */
+    public void stepBack() {
+        if (bench.underWay().isEmpty()) {
+            bench.work().map(now -> now.session().frame().world().tick()).filter(tick -> tick > 0).ifPresent(tick -> goTo(tick - 1));
+        }
+    }
+
+    /** The run has come here. */
+    void see(Frame frame) {
+        furthest = Math.max(furthest, frame.world().tick());
+    }
+
+    /** Something else is done now than was done before: what came later is no more. */
+    void turnOff() {
+        furthest = 0;
+    }
+
+    /**
+     * How far the run has been, whatever moment it was taken back to since; what is done to it there gives it another future.
+     *
+     * @return ticks
+     */
+    public long furthest() {
+        return furthest;
+    }
+}
