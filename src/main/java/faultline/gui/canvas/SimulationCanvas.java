@@ -3,6 +3,7 @@ package faultline.gui.canvas;
 import faultline.engine.Frame;
 import faultline.geometry.Vec;
 import faultline.gui.edit.Editor;
+import faultline.gui.text.Texts;
 import faultline.paint.Brush;
 import faultline.paint.Camera;
 import faultline.paint.Layer;
@@ -250,8 +251,8 @@ public final class SimulationCanvas extends JComponent {
     public AccessibleContext getAccessibleContext() {
         if (accessibleContext == null) {
             accessibleContext = new Accessibility();
-            accessibleContext.setAccessibleName("Simulation");
-            accessibleContext.setAccessibleDescription("The world with the robot; drag obstacles to move them, turn the wheel to zoom");
+            accessibleContext.setAccessibleName(Texts.text("canvas"));
+            accessibleContext.setAccessibleDescription(Texts.text("canvas.description"));
         }
         return accessibleContext;
     }

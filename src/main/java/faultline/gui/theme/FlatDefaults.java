@@ -76,9 +76,12 @@ final class FlatDefaults {
             table.put(item + ".acceleratorForeground", colours.muted());
             table.put(item + ".acceleratorSelectionForeground", colours.onAccent());
             table.put(item + ".acceleratorDelimiter", "+");
+            table.put(item + ".checkIconOffset", 2);
+            table.put(item + ".afterCheckIconGap", 6);
         }
         for (String item : new String[] {"MenuItem", "CheckBoxMenuItem"}) {
-            table.put(item + ".border", padding(4, 6, 4, 12));
+            // As far from the left as a submenu, which is a Menu.
+            table.put(item + ".border", padding(4, 8, 4, 12));
         }
         table.put("CheckBoxMenuItem.checkIcon", new CheckIcon());
         table.put("PopupMenu.border", new BorderUIResource(new CompoundBorder(new LineBorder(colours.line()), new EmptyBorder(4, 0, 4, 0))));

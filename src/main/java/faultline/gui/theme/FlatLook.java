@@ -14,7 +14,8 @@ final class FlatLook {
 
     /** Each control whose painting is ours, and who paints it. */
     private static final List<Class<?>> DELEGATES = List.of(FlatButtonUI.class, FlatToggleButtonUI.class, FlatScrollBarUI.class,
-            FlatSliderUI.class, FlatSpinnerUI.class, FlatComboBoxUI.class, FlatSplitPaneUI.class, FlatTabbedPaneUI.class);
+            FlatSliderUI.class, FlatSpinnerUI.class, FlatComboBoxUI.class, FlatSplitPaneUI.class, FlatTabbedPaneUI.class,
+            FlatMenuUI.class, FlatMenuItemUI.class, FlatCheckBoxMenuItemUI.class);
 
     private FlatLook() {
     }

@@ -9,6 +9,7 @@ import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vec;
+import faultline.gui.text.Texts;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
@@ -93,7 +94,7 @@ class CanvasKeysTest {
     @Test
     void aScreenReaderIsToldWhatItIs() {
         AccessibleContext context = onEdt(canvas::getAccessibleContext);
-        assertEquals("Simulation", context.getAccessibleName());
+        assertEquals(Texts.text("canvas"), context.getAccessibleName());
         assertEquals(AccessibleRole.CANVAS, context.getAccessibleRole());
     }
 
