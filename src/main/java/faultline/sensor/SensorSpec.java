@@ -65,4 +65,34 @@ public record SensorSpec(String id, Vec seat, double bearing, double range, doub
     public SensorSpec withCone(double radians) {
         return new SensorSpec(id, seat, bearing, range, radians, on, noise);
     }
+
+    /**
+     * This sensor mounted elsewhere.
+     *
+     * @param metres the new apex of its cone in the robot's frame
+     * @return the same sensor otherwise
+     */
+    public SensorSpec withSeat(Vec metres) {
+        return new SensorSpec(id, metres, bearing, range, cone, on, noise);
+    }
+
+    /**
+     * This sensor looking elsewhere.
+     *
+     * @param radians the new direction of its axis, counter-clockwise from straight ahead
+     * @return the same sensor otherwise
+     */
+    public SensorSpec withBearing(double radians) {
+        return new SensorSpec(id, seat, radians, range, cone, on, noise);
+    }
+
+    /**
+     * This sensor with other noise.
+     *
+     * @param metres the new standard deviation, not negative
+     * @return the same sensor otherwise
+     */
+    public SensorSpec withNoise(double metres) {
+        return new SensorSpec(id, seat, bearing, range, cone, on, metres);
+    }
 }

@@ -4,7 +4,9 @@ import faultline.geometry.Pose;
 import faultline.gui.text.Texts;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** What edits are called in menus. */
 final class EditNames {
@@ -69,9 +71,12 @@ final class EditNames {
 
     private static String tuned(SensorSpec now, List<Command> undo) {
         SensorSpec before = undo.get(0) instanceof Command.TuneSensor back ? back.sensor() : now;
-        if (now.equals(before.withRange(now.range()))) {
-            return "edit.range";
-        }
-        return now.equals(before.withCone(now.cone())) ? "edit.cone" : "edit.tune";
+        Map<String, SensorSpec> single = new LinkedHashMap<>();
+        single.put("edit.range", before.withRange(now.range()));
+        single.put("edit.cone", before.withCone(now.cone()));
+        single.put("edit.bearing", before.withBearing(now.bearing()));
+        single.put("edit.seat", before.withSeat(now.seat()));
+        single.put("edit.noise", before.withNoise(now.noise()));
+        return single.entrySet().stream().filter(change -> change.getValue().equals(now)).map(Map.Entry::getKey).findFirst().orElse("edit.tune");
     }
 }

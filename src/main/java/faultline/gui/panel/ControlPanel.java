@@ -7,6 +7,7 @@ import faultline.world.Snapshot;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.BorderFactory;
@@ -19,11 +20,12 @@ import javax.swing.ScrollPaneConstants;
 public final class ControlPanel extends JPanel {
 
     private static final int WHEEL = 16;
-    private static final int WIDTH = 396;
+    private static final int WIDTH = 424;
 
     private final RobotPanel robot;
     private final SensorsPanel sensors;
-    private final FaultsPanel faults;
+    private final ChosenSensorPanel chosen;
+    private final transient SensorEchoes echoes = new SensorEchoes();
 
     /**
      * A panel that shows nothing yet.
@@ -34,13 +36,15 @@ public final class ControlPanel extends JPanel {
     public ControlPanel(Consumer<Command> commands, Action path) {
         super(new BorderLayout());
         robot = new RobotPanel(commands, path);
-        sensors = new SensorsPanel(commands);
-        faults = new FaultsPanel(commands);
+        sensors = new SensorsPanel(echoes, commands);
+        chosen = new ChosenSensorPanel(echoes, commands);
+        sensors.addSelectionListener(chosen::choose);
+        chosen.addChoiceListener(sensors::choose);
         JPanel column = new JPanel();
         column.setLayout(new BoxLayout(column, BoxLayout.PAGE_AXIS));
         column.add(new Section(Texts.text("robot.title"), robot));
         column.add(new Section(Texts.text("sensors.title"), sensors));
-        column.add(new Section(Texts.text("faults.title"), faults));
+        column.add(new Section(Texts.text("faults.title"), chosen));
         JPanel top = new JPanel(new BorderLayout());
         top.add(column, BorderLayout.NORTH);
         JScrollPane scroll = new JScrollPane(top, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
@@ -69,17 +73,28 @@ public final class ControlPanel extends JPanel {
     public void show(Snapshot world) {
         assert EventQueue.isDispatchThread();
         robot.show(world.robot());
+        echoes.told(world.sensors());
         sensors.show(world.sensors());
-        faults.show(world.sensors());
+        chosen.show(world.sensors());
     }
 
     /**
-     * The rows of the sensors.
+     * Marks a sensor's row, and shows how it is mounted.
      *
-     * @return a part of this panel
+     * @param sensor its id, empty for none
      */
-    public SensorsPanel sensors() {
-        return sensors;
+    public void select(Optional<String> sensor) {
+        sensors.select(sensor);
+        chosen.choose(sensor);
+    }
+
+    /**
+     * Tells a listener, from now on, when the user chooses a sensor here.
+     *
+     * @param listener gets the sensor's id
+     */
+    public void addSelectionListener(Consumer<Optional<String>> listener) {
+        sensors.addSelectionListener(listener);
     }
 
     /**

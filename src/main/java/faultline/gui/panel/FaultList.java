@@ -52,7 +52,9 @@ final class FaultList extends JPanel {
             for (int row = 0; row < shown.size(); row++) {
                 addRow(row, shown.get(row));
             }
-            addClearAll(shown.size());
+            if (shown.size() > 1) {
+                addClearAll(shown.size());
+            }
         }
         revalidate();
         repaint();

@@ -6,6 +6,7 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.text.ParseException;
 import java.util.function.DoubleConsumer;
 import javax.swing.JButton;
 import javax.swing.JFormattedTextField;
@@ -98,6 +99,15 @@ final class NumberSpinner extends JSpinner {
         assert EventQueue.isDispatchThread();
         if (truth != value() && !isTyping()) {
             set(truth);
+        }
+    }
+
+    /** Ends the typing: takes what was typed, or drops it where it is not allowed. */
+    void settle() {
+        try {
+            commitEdit();
+        } catch (ParseException notAllowed) {
+            text().setValue(getValue());
         }
     }
 

@@ -3,47 +3,71 @@ package faultline.gui.panel;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.Smooth;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.ThemeColours;
+import faultline.sensor.Reading;
 import faultline.world.SensorSnapshot;
+import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.RoundRectangle2D;
+import java.util.function.Function;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import javax.swing.UIManager;
 
-/** What a sensor reports: as a share of its range, as a number, and with a sign where it is faulty. */
+/** What a sensor should read or what it reports: as a number on a bar that is its share of the range, and with a sign where the sensor is faulty. */
 final class ReadingBar extends JComponent {
 
-    private static final int BAR = 38;
-    private static final int THICKNESS = 8;
+    private static final int HEIGHT = 20;
+    private static final int ARC = 6;
+    private static final int PADDING = 5;
     private static final int SIGN = 14;
     private static final int GAP = 3;
-    private static final int HEIGHT = 20;
+    private static final int BAR_ALPHA = 90;
 
     private final String sensor;
-    private final int width;
+    private final Side side;
+    private final int bar;
     private String text = "";
     private double share;
     private boolean faulty;
 
-    ReadingBar(String sensor) {
+    /** Which of a sensor's two readings. */
+    enum Side {
+        /** What is really there. */
+        TRUE("sensor.true", SensorSnapshot::truth),
+        /** What the controller gets. */
+        REPORTED("sensor.reading", SensorSnapshot::reported);
+
+        private final String key;
+        private final Function<SensorSnapshot, Reading> reading;
+
+        Side(String key, Function<SensorSnapshot, Reading> reading) {
+            this.key = key;
+            this.reading = reading;
+        }
+    }
+
+    ReadingBar(String sensor, Side side) {
         this.sensor = sensor;
+        this.side = side;
         setFont(UIManager.getFont("Label.font"));
-        this.width = BAR + GAP + getFontMetrics(getFont()).stringWidth("0.000") + GAP + SIGN;
-        setPreferredSize(new Dimension(width, HEIGHT));
+        bar = getFontMetrics(getFont()).stringWidth("0.000") + 2 * PADDING;
+        setPreferredSize(new Dimension(bar + (side == Side.REPORTED ? GAP + SIGN : 0), TextSize.scaled(HEIGHT)));
         setMinimumSize(getPreferredSize());
-        getAccessibleContext().setAccessibleName(Texts.text("sensor.reading", sensor));
+        getAccessibleContext().setAccessibleName(Texts.text(side.key, sensor));
     }
 
     void show(SensorSnapshot snapshot) {
-        double newShare = snapshot.reported().distance().orElse(0) / snapshot.spec().range();
-        String newText = ReadingText.of(snapshot.reported());
-        boolean newFaulty = !snapshot.faults().isEmpty();
+        Reading reading = side.reading.apply(snapshot);
+        double newShare = reading.distance().orElse(0) / snapshot.spec().range();
+        String newText = ReadingText.of(reading);
+        boolean newFaulty = side == Side.REPORTED && !snapshot.faults().isEmpty();
         if (newShare != share || !newText.equals(text) || newFaulty != faulty) {
             share = newShare;
             text = newText;
@@ -54,7 +78,7 @@ final class ReadingBar extends JComponent {
     }
 
     private void describe(SensorSnapshot snapshot) {
-        String tip = Texts.text("sensor.reading", sensor) + ": " + text
+        String tip = Texts.text(side.key, sensor) + ": " + text
                 + (faulty ? " (" + Texts.text("sensor.faulty", ReadingText.of(snapshot.faults())) + ")" : "");
         if (!tip.equals(getToolTipText())) {
             setToolTipText(tip);
@@ -67,33 +91,32 @@ final class ReadingBar extends JComponent {
         return text;
     }
 
+    /** Which of the sensor's readings it shows. */
+    Side side() {
+        return side;
+    }
+
     @Override
     protected void paintComponent(Graphics graphics) {
         ThemeColours colours = Theme.now();
         Smooth.paint(graphics, g -> {
-            double y = (getHeight() - THICKNESS) / 2.0;
-            g.setColor(colours.line());
-            g.fill(bar(y, BAR));
-            if (share > 0) {
-                g.setColor(colours.accent());
-                g.fill(bar(y, Math.max(THICKNESS, BAR * Math.min(1, share))));
-            }
+            g.setColor(colours.hover());
+            g.fill(new RoundRectangle2D.Double(0, 0, bar, getHeight(), ARC, ARC));
+            Color fill = side == Side.TRUE ? colours.muted() : colours.accent();
+            g.setColor(ThemeColours.translucent(fill, BAR_ALPHA));
+            g.fill(new RoundRectangle2D.Double(0, 0, share > 0 ? Math.max(ARC, bar * Math.min(1, share)) : 0, getHeight(), ARC, ARC));
             paintText(g);
             if (faulty) {
-                Glyph.WARNING.paint(g, width - SIGN, (getHeight() - SIGN) / 2.0, SIGN, colours.warning());
+                Glyph.WARNING.paint(g, bar + GAP, (getHeight() - SIGN) / 2.0, SIGN, colours.warning());
             }
         });
-    }
-
-    private static RoundRectangle2D bar(double y, double length) {
-        return new RoundRectangle2D.Double(0, y, length, THICKNESS, THICKNESS, THICKNESS);
     }
 
     private void paintText(Graphics2D g) {
         FontMetrics metrics = g.getFontMetrics(getFont());
         g.setFont(getFont());
         g.setColor(share > 0 ? Theme.now().text() : Theme.now().muted());
-        g.drawString(text, width - SIGN - GAP - metrics.stringWidth(text), (getHeight() + metrics.getAscent() - metrics.getDescent()) / 2);
+        g.drawString(text, bar - PADDING - metrics.stringWidth(text), (getHeight() + metrics.getAscent() - metrics.getDescent()) / 2);
     }
 
     @Override

@@ -29,23 +29,30 @@ final class SensorRow {
     private final JCheckBox onOff = new JCheckBox();
     private final NumberSpinner range;
     private final NumberSpinner cone;
-    private final ReadingBar reading;
-    private final Echo<SensorSpec> spec;
+    private final ReadingBar truth;
+    private final ReadingBar reported;
+    private final String id;
+    private final SensorEchoes echoes;
     private final Consumer<Command> commands;
-    private double coneRadians;
-    private double coneDegrees;
+    private final ShownDegrees shownCone = new ShownDegrees();
 
-    SensorRow(int index, SensorSpec first, Consumer<Command> commands, Consumer<String> chosen) {
+    SensorRow(int index, String id, SensorEchoes echoes, Consumer<Command> commands, Consumer<String> chosen) {
+        this.id = id;
+        this.echoes = echoes;
         this.commands = commands;
-        spec = new Echo<>(first);
         swatch = new Swatch(index);
-        range = new NumberSpinner("0.00##", LEAST_RANGE, MOST_RANGE, 0.05, metres -> tune(spec.value().withRange(metres)));
-        cone = new NumberSpinner("0.##", LEAST_CONE, MOST_CONE, 1, degrees -> tune(spec.value().withCone(Degrees.toRadians(degrees))));
-        reading = new ReadingBar(first.id());
-        range.named(Texts.text("sensor.range", first.id())).columns(4);
-        cone.named(Texts.text("sensor.cone", first.id())).columns(3);
-        prepareSwitch(first.id());
-        listen(() -> chosen.accept(first.id()));
+        range = new NumberSpinner("0.00##", LEAST_RANGE, MOST_RANGE, 0.05, metres -> tune(spec().withRange(metres)));
+        cone = new NumberSpinner("0.##", LEAST_CONE, MOST_CONE, 1, degrees -> tune(spec().withCone(Degrees.toRadians(degrees))));
+        truth = new ReadingBar(id, ReadingBar.Side.TRUE);
+        reported = new ReadingBar(id, ReadingBar.Side.REPORTED);
+        range.named(Texts.text("sensor.range", id)).columns(4);
+        cone.named(Texts.text("sensor.cone", id)).columns(3);
+        prepareSwitch();
+        listen(() -> chosen.accept(id));
+    }
+
+    private SensorSpec spec() {
+        return echoes.of(id);
     }
 
     /** A row is chosen by its number, or by going to one of its controls. */
@@ -69,10 +76,10 @@ final class SensorRow {
 
     /** Where the row is in its grid. */
     Rectangle bounds() {
-        return onOff.getBounds().union(reading.getBounds()).union(swatch.getBounds()).union(range.getBounds());
+        return onOff.getBounds().union(reported.getBounds()).union(swatch.getBounds()).union(range.getBounds());
     }
 
-    private void prepareSwitch(String id) {
+    private void prepareSwitch() {
         onOff.setText(id);
         onOff.setOpaque(false);
         onOff.setPreferredSize(new Dimension(TextSize.scaled(NAME_WIDTH), onOff.getPreferredSize().height));
@@ -88,40 +95,33 @@ final class SensorRow {
         grid.add(onOff, Grid.wide(1, row));
         grid.add(range, Grid.cell(2, row));
         grid.add(cone, Grid.cell(3, row));
-        grid.add(reading, Grid.centred(4, row));
+        grid.add(truth, Grid.centred(4, row));
+        grid.add(reported, Grid.centred(5, row));
     }
 
     private void switchTo(boolean on) {
-        spec.ask(spec.value().withOn(on));
-        commands.accept(new Command.SwitchSensor(spec.value().id(), on));
+        echoes.ask(spec().withOn(on));
+        commands.accept(new Command.SwitchSensor(id, on));
     }
 
     private void tune(SensorSpec wanted) {
-        commands.accept(new Command.TuneSensor(spec.ask(wanted)));
+        commands.accept(new Command.TuneSensor(echoes.ask(wanted)));
     }
 
     /** Switches the sensor the other way. */
     void toggle() {
-        switchTo(!spec.value().on());
-    }
-
-    /** The cone in degrees, remembered, because the exact conversion is slow and asked for with every snapshot. */
-    private double degrees(double radians) {
-        if (radians != coneRadians) {
-            coneRadians = radians;
-            coneDegrees = Double.parseDouble(Degrees.toText(radians));
-        }
-        return coneDegrees;
+        switchTo(!spec().on());
     }
 
     /** Shows how the sensor is now. */
     void show(SensorSnapshot snapshot) {
-        SensorSpec shown = spec.told(snapshot.spec());
+        SensorSpec shown = spec();
         if (onOff.isSelected() != shown.on()) {
             onOff.setSelected(shown.on());
         }
         range.follow(shown.range());
-        cone.follow(degrees(shown.cone()));
-        reading.show(snapshot);
+        cone.follow(shownCone.of(shown.cone()));
+        truth.show(snapshot);
+        reported.show(snapshot);
     }
 }

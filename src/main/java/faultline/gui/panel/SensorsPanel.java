@@ -22,6 +22,7 @@ public final class SensorsPanel extends JPanel {
     private static final int MARK = 2;
     private static final int MARK_ALPHA = 40;
 
+    private final transient SensorEchoes echoes;
     private final transient Consumer<Command> commands;
     private final transient List<SensorRow> rows = new ArrayList<>();
     private final transient List<Consumer<Optional<String>>> listeners = new ArrayList<>();
@@ -31,10 +32,12 @@ public final class SensorsPanel extends JPanel {
     /**
      * Without sensors at first.
      *
+     * @param echoes what was asked of each sensor
      * @param commands where switching and tuning goes
      */
-    public SensorsPanel(Consumer<Command> commands) {
+    SensorsPanel(SensorEchoes echoes, Consumer<Command> commands) {
         super(new GridBagLayout());
+        this.echoes = echoes;
         this.commands = commands;
     }
 
@@ -90,8 +93,9 @@ public final class SensorsPanel extends JPanel {
         listeners.add(listener);
     }
 
-    private void choose(String sensor) {
-        select(Optional.of(sensor));
+    /** Marks the row of a sensor and tells the listeners. */
+    void choose(Optional<String> sensor) {
+        select(sensor);
         listeners.forEach(listener -> listener.accept(selected));
     }
 
@@ -118,9 +122,10 @@ public final class SensorsPanel extends JPanel {
         add(new MutedLabel(Texts.text("sensors.sensor")), Grid.wide(1, 0));
         add(new MutedLabel(Texts.text("sensors.range")), Grid.cell(2, 0));
         add(new MutedLabel(Texts.text("sensors.cone")), Grid.cell(3, 0));
-        add(new MutedLabel(Texts.text("sensors.reading")), Grid.cell(4, 0));
+        add(new MutedLabel(Texts.text("sensors.true")), Grid.cell(4, 0));
+        add(new MutedLabel(Texts.text("sensors.reported")), Grid.cell(5, 0));
         for (int i = 0; i < sensors.size(); i++) {
-            SensorRow row = new SensorRow(i, sensors.get(i).spec(), commands, this::choose);
+            SensorRow row = new SensorRow(i, ids.get(i), echoes, commands, id -> choose(Optional.of(id)));
             row.addTo(this, i + 1);
             rows.add(row);
         }

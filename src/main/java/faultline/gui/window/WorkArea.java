@@ -59,8 +59,8 @@ final class WorkArea extends JPanel {
         add(split, BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
         canvas.tools().addNoteListener(status::showNote);
-        canvas.tools().addSensorListener(panel.sensors()::select);
-        panel.sensors().addSelectionListener(canvas.tools()::selectSensor);
+        canvas.tools().addSensorListener(panel::select);
+        panel.addSelectionListener(canvas.tools()::selectSensor);
         canvas.addCursorListener(status::showCursor);
         canvas.addCameraListener(camera -> status.showScale(camera.scale()));
         canvas.setPalette(Theme.current().palette());

@@ -4,19 +4,24 @@ import static faultline.gui.GuiRobot.edt;
 import static faultline.gui.GuiRobot.onEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SampleFrames;
+import faultline.geometry.Vec;
 import faultline.gui.Components;
 import faultline.gui.action.UiAction;
+import faultline.gui.text.Texts;
 import faultline.gui.theme.Theme;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
+import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.Snapshot;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -92,8 +97,69 @@ class ControlPanelTest {
 
     @Test
     void readingsAreNumbersDashesOrOff() {
-        assertEquals(List.of("0.240", "–", "0.400", "–", "off", "off", "–", "–"),
-                onEdt(() -> Components.all(panel, ReadingBar.class).map(ReadingBar::text).toList()));
+        assertEquals(List.of("0.240", "–", "0.400", "–", "off", "off", "–", "–"), readings(ReadingBar.Side.REPORTED));
+    }
+
+    @Test
+    void whatIsReallyThereStandsBesideWhatIsReported() {
+        List<String> expected = world.sensors().stream().map(sensor -> ReadingText.of(sensor.truth())).toList();
+        assertEquals(expected, readings(ReadingBar.Side.TRUE));
+        assertNotEquals(expected, readings(ReadingBar.Side.REPORTED));
+    }
+
+    private List<String> readings(ReadingBar.Side side) {
+        return onEdt(() -> Components.all(panel, ReadingBar.class).filter(bar -> bar.side() == side).map(ReadingBar::text).toList());
+    }
+
+    @Test
+    void theMountOfTheChosenSensorCanBeSet() {
+        edt(() -> {
+            panel.select(Optional.of("left"));
+            spinner(Texts.text("mount.bearing.tip")).setValue(80.0);
+            spinner(Texts.text("mount.noise.tip")).setValue(0.004);
+            spinner(Texts.text("mount.ahead.tip")).setValue(0.05);
+            spinner(Texts.text("mount.aside.tip")).setValue(0.08);
+        });
+        SensorSpec left = world.sensors().get(2).spec();
+        assertEquals(new Command.TuneSensor(left.withBearing(Math.toRadians(80)).withNoise(0.004).withSeat(new Vec(0.05, 0.08))),
+                commands.get(3));
+    }
+
+    @Test
+    void whatTwoControlsSetOfOneSensorBothArrives() {
+        edt(() -> {
+            panel.select(Optional.of("left"));
+            spinner("Range of left, metres").setValue(1.5);
+            spinner(Texts.text("mount.noise.tip")).setValue(0.004);
+        });
+        assertEquals(new Command.TuneSensor(world.sensors().get(2).spec().withRange(1.5).withNoise(0.004)), commands.get(1));
+    }
+
+    @Test
+    void theFieldsShowTheChosenSensor() {
+        edt(() -> panel.select(Optional.of("front-left")));
+        assertEquals("front-left", onEdt(() -> Components.named(panel, JComboBox.class, "Sensor").getSelectedItem()));
+        assertEquals(45, onEdt(() -> spinner(Texts.text("mount.bearing.tip")).value()), 1e-12);
+    }
+
+    @Test
+    void aSensorChosenByNameIsMarkedToo() {
+        List<Optional<String>> told = new ArrayList<>();
+        edt(() -> {
+            panel.addSelectionListener(told::add);
+            Components.named(panel, JComboBox.class, "Sensor").setSelectedItem("rear");
+        });
+        assertEquals(List.of(Optional.of("rear")), told);
+    }
+
+    @Test
+    void whatIsBeingTypedGoesToTheSensorThatItWasTypedFor() {
+        edt(() -> {
+            panel.select(Optional.of("left"));
+            spinner(Texts.text("mount.bearing.tip")).text().setText("75");
+            panel.select(Optional.of("front"));
+        });
+        assertEquals(List.of(new Command.TuneSensor(world.sensors().get(2).spec().withBearing(Math.toRadians(75)))), commands);
     }
 
     @Test

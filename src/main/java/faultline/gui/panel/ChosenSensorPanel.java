@@ -7,8 +7,11 @@ import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.EventQueue;
+import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.DefaultListCellRenderer;
@@ -19,10 +22,14 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
 
-/** Breaks sensors, and lists what is broken. */
-public final class FaultsPanel extends JPanel {
+/** One sensor, chosen by its name: how it is mounted, and what breaks it. Below it all that is broken. */
+public final class ChosenSensorPanel extends JPanel {
+
+    private static final int PARTS = 8;
 
     private final transient Consumer<Command> commands;
+    private final transient MountFields mount;
+    private final transient List<Consumer<Optional<String>>> listeners = new ArrayList<>();
     private final JComboBox<String> sensor = new JComboBox<>();
     private final JComboBox<FaultKind> kind = new JComboBox<>(FaultKind.values());
     private final NumberSpinner value = new NumberSpinner("0.00##", 0, 1, 0.05, ignored -> {
@@ -35,11 +42,13 @@ public final class FaultsPanel extends JPanel {
     /**
      * Without sensors at first.
      *
-     * @param commands where faults go
+     * @param echoes what was asked of each sensor
+     * @param commands where changes and faults go
      */
-    public FaultsPanel(Consumer<Command> commands) {
-        super(new BorderLayout(0, 8));
+    ChosenSensorPanel(SensorEchoes echoes, Consumer<Command> commands) {
+        super(new BorderLayout(0, PARTS));
         this.commands = commands;
+        this.mount = new MountFields(echoes, commands);
         this.list = new FaultList(commands);
         prepare();
         add(form(), BorderLayout.NORTH);
@@ -53,9 +62,13 @@ public final class FaultsPanel extends JPanel {
                 return super.getListCellRendererComponent(items, FaultNames.of((FaultKind) item), index, selected, focused);
             }
         });
+        sensor.addActionListener(event -> {
+            mount.choose(chosen());
+            listeners.forEach(listener -> listener.accept(chosen()));
+        });
         kind.addActionListener(event -> showKind());
         kind.setSelectedItem(FaultKind.STUCK);
-        value.named(Texts.text("faults.value")).columns(6);
+        value.named(Texts.text("faults.value")).columns(5);
         inject.setToolTipText(Texts.text("faults.inject.tip"));
         inject.addActionListener(event -> inject());
         name(sensor, "faults.sensor");
@@ -71,13 +84,22 @@ public final class FaultsPanel extends JPanel {
         JPanel form = new JPanel(new GridBagLayout());
         form.add(label("faults.sensor", sensor), Grid.cell(0, 0));
         form.add(sensor, Grid.rest(1, 0));
-        form.add(label("faults.kind", kind), Grid.cell(0, 1));
-        form.add(kind, Grid.rest(1, 1));
-        form.add(label("faults.value", value), Grid.cell(0, 2));
-        form.add(value, Grid.cell(1, 2));
-        form.add(unit, Grid.wide(2, 2));
-        form.add(inject, Grid.cell(3, 2));
+        mount.addTo(form, 1);
+        form.add(label("faults.kind", kind), below(Grid.cell(0, 3)));
+        form.add(kind, below(Grid.rest(1, 3)));
+        form.add(label("faults.value", value), Grid.cell(0, 4));
+        form.add(value, Grid.cell(1, 4));
+        form.add(unit, Grid.wide(2, 4));
+        GridBagConstraints right = Grid.rest(3, 4);
+        right.fill = GridBagConstraints.NONE;
+        right.anchor = GridBagConstraints.BASELINE_TRAILING;
+        form.add(inject, right);
         return form;
+    }
+
+    private static GridBagConstraints below(GridBagConstraints place) {
+        place.insets.top += PARTS;
+        return place;
     }
 
     private static JLabel label(String key, JComponent control) {
@@ -97,9 +119,28 @@ public final class FaultsPanel extends JPanel {
     }
 
     private void inject() {
-        if (sensor.getSelectedItem() instanceof String id) {
-            commands.accept(new Command.InjectFault(id, kind().fault(value.value())));
+        chosen().ifPresent(id -> commands.accept(new Command.InjectFault(id, kind().fault(value.value()))));
+    }
+
+    private Optional<String> chosen() {
+        return Optional.ofNullable((String) sensor.getSelectedItem());
+    }
+
+    /**
+     * Goes over to a sensor.
+     *
+     * @param id of the sensor; with none, the last one stays
+     */
+    void choose(Optional<String> id) {
+        assert EventQueue.isDispatchThread();
+        if (id.isPresent() && !id.equals(chosen())) {
+            sensor.setSelectedItem(id.get());
         }
+    }
+
+    /** Tells a listener, from now on, when another sensor is chosen here. */
+    void addChoiceListener(Consumer<Optional<String>> listener) {
+        listeners.add(listener);
     }
 
     /**
@@ -114,7 +155,9 @@ public final class FaultsPanel extends JPanel {
             ids = now;
             sensor.setModel(new DefaultComboBoxModel<>(now.toArray(String[]::new)));
             inject.setEnabled(!now.isEmpty());
+            mount.choose(chosen());
         }
+        mount.follow();
         list.show(sensors);
     }
 }
