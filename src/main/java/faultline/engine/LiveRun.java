@@ -3,6 +3,8 @@ package faultline.engine;
 import faultline.world.Command;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.LongPredicate;
 
 /** A simulation with all that is remembered of it, and with what it replays of an earlier run. Used by the world thread. */
 final class LiveRun implements AutoCloseable {
@@ -19,11 +21,14 @@ final class LiveRun implements AutoCloseable {
     }
 
     /** The run of a journal at the end of a tick; takes as long as the run needs to come there, at full speed. */
-    static LiveRun at(Journal journal, long tick) {
+    static LiveRun at(Journal journal, long tick, LongPredicate onward) {
         LiveRun run = new LiveRun(journal);
         try {
             while (run.simulation.ticks() < tick) {
                 run.tick();
+                if (!onward.test(run.ticks())) {
+                    throw new CancellationException("given up at tick " + run.ticks());
+                }
             }
             return run;
         } catch (RuntimeException broken) {

@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.LongPredicate;
 
 /**
  * An interactive run: owns the world thread and the controller's, takes commands and orders from any thread without ever blocking the caller, and
@@ -46,7 +47,7 @@ public final class Session implements AutoCloseable {
      * @return the session, its first frame published
      */
     public static Session start(Setup setup) {
-        return replay(new Journal(setup, List.of(), 0), 0);
+        return replay(new Journal(setup, List.of(), 0), 0, tick -> true);
     }
 
     /**
@@ -55,11 +56,13 @@ public final class Session implements AutoCloseable {
      *
      * @param journal of the earlier run, as {@link #wholeJournal} gives it
      * @param tick not negative
+     * @param onward asked after each tick on the way, on the calling thread, whether to go on; given the tick
      * @return the session, its first frame published
      * @throws RunFailedException if the controller threw or did not answer on the way
+     * @throws java.util.concurrent.CancellationException if it was not to go on
      */
-    public static Session replay(Journal journal, long tick) {
-        Session session = new Session(LiveRun.at(journal, tick));
+    public static Session replay(Journal journal, long tick, LongPredicate onward) {
+        Session session = new Session(LiveRun.at(journal, tick, onward));
         session.thread.start();
         return session;
     }
@@ -101,7 +104,7 @@ public final class Session implements AutoCloseable {
             lastRefusal = refusal;
         }
         changed = true;
-        return new Outcome(command, undo, refusal);
+        return new Outcome(run.ticks() + 1, command, undo, refusal);
     }
 
     /** Lets time run. */
@@ -268,11 +271,12 @@ public final class Session implements AutoCloseable {
     /**
      * What became of a command.
      *
+     * @param tick the tick at whose start it was carried out
      * @param command what was to be done
      * @param undo the commands, in order, that restore what it changed
      * @param refusal why it was refused, empty where it was done
      */
-    public record Outcome(Command command, List<Command> undo, Optional<String> refusal) {
+    public record Outcome(long tick, Command command, List<Command> undo, Optional<String> refusal) {
         public Outcome {
             undo = List.copyOf(undo);
         }

@@ -51,7 +51,7 @@ class ReplayTest {
     @Test
     void atEveryTickTheReplayedSessionHasTheBitsOfTheOriginal() {
         for (long tick : new long[] {0, 1, 399, 400, 401, 699, 700, 1000}) {
-            try (Session session = Session.replay(JOURNAL, tick)) {
+            try (Session session = Session.replay(JOURNAL, tick, onward -> true)) {
                 assertEquals(tick, session.frame().world().tick());
                 assertEquals(ORIGINAL.hash(tick), session.frame().trajectoryHash(), "at tick " + tick);
                 assertFalse(session.status().running());
@@ -61,14 +61,14 @@ class ReplayTest {
 
     @Test
     void steppingOnDoesAgainWhatWasDone() {
-        try (Session session = Session.replay(JOURNAL, 398)) {
+        try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
             assertEquals(ORIGINAL.hash(420), stepped(session, 420).trajectoryHash());
         }
     }
 
     @Test
     void aNewCommandMakesItAnotherRun() throws Exception {
-        try (Session session = Session.replay(JOURNAL, 398)) {
+        try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
             session.send(new Command.SwitchSensor("front", false));
             stepped(session, 420);
             assertEquals(List.of(JOURNAL.entries().get(0), new Journal.Entry(399, new Command.SwitchSensor("front", false))),
@@ -79,7 +79,7 @@ class ReplayTest {
 
     @Test
     void aRefusedCommandLeavesTheReplayAsItIs() throws Exception {
-        try (Session session = Session.replay(JOURNAL, 398)) {
+        try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
             session.send(new Command.RemoveObstacle("ghost"));
             assertEquals(JOURNAL, session.wholeJournal().get());
             assertEquals(ORIGINAL.hash(420), stepped(session, 420).trajectoryHash());
@@ -88,7 +88,7 @@ class ReplayTest {
 
     @Test
     void theJournalSaysWhatWasDoneAndTheWholeOneAlsoWhatIsStillToCome() throws Exception {
-        try (Session session = Session.replay(JOURNAL, 399)) {
+        try (Session session = Session.replay(JOURNAL, 399, onward -> true)) {
             assertEquals(new Journal(ROOM, JOURNAL.entries().subList(0, 1), 399), session.journal().get());
             assertEquals(JOURNAL, session.wholeJournal().get());
             stepped(session, 400);
@@ -99,7 +99,7 @@ class ReplayTest {
 
     @Test
     void steppingBackTwiceLosesNothing() throws Exception {
-        try (Session once = Session.replay(JOURNAL, 999); Session twice = Session.replay(once.wholeJournal().get(), 398)) {
+        try (Session once = Session.replay(JOURNAL, 999, onward -> true); Session twice = Session.replay(once.wholeJournal().get(), 398, onward -> true)) {
             assertEquals(ORIGINAL.hash(398), twice.frame().trajectoryHash());
             assertEquals(JOURNAL, twice.wholeJournal().get());
         }
@@ -107,7 +107,7 @@ class ReplayTest {
 
     @Test
     void theWayThereIsRememberedToo() {
-        try (Session session = Session.replay(JOURNAL, 1000)) {
+        try (Session session = Session.replay(JOURNAL, 1000, onward -> true)) {
             Recording recording = session.frame().recording();
             assertEquals(1001, recording.trace().end());
             assertEquals(400, recording.events().get(recording.events().since(400)).tick());
@@ -119,7 +119,7 @@ class ReplayTest {
     void anEarlierRunKnowsWhereTheRobotWas() {
         assertEquals(1000, ORIGINAL.lastTick());
         assertEquals(ROOM.start(), ORIGINAL.pose(0));
-        try (Session session = Session.replay(JOURNAL, 600)) {
+        try (Session session = Session.replay(JOURNAL, 600, onward -> true)) {
             assertEquals(session.frame().world().pose(), ORIGINAL.pose(600));
         }
         assertEquals(ORIGINAL.pose(1000), ORIGINAL.pose(5000), "it stays at the end");

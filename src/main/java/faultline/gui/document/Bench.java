@@ -8,9 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.BiConsumer;
 import java.util.function.UnaryOperator;
 
 /**
@@ -20,10 +18,9 @@ import java.util.function.UnaryOperator;
 public final class Bench implements AutoCloseable {
 
     private final Listener listener;
-    private final List<BiConsumer<Task, Work>> desks = new ArrayList<>();
+    private final List<Desk> desks = new ArrayList<>();
     private Optional<Work> work = Optional.empty();
-    private Optional<Task> underWay = Optional.empty();
-    private int orders;
+    private Optional<UnderWay> underWay = Optional.empty();
 
     /** Told of what happens on the bench. */
     public interface Listener {
@@ -47,6 +44,18 @@ public final class Bench implements AutoCloseable {
         default void opened() {
         }
 
+        /** The same scenario begins anew as it is edited by now; told before its session begins. */
+        default void restarted() {
+        }
+
+        /**
+         * The run stands at another moment of its own; what was done later is still ahead. Told before its session begins.
+         *
+         * @param tick that has passed
+         */
+        default void travelled(long tick) {
+        }
+
         /** The scenario is in its file as it is edited by now. */
         default void saved() {
         }
@@ -64,6 +73,24 @@ public final class Bench implements AutoCloseable {
         RESTART,
         /** Going to another moment of the run. */
         GO_TO
+    }
+
+    /** A part of the bench, told before everybody else. */
+    interface Desk {
+
+        /** A new session has begun, by a task. */
+        void began(Task task, Work made);
+
+        /** Nothing is under way any more: the session that is there stays. */
+        void settled();
+    }
+
+    /** Makes something for the bench, off the event dispatch thread. */
+    @FunctionalInterface
+    interface Maker {
+
+        /** Says how far it has come, and gives up where it is no longer wanted. */
+        Work make(UnderWay way) throws Exception;
     }
 
     /**
@@ -85,45 +112,68 @@ public final class Bench implements AutoCloseable {
         return work;
     }
 
-    /** What is being made to lie here next, empty where nothing is. */
-    Optional<Task> underWay() {
+    /**
+     * What is on its way here.
+     *
+     * @return empty where nothing is
+     */
+    public Optional<UnderWay> underWay() {
+        assert EventQueue.isDispatchThread();
         return underWay;
     }
 
-    /** Tells of each new session before everybody else is told, and what it is for. */
-    void addDesk(BiConsumer<Task, Work> desk) {
+    void addDesk(Desk desk) {
         desks.add(desk);
     }
 
     /** Makes something off the event dispatch thread and puts it in the place of what is here, unless something else is asked for in between. */
-    void begin(Task task, Path name, Callable<Work> maker) {
-        int order = ++orders;
-        underWay = Optional.of(task);
-        Background.run(maker, made -> adopt(made, task, order), why -> {
-            arrive(order);
-            listener.failed(task, name, why);
-        });
+    void begin(Task task, Path name, Maker maker) {
+        UnderWay way = new UnderWay(task, name);
+        underWay.ifPresent(UnderWay::cancel);
+        underWay = Optional.of(way);
+        Background.run(() -> maker.make(way), made -> adopt(made, way), why -> fail(way, why));
     }
 
-    private boolean arrive(int order) {
-        boolean newest = order == orders;
-        underWay = newest ? Optional.empty() : underWay;
-        return newest;
+    /** Gives up what is on its way here; all stays as it was before it was asked for. */
+    public void cancel() {
+        underWay.ifPresent(UnderWay::cancel);
+        settle();
     }
 
-    private void adopt(Work made, Task task, int order) {
-        if (!arrive(order)) {
+    private void settle() {
+        underWay = Optional.empty();
+        desks.forEach(Desk::settled);
+    }
+
+    private void fail(UnderWay way, Throwable why) {
+        if (way.isWanted()) {
+            settle();
+            listener.failed(way.task(), way.name(), why);
+        }
+    }
+
+    private void adopt(Work made, UnderWay way) {
+        if (!way.isWanted()) {
             made.session().close();
             return;
         }
         close();
         work = Optional.of(made);
-        desks.forEach(desk -> desk.accept(task, made));
-        if (task == Task.OPEN) {
-            listener.opened();
-        }
+        desks.forEach(desk -> desk.began(way.task(), made));
+        tell(way.task(), made);
         listener.begun();
         listener.renamed();
+        settle();
+    }
+
+    private void tell(Task task, Work made) {
+        if (task == Task.OPEN) {
+            listener.opened();
+        } else if (task == Task.RESTART) {
+            listener.restarted();
+        } else {
+            listener.travelled(made.session().frame().world().tick());
+        }
     }
 
     /** Changes the document, unless another session than that of the work given has begun since; a restart, too, has another document. */

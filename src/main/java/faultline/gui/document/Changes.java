@@ -30,7 +30,7 @@ final class Changes {
     private void ask(Work now) {
         stale = false;
         asking = true;
-        now.session().journal().thenApplyAsync(now.document()::after)
+        now.session().wholeJournal().thenApplyAsync(now.document()::after)
                 .whenComplete((edited, closed) -> EventQueue.invokeLater(() -> answered(now, Optional.ofNullable(edited))));
     }
 

@@ -27,8 +27,9 @@ public final class Filing {
      * @param file the scenario file
      */
     public void open(Path file) {
-        bench.begin(Task.OPEN, file, () -> {
+        bench.begin(Task.OPEN, file, way -> {
             Scenario scenario = Scenario.load(file);
+            way.throwIfCancelled();
             return Work.begin(Document.begin(Optional.of(file), Optional.of(scenario), scenario));
         });
     }
@@ -39,7 +40,7 @@ public final class Filing {
      * @param name its file's name
      */
     public void openShipped(String name) {
-        bench.begin(Task.OPEN, Path.of(name), () -> {
+        bench.begin(Task.OPEN, Path.of(name), way -> {
             Scenario scenario = Scenario.shipped(name);
             return Work.begin(Document.begin(Optional.empty(), Optional.of(scenario), scenario));
         });
@@ -48,7 +49,7 @@ public final class Filing {
     /** Begins anew, soon, with the scenario as its file holds it; edits are given up. */
     public void revert() {
         bench.work().map(Work::document).ifPresent(now -> now.file().ifPresentOrElse(this::open, () -> now.saved().ifPresent(
-                saved -> bench.begin(Task.OPEN, now.name(), () -> Work.begin(Document.begin(Optional.empty(), now.saved(), saved))))));
+                saved -> bench.begin(Task.OPEN, now.name(), way -> Work.begin(Document.begin(Optional.empty(), now.saved(), saved))))));
     }
 
     /**
@@ -58,7 +59,7 @@ public final class Filing {
      */
     public void recover(Recovery.Rescue rescue) {
         Path name = rescue.origin().orElse(rescue.kept());
-        bench.begin(Task.OPEN, name, () -> Work.begin(Document.begin(rescue.origin(), Optional.empty(), rescue.scenario())));
+        bench.begin(Task.OPEN, name, way -> Work.begin(Document.begin(rescue.origin(), Optional.empty(), rescue.scenario())));
     }
 
     /**
@@ -69,7 +70,7 @@ public final class Filing {
      */
     public void save(Path file, Runnable then) {
         bench.work().ifPresent(now -> {
-            CompletableFuture<Journal> journal = now.session().journal();
+            CompletableFuture<Journal> journal = now.session().wholeJournal();
             Background.run(() -> {
                 Scenario scenario = now.document().after(journal.join());
                 scenario.save(file);

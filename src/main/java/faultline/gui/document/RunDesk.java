@@ -9,6 +9,7 @@ import faultline.gui.document.Bench.Task;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.awt.EventQueue;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -21,6 +22,7 @@ public final class RunDesk {
     private final Bench bench;
     private final TimeTravel travel;
     private final Changes changes;
+    private final List<Consumer<Session>> held = new ArrayList<>();
     private double speed = 1;
 
     /**
@@ -32,10 +34,36 @@ public final class RunDesk {
         this.bench = bench;
         travel = new TimeTravel(bench);
         changes = new Changes(bench);
-        bench.addDesk((task, made) -> {
+        bench.addDesk(new Newcomers());
+    }
+
+    /** Makes each new session one like the last, and gives it what was meant for it before it was there. */
+    private final class Newcomers implements Bench.Desk {
+        @Override
+        public void began(Task task, Work made) {
             made.session().setSpeed(speed);
+            travel.began(task);
             changes.suspect();
-        });
+        }
+
+        @Override
+        public void settled() {
+            List<Consumer<Session>> orders = List.copyOf(held);
+            held.clear();
+            orders.forEach(RunDesk.this::order);
+        }
+    }
+
+    /**
+     * Orders something of the run. While the same scenario is on its way to another moment or to a new beginning, orders wait: what the old session were told now
+     * would be lost with it.
+     */
+    private void order(Consumer<Session> order) {
+        if (bench.underWay().filter(way -> way.task() != Task.OPEN).isPresent()) {
+            held.add(order);
+        } else {
+            session().ifPresent(order);
+        }
     }
 
     /**
@@ -63,9 +91,9 @@ public final class RunDesk {
 
     private void restart(UnaryOperator<Setup> change) {
         bench.work().ifPresent(now -> {
-            CompletableFuture<Journal> journal = now.session().journal();
+            CompletableFuture<Journal> journal = now.session().wholeJournal();
             Document document = now.document();
-            bench.begin(Task.RESTART, document.name(), () -> {
+            bench.begin(Task.RESTART, document.name(), way -> {
                 Scenario edited = document.after(journal.join());
                 return Work.begin(Document.begin(document.file(), document.saved(), edited.withSetup(change.apply(edited.setup()))));
             });
@@ -100,14 +128,22 @@ public final class RunDesk {
      * @param told gets what became of each, on the event dispatch thread, soon; never, where there is no run
      */
     public void send(List<Command> commands, Consumer<List<Session.Outcome>> told) {
-        changes.suspect();
-        travel.turnOff();
-        session().ifPresent(session -> session.send(commands, outcomes -> EventQueue.invokeLater(() -> told.accept(outcomes))));
+        order(session -> session.send(commands, outcomes -> EventQueue.invokeLater(() -> {
+            carriedOut(outcomes);
+            told.accept(outcomes);
+        })));
+    }
+
+    private void carriedOut(List<Session.Outcome> outcomes) {
+        if (outcomes.stream().anyMatch(outcome -> outcome.refusal().isEmpty())) {
+            changes.suspect();
+            travel.turnOff();
+        }
     }
 
     /** Lets time run, or holds it. */
     public void toggleRunning() {
-        session().ifPresent(session -> {
+        order(session -> {
             if (session.status().running()) {
                 session.pause();
             } else {
@@ -118,7 +154,7 @@ public final class RunDesk {
 
     /** Makes one tick and holds. */
     public void step() {
-        session().ifPresent(Session::step);
+        order(Session::step);
     }
 
     /**

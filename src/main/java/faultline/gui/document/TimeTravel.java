@@ -14,7 +14,6 @@ public final class TimeTravel {
 
     TimeTravel(Bench bench) {
         this.bench = bench;
-        bench.addDesk((task, made) -> furthest = task == Task.GO_TO ? furthest : 0);
     }
 
     /**
@@ -26,7 +25,10 @@ public final class TimeTravel {
         bench.work().ifPresent(now -> {
             now.session().pause();
             CompletableFuture<Journal> journal = now.session().wholeJournal();
-            bench.begin(Task.GO_TO, now.document().name(), () -> new Work(now.document(), Session.replay(journal.join(), tick)));
+            bench.begin(Task.GO_TO, now.document().name(), way -> new Work(now.document(), Session.replay(journal.join(), tick, reached -> {
+                way.reached((double) reached / tick);
+                return way.isWanted();
+            })));
         });
     }
 
@@ -35,6 +37,11 @@ public final class TimeTravel {
         if (bench.underWay().isEmpty()) {
             bench.work().map(now -> now.session().frame().world().tick()).filter(tick -> tick > 0).ifPresent(tick -> goTo(tick - 1));
         }
+    }
+
+    /** A session has begun, by a task. */
+    void began(Task task) {
+        furthest = task == Task.GO_TO ? furthest : 0;
     }
 
     /** The run has come here. */

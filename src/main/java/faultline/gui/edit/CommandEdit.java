@@ -6,7 +6,6 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Consumer;
 import javax.swing.undo.AbstractUndoableEdit;
 import javax.swing.undo.UndoableEdit;
 
@@ -15,9 +14,18 @@ final class CommandEdit extends AbstractUndoableEdit {
 
     private final int gesture;
     private final transient Map<Object, Step> steps = new LinkedHashMap<>();
-    private final transient Consumer<List<Command>> sender;
+    private final transient Sender sender;
+    private boolean later;
 
-    CommandEdit(int gesture, List<Step> steps, Consumer<List<Command>> sender) {
+    /** Brings undone and redone edits to the run. */
+    @FunctionalInterface
+    interface Sender {
+
+        /** Sends an edit's commands: those that do it, or those that take it back. */
+        void send(CommandEdit edit, boolean done, List<Command> commands);
+    }
+
+    CommandEdit(int gesture, List<Step> steps, Sender sender) {
         this.gesture = gesture;
         this.sender = sender;
         steps.forEach(this::add);
@@ -32,11 +40,20 @@ final class CommandEdit extends AbstractUndoableEdit {
         return steps.values().stream().allMatch(Step::isNothing);
     }
 
+    /** Whether it is undone only because the run stands at a moment before it. */
+    boolean isLater() {
+        return later;
+    }
+
+    void setLater(boolean newLater) {
+        later = newLater;
+    }
+
     @Override
-    public boolean addEdit(UndoableEdit later) {
-        boolean same = later instanceof CommandEdit edit && edit.gesture == gesture;
+    public boolean addEdit(UndoableEdit newer) {
+        boolean same = newer instanceof CommandEdit edit && edit.gesture == gesture;
         if (same) {
-            ((CommandEdit) later).steps.values().forEach(this::add);
+            ((CommandEdit) newer).steps.values().forEach(this::add);
         }
         return same;
     }
@@ -44,15 +61,23 @@ final class CommandEdit extends AbstractUndoableEdit {
     @Override
     public void undo() {
         super.undo();
+        later = false;
         List<Step> backwards = new ArrayList<>(steps.values());
         Collections.reverse(backwards);
-        sender.accept(backwards.stream().flatMap(step -> step.undo().stream()).toList());
+        sender.send(this, false, backwards.stream().flatMap(step -> step.undo().stream()).toList());
     }
 
     @Override
     public void redo() {
         super.redo();
-        sender.accept(steps.values().stream().map(Step::redo).toList());
+        later = false;
+        sender.send(this, true, steps.values().stream().map(Step::redo).toList());
+    }
+
+    /** It may be kept though the history drops it: see {@link EditHistory}. */
+    @Override
+    public void die() {
+        // There is nothing to let go.
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.awt.EventQueue;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import javax.swing.undo.UndoableEdit;
 
@@ -22,6 +23,8 @@ public final class EditDesk implements Editor {
     private final Runnable changed;
     private final LongSupplier millis;
     private final EditHistory history = new EditHistory();
+    private final Chronicle chronicle = new Chronicle(history);
+    private IntConsumer forked = count -> { };
     private int gesture;
     private boolean held;
     private int era;
@@ -93,22 +96,83 @@ public final class EditDesk implements Editor {
     private void remember(int sentAs, List<Outcome> outcomes) {
         List<Step> steps = outcomes.stream().filter(outcome -> outcome.refusal().isEmpty())
                 .map(outcome -> new Step(outcome.command(), outcome.undo())).filter(step -> !step.isNothing()).toList();
+        noteFork(outcomes);
         if (!steps.isEmpty()) {
-            add(new CommandEdit(sentAs, steps, this::replay));
+            CommandEdit edit = new CommandEdit(sentAs, steps, this::replay);
+            history.addEdit(edit);
+            if (history.holds(edit)) {
+                chronicle.add(outcomes.get(0).tick(), edit, true);
+            }
+            changed.run();
         }
     }
 
-    private void replay(List<Command> commands) {
-        channel.send(commands, outcomes -> { });
+    private void replay(CommandEdit edit, boolean done, List<Command> commands) {
+        if (!history.isQuiet()) {
+            int sentIn = era;
+            channel.send(commands, outcomes -> {
+                if (sentIn == era) {
+                    noteFork(outcomes);
+                    chronicle.add(outcomes.get(0).tick(), edit, done);
+                }
+            });
+        }
+    }
+
+    private void noteFork(List<Outcome> outcomes) {
+        if (outcomes.stream().anyMatch(outcome -> outcome.refusal().isEmpty()) && chronicle.fork()) {
+            forked.accept(history.later().size());
+        }
     }
 
     /**
-     * Remembers an edit that has been made.
+     * Sets who is told when something is done at an earlier moment of the run, so that later edits will not happen by themselves any more.
+     *
+     * @param told given how many edits can be redone in their place
+     */
+    public void whenForked(IntConsumer told) {
+        forked = told;
+    }
+
+    /**
+     * The run was taken to another moment: edits after it can be redone, and come by themselves when the run comes to them.
+     *
+     * @param tick after which the run stands
+     */
+    public void travelled(long tick) {
+        assert EventQueue.isDispatchThread();
+        seal();
+        if (chronicle.goTo(tick)) {
+            changed.run();
+        }
+    }
+
+    /**
+     * The run goes on, maybe past edits that were made before it was taken back.
+     *
+     * @param tick it has come to
+     */
+    public void passed(long tick) {
+        if (chronicle.goOn(tick)) {
+            changed.run();
+        }
+    }
+
+    /** The run begins anew, with all edits as if they had always been there. */
+    public void restarted() {
+        assert EventQueue.isDispatchThread();
+        seal();
+        chronicle.beginAnew();
+        changed.run();
+    }
+
+    /**
+     * Remembers an edit that has been made by beginning anew.
      *
      * @param edit can be undone
      */
     public void add(UndoableEdit edit) {
-        assert EventQueue.isDispatchThread();
+        restarted();
         history.addEdit(edit);
         changed.run();
     }
@@ -137,6 +201,7 @@ public final class EditDesk implements Editor {
         assert EventQueue.isDispatchThread();
         era++;
         seal();
+        chronicle.clear();
         history.discardAllEdits();
         changed.run();
     }

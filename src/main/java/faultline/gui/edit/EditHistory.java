@@ -1,12 +1,18 @@
 package faultline.gui.edit;
 
+import java.util.List;
 import javax.swing.undo.UndoManager;
 import javax.swing.undo.UndoableEdit;
 
-/** The edits so far. One that came to nothing is not kept. */
+/**
+ * The edits so far. One that came to nothing is not kept. A new edit drops what was undone, as everywhere; but not what is undone only because the run was taken
+ * back to a moment before it: that can still be redone.
+ */
 final class EditHistory extends UndoManager {
 
     private static final int MOST_EDITS = 1000;
+
+    private boolean quiet;
 
     EditHistory() {
         setLimit(MOST_EDITS);
@@ -14,11 +20,60 @@ final class EditHistory extends UndoManager {
 
     @Override
     public synchronized boolean addEdit(UndoableEdit edit) {
+        List<CommandEdit> later = later();
         boolean added = super.addEdit(edit);
         if (lastEdit() instanceof CommandEdit last && last.isNothing()) {
             trimEdits(edits.size() - 1, edits.size() - 1);
         }
+        quietly(() -> putBack(later));
         return added;
+    }
+
+    private void putBack(List<CommandEdit> later) {
+        later.forEach(edit -> {
+            edit.redo();
+            super.addEdit(edit);
+        });
+        later.forEach(edit -> undo());
+        later.forEach(edit -> edit.setLater(true));
+    }
+
+    /** What can be redone only because the run stands at a moment before it. */
+    List<CommandEdit> later() {
+        UndoableEdit next = editToBeRedone();
+        return next == null ? List.of() : edits.subList(edits.indexOf(next), edits.size()).stream()
+                .filter(CommandEdit.class::isInstance).map(CommandEdit.class::cast).filter(CommandEdit::isLater).toList();
+    }
+
+    /** Whether an edit is one of its own here, rather than a part of another. */
+    boolean holds(CommandEdit edit) {
+        return edits.contains(edit);
+    }
+
+    /** The run has come past the moment when an edit was done, or was taken back before the moment when it was undone. */
+    void redoQuietly(CommandEdit edit) {
+        if (editToBeRedone() == edit) {
+            quietly(this::redo);
+        }
+    }
+
+    /** The run has come past the moment when an edit was undone, or, which is later then, was taken back before the moment when it was done. */
+    void undoQuietly(CommandEdit edit, boolean later) {
+        if (editToBeUndone() == edit) {
+            quietly(this::undo);
+            edit.setLater(later);
+        }
+    }
+
+    private void quietly(Runnable move) {
+        quiet = true;
+        move.run();
+        quiet = false;
+    }
+
+    /** Whether edits change sides here without anything being done to the run. */
+    boolean isQuiet() {
+        return quiet;
     }
 
     /** What undo would take back; asked only where there is something. */

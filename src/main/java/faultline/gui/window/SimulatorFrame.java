@@ -235,6 +235,7 @@ public final class SimulatorFrame extends JFrame {
     private void poll() {
         run.frame().ifPresent(frame -> run.status().ifPresent(status -> {
             area.show(frame, status);
+            edits.passed(frame.world().tick());
             area.time().show(frame, run.travel().furthest());
             runActions.show(status);
         }));
@@ -246,6 +247,16 @@ public final class SimulatorFrame extends JFrame {
         public void opened() {
             edits.forget();
             bench.file().ifPresent(memory.recent()::add);
+        }
+
+        @Override
+        public void restarted() {
+            edits.restarted();
+        }
+
+        @Override
+        public void travelled(long tick) {
+            edits.travelled(tick);
         }
 
         @Override

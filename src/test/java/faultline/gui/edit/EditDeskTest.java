@@ -33,7 +33,7 @@ class EditDeskTest {
     private final EditDesk desk = onEdt(() -> new EditDesk(this::carryOut, () -> { }, () -> now));
 
     private void carryOut(List<Command> commands, Consumer<List<Outcome>> told) {
-        told.accept(commands.stream().map(command -> new Outcome(command, world.undoing(command), world.apply(command))).toList());
+        told.accept(commands.stream().map(command -> new Outcome(1, command, world.undoing(command), world.apply(command))).toList());
     }
 
     private static Command moveTo(double x) {

@@ -38,7 +38,7 @@ final class Runs {
     }
 
     static Frame frame(Setup setup, long tick) {
-        try (Session session = Session.replay(new Journal(setup, List.of(), tick), tick)) {
+        try (Session session = Session.replay(new Journal(setup, List.of(), tick), tick, onward -> true)) {
             return session.frame();
         }
     }
