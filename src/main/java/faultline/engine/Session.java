@@ -18,6 +18,8 @@ import java.util.function.LongPredicate;
  */
 public final class Session implements AutoCloseable {
 
+    private static final long NO_END = -1;
+
     private final Queue<Consumer<LiveRun>> orders = new ConcurrentLinkedQueue<>();
     private final AtomicReference<Frame> newest = new AtomicReference<>();
     private final AtomicReference<Status> status;
@@ -28,6 +30,7 @@ public final class Session implements AutoCloseable {
 
     // The world thread's own.
     private boolean running;
+    private long end = NO_END;
     private boolean changed;
     private int refusals;
     private Optional<String> lastRefusal = Optional.empty();
@@ -118,6 +121,20 @@ public final class Session implements AutoCloseable {
     /** Holds time. */
     public void pause() {
         order(run -> running = false);
+    }
+
+    /**
+     * Holds time once, as soon as a tick has passed; run on, it does not stop there again.
+     *
+     * @param tick later than now
+     */
+    public void holdAt(long tick) {
+        order(run -> end = tick);
+    }
+
+    /** Forgets where to hold. */
+    public void holdNowhere() {
+        holdAt(NO_END);
     }
 
     /** Makes one tick and holds. */
@@ -223,6 +240,7 @@ public final class Session implements AutoCloseable {
             run.tick();
             pacer.ticked(run.dt());
             changed = true;
+            running = running && run.ticks() != end;
         } catch (RuntimeException broken) {
             fail(broken, run);
         }

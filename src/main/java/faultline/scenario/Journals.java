@@ -25,6 +25,6 @@ public final class Journals {
         journal.entries().forEach(entry -> timeline.add(new Timed(entry.tick() * setup.dt(), entry.command())));
         Setup replay = new Setup(setup.world(), setup.robot(), setup.start(), setup.controller(), timeline, setup.dt(), setup.seed(),
                 journal.ticks() * setup.dt());
-        return new Scenario(base.name(), base.description(), replay, Expectation.NONE);
+        return new Scenario(base.name(), base.description(), true, replay, Expectation.NONE);
     }
 }

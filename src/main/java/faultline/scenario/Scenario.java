@@ -15,10 +15,11 @@ import java.nio.file.Path;
  *
  * @param name for people; on one line
  * @param description for people, may be empty; on one line
+ * @param recorded whether this is the record of a run that had come to its duration: the window replays it up to there, and holds
  * @param setup all that determines the run
  * @param expect what the run is expected to give
  */
-public record Scenario(String name, String description, Setup setup, Expectation expect) {
+public record Scenario(String name, String description, boolean recorded, Setup setup, Expectation expect) {
 
     /** How long a run lasts where a file does not say, seconds. */
     public static final double DEFAULT_DURATION = 120;
@@ -91,12 +92,12 @@ public record Scenario(String name, String description, Setup setup, Expectation
     }
 
     /**
-     * This scenario with another setup.
+     * This scenario with another setup, which is no record any more.
      *
      * @param other the setup
      * @return the same scenario otherwise
      */
     public Scenario withSetup(Setup other) {
-        return new Scenario(name, description, other, expect);
+        return new Scenario(name, description, recorded && other.equals(setup), other, expect);
     }
 }

@@ -17,7 +17,7 @@ final class ScenarioReader {
     private final WorldReader worlds;
 
     /** What the root element itself says. */
-    private record Head(String name, String description, double duration, double tick, long seed) {
+    private record Head(String name, String description, boolean recorded, double duration, double tick, long seed) {
     }
 
     private ScenarioReader(Complaints complaints) {
@@ -72,13 +72,13 @@ final class ScenarioReader {
         if (complaints.isEmpty()) {
             StartCheck.check(root.first("robot").orElseThrow(), setup, complaints);
         }
-        return Optional.of(new Scenario(head.name, head.description, setup, expect));
+        return Optional.of(new Scenario(head.name, head.description, head.recorded, setup, expect));
     }
 
     private Head head(Node root) {
         Fields fields = new Fields(root, complaints);
         Head head = new Head(fields.text("name").orElse(""), root.first("description").map(node -> Content.text(node, complaints)).orElse(""),
-                fields.number("duration", Range.TIME, Scenario.DEFAULT_DURATION), fields.number("tick", Range.TICK, Scenario.DEFAULT_TICK),
+                fields.flag("recorded", false), fields.number("duration", Range.TIME, Scenario.DEFAULT_DURATION), fields.number("tick", Range.TICK, Scenario.DEFAULT_TICK),
                 fields.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, Scenario.DEFAULT_SEED));
         fields.done();
         return head;

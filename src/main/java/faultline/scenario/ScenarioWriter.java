@@ -33,6 +33,9 @@ final class ScenarioWriter {
         XmlOut out = new XmlOut();
         out.begin("scenario").set("xmlns", ScenarioSchema.NAMESPACE).set("name", scenario.name())
                 .set("duration", setup.duration()).set("tick", setup.dt()).set("seed", String.valueOf(setup.seed()));
+        if (scenario.recorded()) {
+            out.set("recorded", true);
+        }
         if (!scenario.description().isEmpty()) {
             out.text("description", scenario.description());
         }

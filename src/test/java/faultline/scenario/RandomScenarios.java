@@ -46,7 +46,7 @@ final class RandomScenarios {
         IntStream.range(0, random.nextInt(12)).forEach(i -> timeline.addAll(event(robot, obstacles)));
         Setup setup = new Setup(world, robot, new Pose(-50_000 - random.nextInt(1000), coordinate(), angle()), controller(), timeline,
                 1e-5 + random.nextDouble() / 2, random.nextLong(), awkward(0, 1e7));
-        return new Scenario(name() + "\" \n" + name(), name(), setup, expectation(setup.controller()));
+        return new Scenario(name() + "\" \n" + name(), name(), random.nextBoolean(), setup, expectation(setup.controller()));
     }
 
     private RobotSpec robot() {

@@ -83,7 +83,7 @@ class ScenarioReaderTest {
                 """);
         WorldSpec world = new WorldSpec(6, 4, true, 3, List.of());
         Setup setup = new Setup(world, RobotSpec.DEFAULT, new Pose(1, 2, 0), ControllerSpec.WallFollowing.DEFAULT, List.of(), 0.01, 1, 120);
-        assertEquals(new Scenario("", "", setup, Expectation.NONE), scenario);
+        assertEquals(new Scenario("", "", false, setup, Expectation.NONE), scenario);
         assertEquals(MotorSpec.DEFAULT, scenario.setup().robot().motor());
     }
 

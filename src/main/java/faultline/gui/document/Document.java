@@ -24,6 +24,10 @@ record Document(Optional<Path> file, Optional<Scenario> saved, Scenario begun, S
         return new Document(file, saved, begun, newEdited);
     }
 
+    Document withSaved(Scenario newSaved) {
+        return new Document(file, Optional.of(newSaved), begun, edited);
+    }
+
     Document savedAs(Path newFile, Scenario newSaved) {
         return new Document(Optional.of(newFile), Optional.of(newSaved), begun, newSaved);
     }

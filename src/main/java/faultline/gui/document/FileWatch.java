@@ -87,6 +87,7 @@ public final class FileWatch implements AutoCloseable {
             settled = last;
             if (!bench.saved().equals(Optional.of(found))) {
                 changed.accept(sight.stamp().file());
+                bench.fileHolds(found);
             }
         });
     }

@@ -42,7 +42,8 @@ public final class RunDesk {
         @Override
         public void began(Task task, Work made) {
             made.session().setSpeed(speed);
-            travel.began(task);
+            travel.began(task, made.document().begun());
+            travel.replayEnd().ifPresent(made.session()::holdAt);
             changes.suspect();
         }
 
@@ -138,6 +139,7 @@ public final class RunDesk {
         if (outcomes.stream().anyMatch(outcome -> outcome.refusal().isEmpty())) {
             changes.suspect();
             travel.turnOff();
+            session().ifPresent(Session::holdNowhere);
         }
     }
 

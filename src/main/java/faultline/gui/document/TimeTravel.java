@@ -4,6 +4,8 @@ import faultline.engine.Frame;
 import faultline.engine.Journal;
 import faultline.engine.Session;
 import faultline.gui.document.Bench.Task;
+import faultline.scenario.Scenario;
+import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 
 /** Takes the run on the bench to another moment of its own: a new session that replays the old one's journal up to there. */
@@ -11,6 +13,7 @@ public final class TimeTravel {
 
     private final Bench bench;
     private long furthest;
+    private OptionalLong replayEnd = OptionalLong.empty();
 
     TimeTravel(Bench bench) {
         this.bench = bench;
@@ -39,9 +42,12 @@ public final class TimeTravel {
         }
     }
 
-    /** A session has begun, by a task. */
-    void began(Task task) {
-        furthest = task == Task.GO_TO ? furthest : 0;
+    /** A session has begun, by a task: a saved run has been farther than it is now. */
+    void began(Task task, Scenario scenario) {
+        if (task != Task.GO_TO) {
+            furthest = scenario.recorded() ? scenario.setup().ticks() : 0;
+            replayEnd = scenario.recorded() ? OptionalLong.of(furthest) : OptionalLong.empty();
+        }
     }
 
     /** The run has come here. */
@@ -52,6 +58,16 @@ public final class TimeTravel {
     /** Something else is done now than was done before: what came later is no more. */
     void turnOff() {
         furthest = 0;
+        replayEnd = OptionalLong.empty();
+    }
+
+    /**
+     * Where the replay of a saved run ends.
+     *
+     * @return a tick; empty where the run is no replay, or none any more because something was done to it
+     */
+    public OptionalLong replayEnd() {
+        return replayEnd;
     }
 
     /**

@@ -39,13 +39,18 @@ final class Dialogs {
 
     /** Says why something asked for was not done. */
     void failed(Bench.Task task, Path file, Throwable why) {
-        if (why instanceof ScenarioException bad) {
+        if (why instanceof ScenarioException bad && bad.complaints().stream().anyMatch(complaint -> complaint.place().line() > 0)) {
             badFile(file, bad.complaints()).setVisible(true);
             return;
         }
-        String reason = Optional.ofNullable(why.getMessage()).orElse(why.getClass().getSimpleName());
-        String sentence = Texts.text("failed." + task, String.valueOf(file.getFileName()), reason);
+        String sentence = Texts.text("failed." + task, String.valueOf(file.getFileName()), reason(why));
         JOptionPane.showMessageDialog(owner, Lines.broken(sentence), Texts.text("failed.title"), JOptionPane.ERROR_MESSAGE);
+    }
+
+    /** A file that cannot be read at all has one complaint, about the whole of it. */
+    private static String reason(Throwable why) {
+        return why instanceof ScenarioException bad ? bad.complaints().get(0).text()
+                : Optional.ofNullable(why.getMessage()).orElse(why.getClass().getSimpleName());
     }
 
     private JDialog badFile(Path file, List<Complaint> complaints) {

@@ -9,6 +9,7 @@ import faultline.gui.document.Filing;
 import faultline.gui.document.Recovery;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
+import faultline.scenario.Scenario;
 import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
@@ -74,8 +75,10 @@ final class FileDesk {
 
     /** Somebody else has changed the open file: it is read again only if the user wants it. */
     void changedOnDisk(Path file) {
-        String question = Texts.text(bench.isChanged() ? "changed.questionUnsaved" : "changed.question", String.valueOf(file.getFileName()));
-        if (questions.ask("changed", question, "changed.reload", "changed.keep")) {
+        String name = String.valueOf(file.getFileName());
+        boolean reload = bench.isChanged() ? !questions.ask("changed", Texts.text("changed.questionUnsaved", name), "changed.keep", "changed.reload")
+                : questions.ask("changed", Texts.text("changed.question", name), "changed.reload", "changed.keep");
+        if (reload) {
             filing.open(file);
         }
     }
@@ -138,7 +141,8 @@ final class FileDesk {
     /** The name of what is open, for the window's title. */
     String title() {
         Optional<String> name = bench.file().map(file -> file.getFileName().toString());
-        String shown = name.or(() -> bench.scenario().map(scenario -> scenario.name())).orElse(Texts.text("title.none"));
-        return shown + (bench.isChanged() ? "*" : "") + " – Faultline";
+        String shown = name.or(() -> bench.scenario().map(Scenario::name)).orElse(Texts.text("title.none"));
+        String kind = bench.scenario().filter(Scenario::recorded).map(run -> " " + Texts.text("title.replay")).orElse("");
+        return shown + (bench.isChanged() ? "*" : "") + kind + " – Faultline";
     }
 }

@@ -12,6 +12,7 @@ import faultline.gui.document.RunDesk;
 import faultline.gui.edit.EditDesk;
 import faultline.gui.export.ExportDesk;
 import faultline.gui.gallery.Gallery;
+import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
@@ -21,6 +22,7 @@ import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.swing.BoundedRangeModel;
 import javax.swing.DefaultBoundedRangeModel;
@@ -49,6 +51,8 @@ public final class SimulatorFrame extends JFrame {
     private final transient WindowMemory memory;
     private final WorkArea area;
     private final transient FileWatch watch;
+    private final transient Waiting waiting = new Waiting(this, bench::cancel);
+    private final transient ReplayNotes replay = new ReplayNotes(run.travel(), this::note);
     private final Timer poll = new Timer(POLL_MILLIS, event -> poll());
 
     /**
@@ -74,6 +78,8 @@ public final class SimulatorFrame extends JFrame {
         closeWithQuestion();
         edit();
         watch = new FileWatch(bench, files::changedOnDisk);
+        edits.whenForked(later -> note(Texts.text("edit.forked", Integer.toString(later))));
+        poll.start();
     }
 
     private void addActions() {
@@ -233,9 +239,11 @@ public final class SimulatorFrame extends JFrame {
     }
 
     private void poll() {
+        waiting.show(bench.underWay());
         run.frame().ifPresent(frame -> run.status().ifPresent(status -> {
             area.show(frame, status);
             edits.passed(frame.world().tick());
+            replay.show(frame);
             area.time().show(frame, run.travel().furthest());
             runActions.show(status);
         }));
@@ -268,7 +276,7 @@ public final class SimulatorFrame extends JFrame {
         @Override
         public void begun() {
             area.status().reset();
-            poll.start();
+            replay.begun();
         }
 
         @Override
@@ -278,7 +286,7 @@ public final class SimulatorFrame extends JFrame {
 
         @Override
         public void failed(Bench.Task what, Path file, Throwable why) {
-            if (what == Bench.Task.OPEN) {
+            if (what == Bench.Task.OPEN && Files.notExists(file)) {
                 memory.recent().remove(file);
             }
             dialogs.failed(what, file, why);

@@ -4,17 +4,27 @@ import static faultline.gui.GuiRobot.edt;
 import static faultline.gui.GuiRobot.onEdt;
 
 import faultline.engine.Frame;
+import faultline.geometry.Pose;
+import faultline.geometry.Vec;
 import faultline.gui.Components;
 import faultline.gui.GuiRobot;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JTextField;
 
@@ -24,10 +34,10 @@ final class WindowDriver implements AutoCloseable {
     private final GuiRobot robot = new GuiRobot();
     private final SimulatorFrame window;
 
-    private WindowDriver(Theme theme) {
+    private WindowDriver(Theme theme, WindowMemory memory) {
         window = onEdt(() -> {
             theme.install();
-            SimulatorFrame made = new SimulatorFrame(WindowMemory.none());
+            SimulatorFrame made = new SimulatorFrame(memory);
             // Where the window manager chooses the place, Java now and then never learns of it, and the mouse misses.
             made.setLocation(60, 40);
             return made;
@@ -36,7 +46,12 @@ final class WindowDriver implements AutoCloseable {
 
     /** Opens a window with a scenario, and waits until it shows. */
     static WindowDriver open(Theme theme, Path scenario) {
-        WindowDriver driver = new WindowDriver(theme);
+        return open(theme, scenario, WindowMemory.none());
+    }
+
+    /** Opens a window that remembers. */
+    static WindowDriver open(Theme theme, Path scenario, WindowMemory memory) {
+        WindowDriver driver = new WindowDriver(theme, memory);
         edt(() -> driver.window.open(scenario));
         driver.robot.open(driver.window);
         driver.robot.waitFor("the first frame shows", () -> driver.canvas().frame().isPresent());
@@ -72,6 +87,62 @@ final class WindowDriver implements AutoCloseable {
 
     private JMenuItem item(String action) {
         return Components.all(window, JMenuItem.class).filter(item -> action.equals(item.getActionCommand())).findFirst().orElseThrow();
+    }
+
+    /** The dialog of a title, once it has the focus. */
+    JDialog dialog(String title) {
+        robot.waitFor("the dialog \"" + title + "\" shows and has the focus", () -> dialogs(title).filter(Window::isFocused).findAny().isPresent());
+        return onEdt(() -> dialogs(title).findAny().orElseThrow());
+    }
+
+    private static Stream<JDialog> dialogs(String title) {
+        return Stream.of(Window.getWindows()).filter(JDialog.class::isInstance).map(JDialog.class::cast)
+                .filter(dialog -> dialog.isShowing() && dialog.getTitle().equals(title));
+    }
+
+    /** Clicks on a button of a dialog, which closes it; the window has the focus again then. */
+    void answer(String title, String button) {
+        JDialog dialog = dialog(title);
+        click(Components.all(dialog, JButton.class).filter(one -> button.equals(one.getText())).findFirst().orElseThrow());
+        robot.waitFor("the dialog \"" + title + "\" is gone", () -> !dialog.isShowing());
+    }
+
+    /** Pastes the name of a file into a file dialog and presses Enter. */
+    void giveFile(String title, Path file) {
+        JDialog dialog = dialog(title);
+        JTextField name = Components.all(dialog, JTextField.class).findFirst().orElseThrow();
+        edt(() -> Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(file.toString()), null));
+        click(name);
+        robot.waitFor("the name has the focus", name::isFocusOwner);
+        robot.type(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        robot.type(KeyEvent.VK_CONTROL, KeyEvent.VK_V);
+        robot.waitFor("the name is there", () -> name.getText().equals(file.toString()));
+        robot.type(KeyEvent.VK_ENTER);
+        robot.waitFor("the dialog \"" + title + "\" is gone", () -> !dialog.isShowing());
+    }
+
+    /** Presses keys as {@link GuiRobot#type}, once the window has the focus. */
+    void type(int... keys) {
+        robot.waitFor("the window has the focus", window::isFocused);
+        robot.type(keys);
+    }
+
+    /** Waits until the window has a title. */
+    void waitForTitle(String title) {
+        robot.waitFor("the title is " + title, () -> window.getTitle().equals(title + " – Faultline"));
+    }
+
+    /** All that the texts of a window say. */
+    static String text(Window window) {
+        return onEdt(() -> Components.all(window, JLabel.class).map(JLabel::getText).collect(Collectors.joining(" ")));
+    }
+
+    /** Puts an obstacle elsewhere by dragging its middle, pixels to the right and down. */
+    void drag(int index, int right, int down) {
+        Pose pose = frame().world().obstacles().get(index).pose();
+        Vec at = onEdt(() -> canvas().camera().toScreen(pose.position()));
+        robot.drag(canvas(), at.x(), at.y(), at.x() + right, at.y() + down, InputEvent.BUTTON1_DOWN_MASK);
+        waitForFrame("the obstacle is elsewhere", frame -> !frame.world().obstacles().get(index).pose().equals(pose));
     }
 
     /** Whether time runs, as the menu has it. */

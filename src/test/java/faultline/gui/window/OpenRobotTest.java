@@ -1,0 +1,201 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.Components;
+import faultline.gui.EdtChecker;
+import faultline.gui.theme.Theme;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.JDialog;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JMenuItem;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The ways to open a scenario in a real window, and what is asked before changes are given up for it. */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+class OpenRobotTest {
+
+    @TempDir
+    private Path folder;
+    private Path office;
+    private Path square;
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() throws IOException {
+        office = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("office.xml"));
+        square = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("square.xml"));
+        driver = WindowDriver.open(Theme.LIGHT, office, new WindowMemory(new Notebook()));
+    }
+
+    @AfterEach
+    void close() {
+        driver.close();
+    }
+
+    @Test
+    void aFileIsOpenedByItsName() {
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
+        driver.giveFile("Open a scenario", square);
+        driver.waitForTitle("square.xml");
+    }
+
+    @Test
+    void recentFilesAreListedNewestFirstAndOneThatIsGoneIsToldAndLeavesTheList() throws IOException {
+        edt(() -> driver.window().open(square));
+        driver.waitForTitle("square.xml");
+        assertEquals(List.of("1  square.xml", "2  office.xml"), recent());
+        Files.delete(office);
+        chooseRecent(KeyEvent.VK_2);
+        JDialog dialog = driver.dialog("Faultline");
+        assertTrue(WindowDriver.text(dialog).contains("office.xml cannot be opened: there is no such file"), WindowDriver.text(dialog));
+        driver.robot().type(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+        assertEquals(List.of("1  square.xml"), recent());
+        assertEquals("square.xml – Faultline", onEdt(driver.window()::getTitle));
+    }
+
+    @Test
+    void aRecentFileIsOpenedFromTheMenuByKeys() {
+        edt(() -> driver.window().open(square));
+        driver.waitForTitle("square.xml");
+        chooseRecent(KeyEvent.VK_2);
+        driver.waitForTitle("office.xml");
+    }
+
+    /** Alt+F, R, and the number before the file. */
+    private void chooseRecent(int number) {
+        driver.type(KeyEvent.VK_ALT, KeyEvent.VK_F);
+        RecentMenu menu = recentMenu();
+        driver.robot().waitFor("the menu is open", menu::isShowing);
+        driver.robot().type(onEdt(menu::getMnemonic));
+        driver.robot().waitFor("the list is open", () -> menu.getPopupMenu().isShowing());
+        driver.robot().type(number);
+    }
+
+    private RecentMenu recentMenu() {
+        return onEdt(() -> Components.all(driver.window(), RecentMenu.class).findFirst().orElseThrow());
+    }
+
+    private List<String> recent() {
+        RecentMenu menu = recentMenu();
+        return onEdt(() -> {
+            menu.setSelected(true);
+            menu.setSelected(false);
+            return Components.all(menu, JMenuItem.class).map(JMenuItem::getText).filter(text -> text.matches("\\d .*"))
+                    .map(text -> text.substring(0, text.indexOf("  –"))).toList();
+        });
+    }
+
+    @Test
+    void aFileIsDroppedOnTheWindow() {
+        JFrame source = onEdt(() -> FileSource.of(square));
+        driver.robot().open(source);
+        try {
+            JLabel label = onEdt(() -> Components.all(source, JLabel.class).findFirst().orElseThrow());
+            driver.robot().moveTo(label, 20, 20);
+            driver.robot().press(InputEvent.BUTTON1_DOWN_MASK);
+            driver.robot().glide(label, 20, 20, 60, 30);
+            driver.robot().glide(driver.canvas(), 200, 200, 260, 230);
+            driver.robot().waitForPaint();
+            driver.robot().release(InputEvent.BUTTON1_DOWN_MASK);
+            driver.waitForTitle("square.xml");
+        } finally {
+            driver.robot().close(source);
+        }
+    }
+
+    @Test
+    void withUnsavedChangesOpeningAsksAndCancelStays() {
+        edit();
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_O);
+        choose("Examples");
+        driver.answer("Unsaved changes", "Cancel");
+        assertEquals("office.xml* – Faultline", onEdt(driver.window()::getTitle));
+    }
+
+    @Test
+    void withUnsavedChangesOpeningGivesThemUpIfToldTo() throws ScenarioException {
+        Scenario before = Scenario.load(office);
+        edit();
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
+        driver.answer("Unsaved changes", "Don't save");
+        driver.giveFile("Open a scenario", square);
+        driver.waitForTitle("square.xml");
+        assertEquals(before, Scenario.load(office));
+    }
+
+    @Test
+    void withUnsavedChangesOpeningSavesThemFirstIfToldTo() throws ScenarioException {
+        Scenario before = Scenario.load(office);
+        edit();
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
+        driver.answer("Unsaved changes", "Save");
+        driver.giveFile("Open a scenario", square);
+        driver.waitForTitle("square.xml");
+        assertNotEquals(before, Scenario.load(office));
+    }
+
+    @Test
+    void anExampleIsChosenByTheKeyboard() {
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_O);
+        JDialog gallery = driver.dialog("Examples");
+        JList<?> list = Components.all(gallery, JList.class).findFirst().orElseThrow();
+        driver.robot().waitFor("two examples are there", () -> list.getModel().getSize() >= 2);
+        edt(list::requestFocusInWindow);
+        driver.robot().waitFor("the list has the focus", list::isFocusOwner);
+        driver.robot().type(KeyEvent.VK_RIGHT);
+        driver.robot().waitFor("the second is chosen", () -> list.getSelectedIndex() == 1);
+        driver.robot().type(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the gallery is gone", () -> !gallery.isShowing());
+        driver.robot().waitFor("another scenario is open", () -> !driver.window().getTitle().startsWith("office.xml"));
+    }
+
+    private void choose(String gallery) {
+        JDialog dialog = driver.dialog(gallery);
+        JList<?> list = Components.all(dialog, JList.class).findFirst().orElseThrow();
+        driver.robot().waitFor("an example is chosen", () -> list.getSelectedIndex() == 0);
+        driver.robot().type(KeyEvent.VK_ENTER);
+    }
+
+    private void edit() {
+        driver.drag(0, 0, 30);
+        driver.waitForTitle("office.xml*");
+    }
+
+    /** Remembers as long as the test takes. */
+    private static final class Notebook implements WindowMemory.Store {
+        private final Map<String, String> texts = new HashMap<>();
+
+        @Override
+        public String get(String key) {
+            return texts.getOrDefault(key, "");
+        }
+
+        @Override
+        public void put(String key, String text) {
+            texts.put(key, text);
+        }
+    }
+}

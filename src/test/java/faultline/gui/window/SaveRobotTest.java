@@ -1,0 +1,143 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Pose;
+import faultline.gui.EdtChecker;
+import faultline.gui.theme.Theme;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+import java.awt.EventQueue;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.swing.JDialog;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Saving, reverting and closing in a real window, after an obstacle was dragged. */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+class SaveRobotTest {
+
+    @TempDir
+    private Path folder;
+    private Path file;
+    private WindowDriver driver;
+    private Pose before;
+    private Pose after;
+
+    @BeforeEach
+    void openAndDrag() throws IOException {
+        file = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("office.xml"));
+        driver = WindowDriver.open(Theme.LIGHT, file);
+        before = shown();
+        driver.drag(0, 0, 30);
+        driver.waitForTitle("office.xml*");
+        after = shown();
+    }
+
+    @AfterEach
+    void close() {
+        driver.close();
+    }
+
+    private Pose shown() {
+        return driver.frame().world().obstacles().get(0).pose();
+    }
+
+    private static Pose saved(Path where) throws ScenarioException {
+        return Scenario.load(where).setup().world().obstacles().get(0).pose();
+    }
+
+    @Test
+    void saveAsWritesANewFileAndTheOldOneStaysAsItWas() throws ScenarioException {
+        Path other = folder.resolve("other.xml");
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
+        driver.giveFile("Save the scenario", other);
+        driver.waitForTitle("other.xml");
+        assertEquals(after, saved(other));
+        assertEquals(before, saved(file));
+    }
+
+    @Test
+    void saveAsAsksBeforeItReplacesAFile() throws IOException {
+        Path other = Files.writeString(folder.resolve("other.xml"), "precious");
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
+        driver.giveFile("Save the scenario", other);
+        driver.answer("Replace file", "Cancel");
+        assertEquals("precious", Files.readString(other));
+        assertEquals("office.xml* – Faultline", onEdt(driver.window()::getTitle));
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
+        driver.giveFile("Save the scenario", other);
+        driver.answer("Replace file", "OK");
+        driver.waitForTitle("other.xml");
+        assertTrue(Files.readString(other).contains("<scenario"));
+    }
+
+    @Test
+    void aSaveThatFailsSaysWhyAndLosesNothing() throws IOException, ScenarioException {
+        Files.delete(file);
+        Files.createDirectory(file);
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        JDialog dialog = driver.dialog("Faultline");
+        assertTrue(WindowDriver.text(dialog).contains("office.xml cannot be saved"), WindowDriver.text(dialog));
+        driver.robot().type(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+        assertEquals("office.xml* – Faultline", onEdt(driver.window()::getTitle));
+        assertEquals(after, shown());
+        Files.delete(file);
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        driver.waitForTitle("office.xml");
+        assertEquals(after, saved(file));
+    }
+
+    @Test
+    void revertAsksAndGivesTheChangesUp() throws IOException {
+        byte[] original = Files.readAllBytes(file);
+        EventQueue.invokeLater(() -> driver.chooseNow("revert"));
+        driver.answer("Revert", "Cancel");
+        assertEquals(after, shown());
+        EventQueue.invokeLater(() -> driver.chooseNow("revert"));
+        driver.answer("Revert", "Revert");
+        driver.waitForTitle("office.xml");
+        driver.waitForFrame("all is as it was", frame -> frame.world().obstacles().get(0).pose().equals(before));
+        assertArrayEquals(original, Files.readAllBytes(file));
+    }
+
+    @Test
+    void closingSavesIfToldTo() throws ScenarioException {
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
+        driver.answer("Unsaved changes", "Save");
+        driver.robot().waitFor("the window is closed", () -> !driver.window().isShowing());
+        assertEquals(after, saved(file));
+    }
+
+    @Test
+    void theBoxOfTheWindowAsksTooAndEscCancels() throws ScenarioException {
+        EventQueue.invokeLater(() -> driver.window().dispatchEvent(
+                new WindowEvent(driver.window(), WindowEvent.WINDOW_CLOSING)));
+        JDialog dialog = driver.dialog("Unsaved changes");
+        driver.robot().type(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+        assertTrue(onEdt(driver.window()::isShowing));
+        assertEquals(before, saved(file));
+    }
+
+    @Test
+    void undoneBackToTheFileNothingIsUnsaved() {
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+        driver.waitForTitle("office.xml");
+        assertEquals(before, shown());
+    }
+}
