@@ -2,7 +2,7 @@ package faultline.gui.document;
 
 import java.io.IOException;
 import java.util.Optional;
-import java.util.function.Predicate;
+import java.util.function.Function;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 
@@ -11,23 +11,36 @@ public final class Rescuer {
 
     private static final Logger LOG = Logger.getLogger(Rescuer.class.getName());
 
+    /** What is to become of edits that a crash has left. */
+    public enum Answer {
+        /** They are open again. */
+        RECOVER,
+        /** They are given up. */
+        DISCARD,
+        /** They are offered again at the next start. */
+        LATER
+    }
+
     private Rescuer() {
     }
 
     /**
-     * Looks, soon. What is offered is taken away afterwards: if it was taken, the window that has it keeps it under its own number.
+     * Looks, soon. What is offered is taken away afterwards, unless the user puts it off: if it was taken, the window
+     * that has it keeps it under its own number.
      *
      * @param recovery where to look
      * @param offer asks the user, on the event dispatch thread
      */
-    public static void start(Recovery recovery, Predicate<Recovery.Rescue> offer) {
+    public static void start(Recovery recovery, Function<Recovery.Rescue, Answer> offer) {
         Background.run(recovery::left, left -> left.ifPresent(rescue -> offer(recovery, rescue, offer)), Rescuer::failed);
     }
 
-    private static void offer(Recovery recovery, Recovery.Rescue rescue, Predicate<Recovery.Rescue> offer) {
-        boolean taken = offer.test(rescue);
-        Background.run(() -> settle(recovery, rescue, taken), done -> {
-        }, Rescuer::failed);
+    private static void offer(Recovery recovery, Recovery.Rescue rescue, Function<Recovery.Rescue, Answer> offer) {
+        Answer answer = offer.apply(rescue);
+        if (answer != Answer.LATER) {
+            Background.run(() -> settle(recovery, rescue, answer == Answer.RECOVER), done -> {
+            }, Rescuer::failed);
+        }
     }
 
     private static Optional<Recovery.Rescue> settle(Recovery recovery, Recovery.Rescue rescue, boolean taken) throws IOException {

@@ -7,6 +7,7 @@ import faultline.gui.action.UiAction;
 import faultline.gui.document.Bench;
 import faultline.gui.document.Filing;
 import faultline.gui.document.Recovery;
+import faultline.gui.document.Rescuer;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
 import faultline.scenario.Scenario;
@@ -14,7 +15,6 @@ import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.Optional;
-import javax.swing.JOptionPane;
 
 /** Opening and saving, with the questions that go with it. */
 final class FileDesk {
@@ -68,7 +68,7 @@ final class FileDesk {
     }
 
     private void revert() {
-        if (bench.isChanged() && questions.ask("revert", Texts.text("revert.question"), "revert.revert", "unsaved.cancel")) {
+        if (bench.isChanged() && questions.choose("revert", Texts.text("revert.question"), "revert.revert", "unsaved.cancel") == 0) {
             filing.revert();
         }
     }
@@ -76,21 +76,22 @@ final class FileDesk {
     /** Somebody else has changed the open file: it is read again only if the user wants it. */
     void changedOnDisk(Path file) {
         String name = String.valueOf(file.getFileName());
-        boolean reload = bench.isChanged() ? !questions.ask("changed", Texts.text("changed.questionUnsaved", name), "changed.keep", "changed.reload")
-                : questions.ask("changed", Texts.text("changed.question", name), "changed.reload", "changed.keep");
+        boolean reload = bench.isChanged() ? questions.choose("changed", Texts.text("changed.questionUnsaved", name), "changed.keep", "changed.reload") == 1
+                : questions.choose("changed", Texts.text("changed.question", name), "changed.reload", "changed.keep") == 0;
         if (reload) {
             filing.open(file);
         }
     }
 
-    /** Offers what a crash has left; says whether it was taken. */
-    boolean offer(Recovery.Rescue rescue) {
+    /** Offers what a crash has left; a user who only closes the question is asked again at the next start. */
+    Rescuer.Answer offer(Recovery.Rescue rescue) {
         String name = rescue.origin().map(file -> String.valueOf(file.getFileName())).orElse(rescue.scenario().name());
-        boolean wanted = questions.ask("recover", Texts.text("recover.question", name), "recover.recover", "recover.discard");
-        if (wanted) {
+        int answer = questions.choose("recover", Texts.text("recover.question", name), "recover.recover", "recover.discard");
+        if (answer == 0) {
             filing.recover(rescue);
+            return Rescuer.Answer.RECOVER;
         }
-        return wanted;
+        return answer == 1 ? Rescuer.Answer.DISCARD : Rescuer.Answer.LATER;
     }
 
     private void save() {
@@ -128,9 +129,7 @@ final class FileDesk {
             deed.run();
             return;
         }
-        String[] answers = {Texts.text("unsaved.save"), Texts.text("unsaved.discard"), Texts.text("unsaved.cancel")};
-        int answer = JOptionPane.showOptionDialog(parent, Texts.text("unsaved.question"), Texts.text("unsaved.title"),
-                JOptionPane.DEFAULT_OPTION, JOptionPane.QUESTION_MESSAGE, null, answers, answers[0]);
+        int answer = questions.choose("unsaved", Texts.text("unsaved.question"), "unsaved.save", "unsaved.discard", "unsaved.cancel");
         if (answer == 0) {
             save(deed);
         } else if (answer == 1) {

@@ -6,6 +6,7 @@ import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
@@ -59,11 +60,11 @@ final class FileQuestions {
         return name.contains(".") ? file : file.resolveSibling(name + "." + extension);
     }
 
-    /** Asks a question with two answers, each given by its key; says whether the first was given. */
-    boolean ask(String key, String question, String yes, String no) {
-        String[] answers = {Texts.text(yes), Texts.text(no)};
-        return JOptionPane.showOptionDialog(parent, question, Texts.text(key + ".title"), JOptionPane.DEFAULT_OPTION, JOptionPane.QUESTION_MESSAGE,
-                null, answers, answers[0]) == 0;
+    /** Asks a question; says which of the answers, given by their keys, was chosen, the first being what Enter chooses: negative where the question was closed. */
+    int choose(String key, String question, String... answerKeys) {
+        String[] answers = Stream.of(answerKeys).map(Texts::text).toArray(String[]::new);
+        return JOptionPane.showOptionDialog(parent, Lines.broken(question), Texts.text(key + ".title"), JOptionPane.DEFAULT_OPTION, JOptionPane.QUESTION_MESSAGE,
+                null, answers, answers[0]);
     }
 
     private boolean mayReplace(Path file) {

@@ -4,6 +4,7 @@ import faultline.gui.text.Texts;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
+import java.awt.KeyboardFocusManager;
 import java.awt.Window;
 import java.util.List;
 import javax.swing.BorderFactory;
@@ -60,6 +61,9 @@ final class TableDialog extends JDialog {
         });
         rows.forEach(row -> ((DefaultTableModel) table.getModel()).addRow(row.toArray()));
         table.setShowVerticalLines(false);
+        // Tab goes on to the button, not to the next cell: nothing can be typed into a cell.
+        table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+        table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         table.getTableHeader().setReorderingAllowed(false);
         if (table.getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
             headings.setHorizontalAlignment(SwingConstants.LEADING);

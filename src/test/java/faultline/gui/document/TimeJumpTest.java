@@ -173,6 +173,19 @@ class TimeJumpTest {
         assertEquals(SECOND, pole());
     }
 
+    @Test
+    void aFileThatIsGivenUpWhileItOpensChangesNothing() {
+        Optional<Path> before = onEdt(bench::file);
+        edt(() -> {
+            filing.open(Path.of("scenarios/office.xml"));
+            bench.cancel();
+        });
+        edt(run::step);
+        Patience.waitFor("the run to go on", () -> run.frame().orElseThrow().world().tick() == 31);
+        assertEquals(before, onEdt(bench::file));
+        assertEquals(SECOND, pole());
+    }
+
     private void edit(Command command) {
         Optional<String> before = onEdt(edits::undoName);
         Frame frame = onEdt(() -> run.frame().orElseThrow());

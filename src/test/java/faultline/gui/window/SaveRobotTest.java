@@ -105,10 +105,10 @@ class SaveRobotTest {
     @Test
     void revertAsksAndGivesTheChangesUp() throws IOException {
         byte[] original = Files.readAllBytes(file);
-        EventQueue.invokeLater(() -> driver.chooseNow("revert"));
+        driver.chooseLater("revert");
         driver.answer("Revert", "Cancel");
         assertEquals(after, shown());
-        EventQueue.invokeLater(() -> driver.chooseNow("revert"));
+        driver.chooseLater("revert");
         driver.answer("Revert", "Revert");
         driver.waitForTitle("office.xml");
         driver.waitForFrame("all is as it was", frame -> frame.world().obstacles().get(0).pose().equals(before));

@@ -12,6 +12,7 @@ import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.datatransfer.StringSelection;
@@ -83,6 +84,16 @@ final class WindowDriver implements AutoCloseable {
     /** Does the same on the event dispatch thread, where it may wait for a dialog. */
     void chooseNow(String action) {
         item(action).doClick(0);
+    }
+
+    /** Chooses an action that opens a dialog, and goes on meanwhile. */
+    void chooseLater(String action) {
+        EventQueue.invokeLater(() -> chooseNow(action));
+    }
+
+    /** What the line at the bottom says to the user. */
+    String note() {
+        return Components.named(window, JLabel.class, "Note").getText();
     }
 
     private JMenuItem item(String action) {

@@ -1,0 +1,139 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.EdtChecker;
+import faultline.gui.document.Recovery;
+import faultline.gui.theme.Theme;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+import faultline.world.Obstacle;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.List;
+import javax.swing.JDialog;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What a real window offers after a crash, and when another program writes its file. */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+class CrashRobotTest {
+
+    /** No process has such a number: a window that kept its edits under it has crashed. */
+    private static final String DEAD = Integer.toString(Integer.MAX_VALUE - 7);
+
+    private final String home = System.getProperty("user.home");
+    @TempDir
+    private Path folder;
+    private Path file;
+    private Path kept;
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() throws IOException {
+        System.setProperty("user.home", folder.toString());
+        file = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("office.xml"));
+        kept = Files.createDirectories(folder.resolve(".faultline/recovery")).resolve(DEAD + ".xml");
+        driver = WindowDriver.open(Theme.LIGHT, file);
+    }
+
+    @AfterEach
+    void close() {
+        driver.close();
+        System.setProperty("user.home", home);
+    }
+
+    private void crash() throws IOException {
+        Files.writeString(kept, seeded(4711));
+        Files.writeString(folder.resolve(".faultline/recovery/" + DEAD + ".origin"), file.toString());
+        edt(() -> driver.window().recover(Recovery.ofUser()));
+    }
+
+    private String seeded(long seed) throws IOException {
+        return Files.readString(file).replaceFirst("seed=\"\\d+\"", "").replaceFirst("<scenario ", "<scenario seed=\"" + seed + "\" ");
+    }
+
+    @Test
+    void whatACrashHasLeftIsRecoveredAsUnsavedChanges() throws IOException, ScenarioException {
+        crash();
+        JDialog dialog = driver.dialog("Recover changes");
+        assertTrue(WindowDriver.text(dialog).contains("office.xml"), WindowDriver.text(dialog));
+        driver.answer("Recover changes", "Recover");
+        driver.waitForTitle("office.xml*");
+        driver.robot().waitFor("it is kept under this window's number only", () -> Files.notExists(kept)
+                && Files.exists(kept.resolveSibling(ProcessHandle.current().pid() + ".xml")));
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        driver.waitForTitle("office.xml");
+        assertEquals(4711, Scenario.load(file).setup().seed());
+    }
+
+    @Test
+    void whatACrashHasLeftIsDiscardedIfToldTo() throws IOException {
+        crash();
+        driver.answer("Recover changes", "Discard");
+        driver.robot().waitFor("it is gone", () -> Files.notExists(kept));
+        assertEquals("office.xml – Faultline", onEdt(driver.window()::getTitle));
+    }
+
+    @Test
+    void theOfferThatIsOnlyClosedIsMadeAgain() throws IOException {
+        crash();
+        JDialog dialog = driver.dialog("Recover changes");
+        driver.robot().type(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+        edt(() -> driver.window().recover(Recovery.ofUser()));
+        driver.answer("Recover changes", "Discard");
+        driver.robot().waitFor("it is gone", () -> Files.notExists(kept));
+    }
+
+    /** As another program does it. */
+    private void rewrite(long seed) throws IOException {
+        Files.writeString(file, seeded(seed));
+        Files.setLastModifiedTime(file, FileTime.fromMillis(Files.getLastModifiedTime(file).toMillis() + 5000));
+    }
+
+    @Test
+    void aFileThatAnotherProgramHasWrittenIsReadAgainIfToldTo() throws IOException {
+        rewrite(4711);
+        driver.answer("File changed", "Read again");
+        driver.robot().waitFor("the new file is open", () -> driver.canvas().frame().orElseThrow().world().tick() == 0);
+        driver.waitForTitle("office.xml");
+    }
+
+    @Test
+    void refusedItIsUnsavedAndASaveBringsItBack() throws IOException, ScenarioException {
+        Scenario before = Scenario.load(file);
+        rewrite(4711);
+        driver.answer("File changed", "Keep mine");
+        driver.waitForTitle("office.xml*");
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        driver.waitForTitle("office.xml");
+        assertEquals(before, Scenario.load(file));
+    }
+
+    @Test
+    void unsavedChangesOutliveTheOtherProgramUnlessGivenUpInSoManyWords() throws IOException {
+        driver.drag(0, 0, 30);
+        driver.waitForTitle("office.xml*");
+        List<Obstacle> mine = driver.frame().world().obstacles();
+        rewrite(4711);
+        JDialog dialog = driver.dialog("File changed");
+        assertTrue(WindowDriver.text(dialog).contains("gives up your unsaved changes"), WindowDriver.text(dialog));
+        assertEquals("Keep mine", onEdt(() -> dialog.getRootPane().getDefaultButton().getText()));
+        driver.robot().type(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+        assertEquals("office.xml* – Faultline", onEdt(driver.window()::getTitle));
+        assertEquals(mine, driver.frame().world().obstacles());
+    }
+}
