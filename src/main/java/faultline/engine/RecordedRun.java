@@ -1,8 +1,8 @@
 package faultline.engine;
 
+import faultline.engine.record.HashRecorder;
+import faultline.engine.record.Hashes;
 import faultline.geometry.Pose;
-import java.util.Arrays;
-import java.util.OptionalLong;
 
 /**
  * An earlier run, to be shown beside a later one: where the robot was at every tick, and how the two first differ. Made by running it again, which gives the
@@ -10,27 +10,25 @@ import java.util.OptionalLong;
  */
 public final class RecordedRun {
 
-    /** No more ticks than this are recorded: 34 MB, and almost three hours at 10 ms. */
-    public static final int MOST_TICKS = 1 << 20;
-
     private final double[] x;
     private final double[] y;
     private final double[] heading;
-    private final long[] hashes;
+    private final Hashes hashes;
     private final Path path;
 
     private RecordedRun(Journal journal, Simulation simulation) {
-        int size = (int) Math.min(journal.ticks(), MOST_TICKS) + 1;
+        int size = (int) Math.min(journal.ticks() + 1, HashRecorder.MOST);
         x = new double[size];
         y = new double[size];
         heading = new double[size];
-        hashes = new long[size];
+        HashRecorder recorder = new HashRecorder();
         Replay replay = new Replay(journal);
-        record(simulation);
+        record(simulation, recorder);
         while (simulation.ticks() < size - 1) {
             replay.tick(simulation);
-            record(simulation);
+            record(simulation, recorder);
         }
+        hashes = recorder.view();
         path = simulation.frame().path();
     }
 
@@ -38,7 +36,7 @@ public final class RecordedRun {
      * Runs a journal again, at full speed.
      *
      * @param journal of the earlier run
-     * @return the run up to where the journal ends, or to {@link #MOST_TICKS}
+     * @return the run up to where the journal ends, or as far as {@link HashRecorder#MOST} ticks go
      * @throws RunFailedException if the controller threw
      */
     public static RecordedRun of(Journal journal) {
@@ -47,13 +45,13 @@ public final class RecordedRun {
         }
     }
 
-    private void record(Simulation simulation) {
+    private void record(Simulation simulation, HashRecorder recorder) {
         int tick = (int) simulation.ticks();
         Pose pose = simulation.pose();
         x[tick] = pose.x();
         y[tick] = pose.y();
         heading[tick] = pose.heading();
-        hashes[tick] = simulation.trajectoryHash();
+        recorder.add(simulation.trajectoryHash());
     }
 
     /**
@@ -86,24 +84,11 @@ public final class RecordedRun {
     }
 
     /**
-     * The trajectory's hash after a tick; equal to another run's at the same tick as long as both are equal to the bit.
+     * The trajectory's hash after every tick; what the run has in common with another shows by them.
      *
-     * @param tick from 0 to {@link #lastTick}
-     * @return as {@link Frame#trajectoryHash}
+     * @return up to {@link #lastTick}
      */
-    public long hash(long tick) {
-        return hashes[(int) tick];
-    }
-
-    /**
-     * The first tick in which two runs differ by a bit or more of pose, wheel speeds or reported readings.
-     *
-     * @param other another run
-     * @return empty where they do not, as far as both are recorded
-     */
-    public OptionalLong firstDivergence(RecordedRun other) {
-        int common = Math.min(hashes.length, other.hashes.length);
-        int first = Arrays.mismatch(hashes, 0, common, other.hashes, 0, common);
-        return first < 0 ? OptionalLong.empty() : OptionalLong.of(first);
+    public Hashes hashes() {
+        return hashes;
     }
 }

@@ -3,6 +3,7 @@ package faultline.engine;
 import faultline.control.Telemetry;
 import faultline.engine.record.Channels;
 import faultline.engine.record.EventRecorder;
+import faultline.engine.record.HashRecorder;
 import faultline.engine.record.RunEvent;
 import faultline.engine.record.StateTallyRecorder;
 import faultline.engine.record.TraceRecorder;
@@ -19,6 +20,7 @@ final class Recorder implements TickObserver, CommandListener {
     private final EventRecorder events = new EventRecorder();
     private final StateTallyRecorder states = new StateTallyRecorder();
     private final KeyframeRecorder keyframes = new KeyframeRecorder();
+    private final HashRecorder hashes = new HashRecorder();
     private Telemetry last;
     private boolean collided;
 
@@ -45,6 +47,7 @@ final class Recorder implements TickObserver, CommandListener {
         traceMotion(simulation);
         traceSensors(simulation);
         trace.add(values);
+        hashes.add(simulation.trajectoryHash());
         if (keyframes.isDue(simulation.ticks())) {
             keyframes.add(simulation.frame());
         }
@@ -87,6 +90,6 @@ final class Recorder implements TickObserver, CommandListener {
     }
 
     Recording view() {
-        return new Recording(trace.view(), events.view(), states.view(), keyframes.view());
+        return new Recording(trace.view(), events.view(), states.view(), keyframes.view(), hashes.view());
     }
 }

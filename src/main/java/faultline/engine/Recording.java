@@ -1,6 +1,7 @@
 package faultline.engine;
 
 import faultline.engine.record.EventLog;
+import faultline.engine.record.Hashes;
 import faultline.engine.record.StateTally;
 import faultline.engine.record.Trace;
 
@@ -11,9 +12,11 @@ import faultline.engine.record.Trace;
  * @param events what happened
  * @param states how long the controller was in which state
  * @param keyframes pictures of earlier moments
+ * @param hashes of the trajectory, tick by tick
  */
-public record Recording(Trace trace, EventLog events, StateTally states, Keyframes keyframes) {
+public record Recording(Trace trace, EventLog events, StateTally states, Keyframes keyframes, Hashes hashes) {
 
     /** Of a run that is not recorded. */
-    public static final Recording EMPTY = new Recording(Trace.EMPTY, EventLog.EMPTY, StateTally.EMPTY, Keyframes.EMPTY);
+    public static final Recording EMPTY = new Recording(Trace.EMPTY, EventLog.EMPTY, StateTally.EMPTY, Keyframes.EMPTY,
+            Hashes.EMPTY);
 }

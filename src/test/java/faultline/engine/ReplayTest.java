@@ -53,7 +53,7 @@ class ReplayTest {
         for (long tick : new long[] {0, 1, 399, 400, 401, 699, 700, 1000}) {
             try (Session session = Session.replay(JOURNAL, tick, onward -> true)) {
                 assertEquals(tick, session.frame().world().tick());
-                assertEquals(ORIGINAL.hash(tick), session.frame().trajectoryHash(), "at tick " + tick);
+                assertEquals(ORIGINAL.hashes().at(tick), session.frame().trajectoryHash(), "at tick " + tick);
                 assertFalse(session.status().running());
             }
         }
@@ -62,7 +62,7 @@ class ReplayTest {
     @Test
     void steppingOnDoesAgainWhatWasDone() {
         try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
-            assertEquals(ORIGINAL.hash(420), stepped(session, 420).trajectoryHash());
+            assertEquals(ORIGINAL.hashes().at(420), stepped(session, 420).trajectoryHash());
         }
     }
 
@@ -82,7 +82,7 @@ class ReplayTest {
         try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
             session.send(new Command.RemoveObstacle("ghost"));
             assertEquals(JOURNAL, session.wholeJournal().get());
-            assertEquals(ORIGINAL.hash(420), stepped(session, 420).trajectoryHash());
+            assertEquals(ORIGINAL.hashes().at(420), stepped(session, 420).trajectoryHash());
         }
     }
 
@@ -100,7 +100,7 @@ class ReplayTest {
     @Test
     void steppingBackTwiceLosesNothing() throws Exception {
         try (Session once = Session.replay(JOURNAL, 999, onward -> true); Session twice = Session.replay(once.wholeJournal().get(), 398, onward -> true)) {
-            assertEquals(ORIGINAL.hash(398), twice.frame().trajectoryHash());
+            assertEquals(ORIGINAL.hashes().at(398), twice.frame().trajectoryHash());
             assertEquals(JOURNAL, twice.wholeJournal().get());
         }
     }
@@ -130,9 +130,9 @@ class ReplayTest {
     void twoRunsDivergeAtTheFirstTickThatDiffersByABit() {
         // A bias on a sensor that looks at the followed wall shows in its reading in the very tick of the command.
         Journal without = new Journal(ROOM, JOURNAL.entries().subList(0, 1), 1000);
-        assertEquals(OptionalLong.of(400), ORIGINAL.firstDivergence(RecordedRun.of(without)));
-        assertEquals(OptionalLong.empty(), ORIGINAL.firstDivergence(RecordedRun.of(JOURNAL)));
-        assertEquals(OptionalLong.empty(), ORIGINAL.firstDivergence(RecordedRun.of(new Journal(ROOM, JOURNAL.entries().subList(0, 1), 399))));
-        assertNotEquals(ORIGINAL.hash(400), RecordedRun.of(without).hash(400));
+        assertEquals(OptionalLong.of(400), ORIGINAL.hashes().firstDifference(RecordedRun.of(without).hashes(), 0));
+        assertEquals(OptionalLong.empty(), ORIGINAL.hashes().firstDifference(RecordedRun.of(JOURNAL).hashes(), 0));
+        assertEquals(OptionalLong.empty(), ORIGINAL.hashes().firstDifference(RecordedRun.of(new Journal(ROOM, JOURNAL.entries().subList(0, 1), 399)).hashes(), 0));
+        assertNotEquals(ORIGINAL.hashes().at(400), RecordedRun.of(without).hashes().at(400));
     }
 }

@@ -65,4 +65,13 @@ public sealed interface RunEvent {
             return collision.time();
         }
     }
+
+    /**
+     * The run became another than the earlier one that it is compared with.
+     *
+     * @param tick the first in which they differ by a bit or more
+     * @param time of that tick, seconds
+     */
+    record Diverged(long tick, double time) implements RunEvent {
+    }
 }

@@ -4,6 +4,8 @@ import faultline.engine.Frame;
 import faultline.gui.edit.ShapeHandles;
 import faultline.paint.Brush;
 import faultline.paint.Camera;
+import faultline.paint.Ghost;
+import faultline.paint.GhostPainter;
 import faultline.paint.Layer;
 import faultline.paint.Palette;
 import faultline.paint.ScenePainter;
@@ -12,6 +14,7 @@ import faultline.world.Obstacle;
 import java.awt.Graphics2D;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
@@ -38,9 +41,13 @@ final class Picture {
             complete = path.isComplete();
         }
         Brush brush = new Brush(graphics, camera, palette);
+        Optional<Ghost> ghost = scene.ghost().get();
+        ghost.ifPresent(earlier -> GhostPainter.paintRobot(brush, earlier, frame.world().robot(), frame.world().time()));
         painter.paintLive(brush, frame, byLife.get(true), path.tailFrom());
+        ghost.ifPresent(earlier -> GhostPainter.paintDivergence(brush, earlier));
         paintSelection(brush, scene);
         painter.paintMargin(brush, frame.world());
+        ghost.ifPresent(earlier -> GhostPainter.paintCaption(brush, earlier));
     }
 
     private static void paintSelection(Brush brush, Scene scene) {

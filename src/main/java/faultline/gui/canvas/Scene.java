@@ -1,6 +1,7 @@
 package faultline.gui.canvas;
 
 import faultline.engine.Frame;
+import faultline.paint.Ghost;
 import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
 import java.util.Collection;
@@ -16,6 +17,7 @@ final class Scene {
 
     private final Watched<Set<String>> selection = new Watched<>(Set.of());
     private final Watched<Optional<String>> sensor = new Watched<>(Optional.empty());
+    private final Watched<Optional<Ghost>> ghost = new Watched<>(Optional.empty());
     private Optional<Frame> frame = Optional.empty();
     private Set<String> awaited = Set.of();
 
@@ -39,6 +41,11 @@ final class Scene {
 
     Watched<Set<String>> selection() {
         return selection;
+    }
+
+    /** The earlier run that shows beside the frame's. */
+    Watched<Optional<Ghost>> ghost() {
+        return ghost;
     }
 
     /** The id of the selected sensor. */

@@ -6,6 +6,7 @@ import faultline.gui.edit.Editor;
 import faultline.gui.text.Texts;
 import faultline.paint.Brush;
 import faultline.paint.Camera;
+import faultline.paint.Ghost;
 import faultline.paint.Layer;
 import faultline.paint.Palette;
 import faultline.paint.Shot;
@@ -55,6 +56,7 @@ public final class SimulationCanvas extends JComponent {
         addMouseWheelListener(hand);
         scene.selection().listen(selected -> repaint());
         scene.sensor().listen(selected -> repaint());
+        scene.ghost().listen(ghost -> repaint());
         viewpoint.camera().listen(camera -> repaint());
         setFocusable(true);
         setOpaque(true);
@@ -104,6 +106,16 @@ public final class SimulationCanvas extends JComponent {
         assert EventQueue.isDispatchThread();
         palette = newPalette;
         repaint();
+    }
+
+    /**
+     * Shows an earlier run beside this one from now on.
+     *
+     * @param ghost the earlier run, empty for none
+     */
+    public void setGhost(Optional<Ghost> ghost) {
+        assert EventQueue.isDispatchThread();
+        scene.ghost().set(ghost);
     }
 
     /**

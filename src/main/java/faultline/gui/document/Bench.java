@@ -72,7 +72,9 @@ public final class Bench implements AutoCloseable {
         /** Beginning anew. */
         RESTART,
         /** Going to another moment of the run. */
-        GO_TO
+        GO_TO,
+        /** Running an earlier run again, to be shown beside this one. */
+        GHOST
     }
 
     /** A part of the bench, told before everybody else. */
@@ -82,7 +84,8 @@ public final class Bench implements AutoCloseable {
         void began(Task task, Work made);
 
         /** Nothing is under way any more: the session that is there stays. */
-        void settled();
+        default void settled() {
+        }
     }
 
     /** Makes something for the bench, off the event dispatch thread. */

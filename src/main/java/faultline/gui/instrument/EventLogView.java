@@ -1,12 +1,14 @@
 package faultline.gui.instrument;
 
 import faultline.engine.Frame;
+import faultline.engine.record.RunEvent;
 import faultline.gui.text.Texts;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.Optional;
 import java.util.function.LongConsumer;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
@@ -91,6 +93,16 @@ public final class EventLogView extends JPanel {
         if (row >= 0) {
             jump.accept(events.event(row).tick());
         }
+    }
+
+    /**
+     * Shows, from now on, where the run became another than an earlier one.
+     *
+     * @param divergence empty where it did not
+     */
+    public void mark(Optional<RunEvent.Diverged> divergence) {
+        assert EventQueue.isDispatchThread();
+        events.mark(divergence);
     }
 
     /**

@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import faultline.engine.record.EventLog;
 import faultline.engine.record.RunEvent;
 import faultline.gui.text.Texts;
+import java.util.Optional;
 import javax.swing.table.AbstractTableModel;
 
 /** The event log as rows: time, kind, and what happened. */
@@ -14,12 +15,21 @@ final class EventTable extends AbstractTableModel {
     private static final String[] COLUMNS = {"events.time", "events.kind", "events.what"};
 
     private transient EventLog log = EventLog.EMPTY;
+    private transient Optional<RunEvent.Diverged> divergence = Optional.empty();
+
+    /** Shows, from now on, where the run became another than an earlier one, among the events of the run itself. */
+    void mark(Optional<RunEvent.Diverged> newDivergence) {
+        if (!newDivergence.equals(divergence)) {
+            divergence = newDivergence;
+            fireTableDataChanged();
+        }
+    }
 
     /** Shows a newer log; true where rows were added. */
     boolean show(EventLog newest) {
         EventLog before = log;
         log = newest;
-        boolean continues = before.first() == newest.first() && before.end() <= newest.end() && startsAlike(before, newest);
+        boolean continues = divergence.isEmpty() && before.first() == newest.first() && before.end() <= newest.end() && startsAlike(before, newest);
         if (!continues) {
             fireTableDataChanged();
         } else if (newest.end() > before.end()) {
@@ -34,12 +44,21 @@ final class EventTable extends AbstractTableModel {
     }
 
     RunEvent event(int row) {
-        return log.get(log.first() + row);
+        int extra = rowOfDivergence();
+        if (row == extra) {
+            return divergence.orElseThrow();
+        }
+        return log.get(log.first() + (row < extra ? row : row - 1));
+    }
+
+    /** After all events of earlier ticks; beyond the last row where there is none. */
+    private int rowOfDivergence() {
+        return divergence.map(event -> (int) (log.since(event.tick()) - log.first())).orElse(Integer.MAX_VALUE);
     }
 
     @Override
     public int getRowCount() {
-        return (int) (log.end() - log.first());
+        return (int) (log.end() - log.first()) + (divergence.isPresent() ? 1 : 0);
     }
 
     @Override

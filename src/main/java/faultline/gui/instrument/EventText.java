@@ -17,6 +17,9 @@ final class EventText {
         if (event instanceof RunEvent.Done done) {
             return Texts.text(isFault(done.command()) ? "event.fault" : "event.command");
         }
+        if (event instanceof RunEvent.Diverged) {
+            return Texts.text("event.ghost");
+        }
         return Texts.text(event instanceof RunEvent.Transition ? "event.transition"
                 : event instanceof RunEvent.Refused ? "event.refused" : "event.collision");
     }
@@ -46,7 +49,7 @@ final class EventText {
         if (event instanceof RunEvent.Refused refused) {
             return Texts.text("event.why", sentence(refused.command()), refused.why());
         }
-        return collision((RunEvent.Collided) event);
+        return event instanceof RunEvent.Collided collided ? collision(collided) : Texts.text("event.diverged");
     }
 
     private static String collision(RunEvent.Collided event) {

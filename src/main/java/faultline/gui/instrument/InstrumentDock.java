@@ -1,6 +1,7 @@
 package faultline.gui.instrument;
 
 import faultline.engine.Frame;
+import faultline.engine.record.RunEvent;
 import faultline.gui.text.Texts;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -56,6 +57,15 @@ public final class InstrumentDock extends JTabbedPane {
             newest = Optional.of(frame);
             update(frame);
         }
+    }
+
+    /**
+     * Shows in the event log, from now on, where the run became another than an earlier one.
+     *
+     * @param divergence empty where it did not
+     */
+    public void mark(Optional<RunEvent.Diverged> divergence) {
+        events.mark(divergence);
     }
 
     private void update(Frame frame) {

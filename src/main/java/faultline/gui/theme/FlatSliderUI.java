@@ -2,7 +2,9 @@ package faultline.gui.theme;
 
 import java.awt.Dimension;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
 import javax.swing.JComponent;
 import javax.swing.JSlider;
@@ -12,6 +14,10 @@ import javax.swing.plaf.basic.BasicSliderUI;
 /** A flat slider: a thin track, filled up to a round thumb. */
 public final class FlatSliderUI extends BasicSliderUI {
 
+    /** The key of a slider's property that holds a value to be marked on the track, an Integer. */
+    public static final String MARK = "faultline.mark";
+
+    private static final int MARK_SIZE = 5;
     private static final int THUMB = 15;
     private static final int TRACK = 4;
     private static final int FOCUS_ALPHA = 90;
@@ -43,7 +49,24 @@ public final class FlatSliderUI extends BasicSliderUI {
             g.fill(new RoundRectangle2D.Double(trackRect.x, y, trackRect.width, TRACK, TRACK, TRACK));
             g.setColor(Theme.now().accent());
             g.fill(new RoundRectangle2D.Double(trackRect.x, y, thumbRect.getCenterX() - trackRect.x, TRACK, TRACK, TRACK));
+            if (slider.getClientProperty(MARK) instanceof Integer value) {
+                paintMark(g, xPositionForValue(value), y + TRACK / 2.0);
+            }
         });
+    }
+
+    private static void paintMark(Graphics2D g, double x, double y) {
+        Path2D diamond = new Path2D.Double();
+        diamond.moveTo(x - MARK_SIZE, y);
+        diamond.lineTo(x, y - MARK_SIZE);
+        diamond.lineTo(x + MARK_SIZE, y);
+        diamond.lineTo(x, y + MARK_SIZE);
+        diamond.closePath();
+        g.setColor(Theme.now().background());
+        g.fill(diamond);
+        g.setColor(Theme.current().palette().ghost());
+        g.setStroke(Smooth.line(2));
+        g.draw(diamond);
     }
 
     @Override

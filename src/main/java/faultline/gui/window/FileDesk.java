@@ -44,7 +44,12 @@ final class FileDesk {
     }
 
     private void open() {
-        unlessLost(() -> questions.fileToOpen(bench.file()).ifPresent(filing::open));
+        unlessLost(() -> questions.fileToOpen("open", bench.file()).ifPresent(filing::open));
+    }
+
+    /** Asks which run to show beside this one. */
+    Optional<Path> fileForGhost() {
+        return questions.fileToOpen("openGhost", bench.file());
     }
 
     /** Opens a file, whatever is lost. */

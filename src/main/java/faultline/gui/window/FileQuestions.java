@@ -22,8 +22,8 @@ final class FileQuestions {
     }
 
     /** The file to open, empty where the user thinks better of it. */
-    Optional<Path> fileToOpen(Optional<Path> open) {
-        JFileChooser chooser = chooser("open", "xml");
+    Optional<Path> fileToOpen(String action, Optional<Path> open) {
+        JFileChooser chooser = chooser(action, "xml");
         open.map(Path::toAbsolutePath).map(Path::toFile).ifPresent(chooser::setSelectedFile);
         return answer(chooser, chooser.showOpenDialog(parent));
     }

@@ -6,6 +6,7 @@ import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Autosave;
 import faultline.gui.document.Bench;
 import faultline.gui.document.FileWatch;
+import faultline.gui.document.GhostDesk;
 import faultline.gui.document.Recovery;
 import faultline.gui.document.Rescuer;
 import faultline.gui.document.RunDesk;
@@ -50,6 +51,7 @@ public final class SimulatorFrame extends JFrame {
     private final transient RunActions runActions;
     private final transient WindowMemory memory;
     private final WorkArea area;
+    private final transient GhostActions ghosts;
     private final transient FileWatch watch;
     private final transient Waiting waiting = new Waiting(this, bench::cancel);
     private final transient ReplayNotes replay = new ReplayNotes(run.travel(), this::note);
@@ -67,6 +69,8 @@ public final class SimulatorFrame extends JFrame {
         runActions = new RunActions(run, speed);
         addActions();
         area = new WorkArea(canvas, edits::send, actions, speed, run.travel()::goTo);
+        ghosts = new GhostActions(new GhostDesk(bench, run.travel()), area);
+        ghosts.addTo(actions, files::fileForGhost);
         setJMenuBar(Menus.of(actions));
         getJMenuBar().getMenu(0).insert(new RecentMenu(memory.recent(), files::open), 1);
         setContentPane(area);
@@ -244,6 +248,7 @@ public final class SimulatorFrame extends JFrame {
             area.show(frame, status);
             edits.passed(frame.world().tick());
             replay.show(frame);
+            ghosts.show(frame);
             area.time().show(frame, run.travel().furthest());
             runActions.show(status);
         }));

@@ -1,7 +1,9 @@
 package faultline.gui.window;
 
 import faultline.engine.Frame;
+import faultline.engine.record.RunEvent;
 import faultline.gui.text.Texts;
+import faultline.gui.theme.FlatSliderUI;
 import faultline.gui.theme.RuleBorder;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
@@ -66,6 +68,13 @@ final class TimeBar extends JPanel {
             showing = false;
             write();
         }
+    }
+
+    /** Marks, from now on, where the run became another than an earlier one. */
+    void mark(Optional<RunEvent.Diverged> divergence) {
+        slider.putClientProperty(FlatSliderUI.MARK, divergence.map(event -> ticks(event.tick())).orElse(null));
+        slider.setToolTipText(Texts.text("time.tip") + divergence.map(event -> " " + Texts.text("time.mark", time(event.time()).strip())).orElse(""));
+        slider.repaint();
     }
 
     private void write() {

@@ -2,11 +2,13 @@ package faultline.gui.window;
 
 import faultline.engine.Frame;
 import faultline.engine.Session;
+import faultline.engine.record.RunEvent;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.instrument.PlacedSplit;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.theme.Theme;
+import faultline.paint.Ghost;
 import faultline.world.Command;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
@@ -78,6 +80,13 @@ final class WorkArea extends JPanel {
         }
         panel.show(frame.world());
         status.show(frame, now);
+    }
+
+    /** Shows, from now on, an earlier run beside this one, and where the two first differ. */
+    void haunt(Optional<Ghost> ghost, Optional<RunEvent.Diverged> divergence) {
+        canvas.setGhost(ghost);
+        time.mark(divergence);
+        instruments.mark(divergence);
     }
 
     TimeBar time() {

@@ -18,7 +18,7 @@ public record Theme(Palette palette, Color grid, List<Color> series, List<Color>
     public static final Theme LIGHT = new Theme(new Palette(false, Color.WHITE, Palette.LIGHT.grid(), Palette.LIGHT.gridMajor(), Palette.LIGHT.text(),
             Palette.LIGHT.muted(), Palette.LIGHT.accent(), Palette.LIGHT.obstacle(), Palette.LIGHT.obstacleOutline(), Palette.LIGHT.moving(),
             Palette.LIGHT.movingOutline(), Palette.LIGHT.robot(), Palette.LIGHT.robotOutline(), Palette.LIGHT.path(), Palette.LIGHT.hit(),
-            Palette.LIGHT.sensors()), new Color(0xE3E7EC),
+            Palette.LIGHT.ghost(), Palette.LIGHT.sensors()), new Color(0xE3E7EC),
             List.of(new Color(0x0B4F79), new Color(0xD55E00), new Color(0x009E73), new Color(0x7A4B8C)),
             List.of(new Color(0xF1F6FA), new Color(0xCBDDEA), new Color(0x8DB3D0), new Color(0x54748D)));
 

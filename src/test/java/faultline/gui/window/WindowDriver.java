@@ -100,6 +100,11 @@ final class WindowDriver implements AutoCloseable {
         return Components.all(window, JMenuItem.class).filter(item -> action.equals(item.getActionCommand())).findFirst().orElseThrow();
     }
 
+    /** Whether a menu item can be chosen; event dispatch thread only. */
+    boolean isEnabled(String action) {
+        return item(action).isEnabled();
+    }
+
     /** The dialog of a title, once it has the focus. */
     JDialog dialog(String title) {
         robot.waitFor("the dialog \"" + title + "\" shows and has the focus", () -> dialogs(title).filter(Window::isFocused).findAny().isPresent());

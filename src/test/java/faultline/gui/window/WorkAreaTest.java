@@ -12,6 +12,7 @@ import faultline.gui.Components;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
+import faultline.gui.document.GhostDesk;
 import faultline.gui.document.RunDesk;
 import faultline.gui.edit.EditDesk;
 import faultline.gui.export.ExportDesk;
@@ -91,6 +92,7 @@ class WorkAreaTest {
             new ChoiceActions(null, WindowMemory.none()).addTo(actions);
             area = new WorkArea(canvas, edits::send, actions, speed, tick -> {
             });
+            new GhostActions(new GhostDesk(bench, run.travel()), area).addTo(actions, Optional::empty);
             menus = Menus.of(actions);
             area.show(SampleFrames.everything(), PAUSED);
         });
