@@ -60,6 +60,7 @@ public final class Screenshots {
                 pictures.takeWindow();
                 pictures.takeMenus();
                 pictures.takeDialogs();
+                pictures.takeGhost();
             }
         }
         System.exit(0);
@@ -88,6 +89,23 @@ public final class Screenshots {
             write(menu.getPopupMenu(), "menu-" + onEdt(menu::getText).toLowerCase(Locale.ROOT));
             edt(MenuSelectionManager.defaultManager()::clearSelectedPath);
         }
+    }
+
+    /** The run so far as a ghost beside one in which the left sensor dies. */
+    private void takeGhost() throws IOException, AWTException {
+        driver.choose("keepGhost");
+        driver.robot().waitFor("the ghost is there", () -> driver.isEnabled("removeGhost"));
+        driver.choose("restart");
+        driver.waitForFrame("the run begins anew", frame -> frame.world().tick() == 0);
+        for (int i = 0; i < 4; i++) {
+            driver.choose("faster");
+        }
+        driver.choose("run");
+        driver.waitForFrame("the run follows the wall", frame -> frame.world().time() > 12);
+        driver.choose("sensor3");
+        driver.waitForFrame("the runs have parted", frame -> frame.world().time() > 17);
+        driver.choose("run");
+        write(driver.window(), "ghost");
     }
 
     private void takeDialogs() throws IOException, AWTException {
