@@ -13,6 +13,7 @@ import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Window;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.awt.image.MultiResolutionImage;
 import java.awt.image.RenderedImage;
 import java.io.IOException;
@@ -20,6 +21,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
@@ -91,21 +93,40 @@ public final class Screenshots {
         }
     }
 
-    /** The run so far as a ghost beside one in which the left sensor dies. */
+    /** A run as a ghost beside one in which a sensor lies. */
     private void takeGhost() throws IOException, AWTException {
+        edt(() -> driver.canvas().requestFocusInWindow());
+        driver.robot().waitFor("the canvas hears keys", driver.canvas()::isFocusOwner);
+        driver.robot().type(KeyEvent.VK_ESCAPE);
+        runAnew(12);
+        driver.waitForFrame("the ghost's run is long enough", frame -> frame.world().time() > 40);
         driver.choose("keepGhost");
         driver.robot().waitFor("the ghost is there", () -> driver.isEnabled("removeGhost"));
-        driver.choose("restart");
-        driver.waitForFrame("the run begins anew", frame -> frame.world().tick() == 0);
-        for (int i = 0; i < 4; i++) {
-            driver.choose("faster");
-        }
         driver.choose("run");
-        driver.waitForFrame("the run follows the wall", frame -> frame.world().time() > 12);
-        driver.choose("sensor3");
-        driver.waitForFrame("the runs have parted", frame -> frame.world().time() > 17);
+        runAnew(7);
+        driver.waitForFrame("the run follows the wall", frame -> frame.world().time() > 14);
+        inject("front");
+        driver.waitForFrame("the runs have parted", frame -> frame.world().time() > 32);
         driver.choose("run");
         write(driver.window(), "ghost");
+    }
+
+    private void runAnew(int faster) {
+        driver.choose("realTime");
+        for (int i = 0; i < faster; i++) {
+            driver.choose("faster");
+        }
+        driver.choose("restart");
+        driver.waitForFrame("the run begins anew", frame -> frame.world().tick() == 0);
+        driver.choose("run");
+    }
+
+    private void inject(String sensor) {
+        edt(() -> {
+            Components.named(driver.window(), JComboBox.class, "Sensor").setSelectedItem(sensor);
+            Components.named(driver.window(), JButton.class, "Inject").doClick(0);
+            driver.canvas().tools().selectSensor(Optional.empty());
+        });
     }
 
     private void takeDialogs() throws IOException, AWTException {
@@ -141,10 +162,7 @@ public final class Screenshots {
     }
 
     private void prepare(double seconds) {
-        edt(() -> {
-            Components.named(driver.window(), JComboBox.class, "Sensor").setSelectedItem("rear-right");
-            Components.named(driver.window(), JButton.class, "Inject").doClick(0);
-        });
+        inject("rear-right");
         driver.choose("sensor5");
         for (int i = 0; i < 12; i++) {
             driver.choose("faster");
