@@ -10,15 +10,22 @@ final class Perception {
     /** Two sensors see one wall if it would be this much nearer for one of them at most, metres. */
     private static final double SAME_WALL = 0.02;
 
+    /** By how many deviations the nearest of many readings is nearer than their mean. */
+    private static final double NEAREST_OF_MANY = 3;
+
     private final Hand hand;
     private final double wantedDistance;
     private final Odometer odometer = new Odometer();
     private final FrontMemory frontMemory = new FrontMemory();
+    private final Glimpse ahead = new Glimpse();
+    private final Glimpse aheadLeft = new Glimpse();
+    private final Glimpse aheadRight = new Glimpse();
     private final NoiseMeter leftNoise = new NoiseMeter();
     private final NoiseMeter frontNoise = new NoiseMeter();
     private final double controlPeriod;
     private Observation now;
     private Sight sight;
+    private Eye frontNow = Eye.NONE;
     private long lastTick;
 
     Perception(ControllerSpec.WallFollowing spec) {
@@ -33,10 +40,13 @@ final class Perception {
         lastTick = observation.tick();
         now = observation;
         Sight fresh = Sight.of(observation, hand);
-        leftNoise.learn(fresh.left().reading());
-        frontNoise.learn(fresh.front().reading());
-        frontMemory.update(fresh.front(), odometer.rolled(), odometer.turned(), robot().width() / 2);
-        sight = fresh.withFront(frontMemory.fill(fresh.front()));
+        if (v > 0) { // Spinning, readings bend of themselves.
+            leftNoise.learn(fresh.left().reading());
+            frontNoise.learn(fresh.front().reading());
+        }
+        frontNow = fresh.front();
+        frontMemory.update(frontNow, odometer.rolled(), odometer.turned(), robot().width() / 2);
+        sight = fresh.withFront(frontMemory.fill(frontNow));
     }
 
     /** Whether something in the way, seen or remembered, will be within a distance of the robot's centre when it has rolled out. */
@@ -44,9 +54,28 @@ final class Perception {
         return frontMemory.nearest() + sight.front().seat().x() - stopping() <= distance;
     }
 
+    /** Remembers what the sensors that look ahead see on a straight way. */
+    void glimpse() {
+        ahead.update(frontNow, rolled());
+        aheadLeft.update(sight.frontLeft(), rolled());
+        aheadRight.update(sight.frontRight(), rolled());
+    }
+
+    /**
+     * Whether something that was seen on a straight way, though it may be between the cones now, will be within a distance of the robot's centre when it has rolled out. The
+     * nearest of many noisy readings is too near by some deviations.
+     */
+    boolean glimpsedWithin(double distance) {
+        double nearest = Math.min(ahead.distanceAfter(stopping()), Math.min(aheadLeft.distanceAfter(stopping()), aheadRight.distanceAfter(stopping())));
+        return nearest + NEAREST_OF_MANY * noise() <= distance;
+    }
+
     /** What was seen ahead is dealt with. */
     void forgetAhead() {
         frontMemory.forget();
+        ahead.forget();
+        aheadLeft.forget();
+        aheadRight.forget();
     }
 
     Sight sight() {

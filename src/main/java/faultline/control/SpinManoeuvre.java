@@ -42,16 +42,16 @@ final class SpinManoeuvre {
         perception.forgetAhead();
         backingOff = wallMetSideways && reading() < Reading.NOTHING;
         nearest = left().reading();
-        timing.start(perception.noise());
+        timing.start(perception.noise(), perception.turnRate() * perception.period());
         if (!backingOff) {
-            timing.approach(clock(), reading());
+            timing.approach(clock(), reading(), perception.rolled());
         }
     }
 
     /** Takes the reading of a decision in TURN. */
     void approach() {
         if (!backingOff) {
-            timing.approach(clock(), reading());
+            timing.approach(clock(), reading(), perception.rolled());
         }
     }
 

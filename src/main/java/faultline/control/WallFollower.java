@@ -87,6 +87,7 @@ final class WallFollower implements Controller {
 
     private void takeReading() {
         switch (state) {
+            case SEARCH -> perception.glimpse();
             case TURN -> spin.approach();
             case MEASURE -> spin.pass();
             case FOLLOW -> follow();
@@ -170,7 +171,7 @@ final class WallFollower implements Controller {
         double radius = perception.wantedRadius();
         double near = radius + perception.stopping();
         return perception.wallAheadInTheOpen()
-                || perception.inTheWay(perception.robot().reach() + GUARD)
+                || perception.inTheWay(perception.robot().reach() + GUARD) || perception.glimpsedWithin(radius)
                 || sight.frontLeft().seesWithin(near) || sight.frontRight().seesWithin(near)
                 || sight.left().seesWithin(radius) || sight.right().seesWithin(radius);
     }

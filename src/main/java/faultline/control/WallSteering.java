@@ -9,6 +9,7 @@ final class WallSteering {
     /** The innovation that counts as a bend, as a share of what a corner gives in the end; five times the noise at least. */
     private static final double BEND = 0.6;
     private static final double NOISE_FACTOR = 5;
+    private static final double DRIFT_NOISE_FACTOR = 4;
 
     private final Perception perception;
     private final double wanted;
@@ -77,11 +78,20 @@ final class WallSteering {
     }
 
     boolean bendsBack() {
-        return tracker.innovation() < -bendInnovation();
+        return tracker.innovation() < -bendInnovation() || tracker.drift() < -bendDrift();
+    }
+
+    /** A straight wall that is taken for a corner gives all of the corner's innovation for as long as it lasts, so there is time to average the noise away. */
+    private double bendDrift() {
+        return Math.max(bendWithoutNoise(), DRIFT_NOISE_FACTOR * perception.leftNoise() * WallTracker.driftNoise(perception.rolled()));
     }
 
     private double bendInnovation() {
-        return Math.max(BEND * WallTracker.cornerInnovation(radius()), NOISE_FACTOR * perception.leftNoise());
+        return Math.max(bendWithoutNoise(), NOISE_FACTOR * perception.leftNoise());
+    }
+
+    private double bendWithoutNoise() {
+        return BEND * WallTracker.cornerInnovation(radius());
     }
 
     /** How far the robot has gone round a corner by the time that it shows: an innovation e takes a way of sqrt(2 e r) on a circle of radius r. */

@@ -15,15 +15,20 @@ final class WallTracker {
     /** A reading that is off by more than this belongs to something else, metres. */
     private static final double JUMP = 0.05;
 
+    /** The way over which innovations are averaged, metres. */
+    private static final double DRIFT_WAY = 0.2;
+
     private double distance;
     private double heading;
     private double innovation;
+    private double drift;
 
     /** Starts anew at a reading, parallel to the wall. */
     void start(double reading) {
         distance = reading;
         heading = 0;
         innovation = 0;
+        drift = 0;
     }
 
     /** Predicts across a piece of way. */
@@ -42,6 +47,7 @@ final class WallTracker {
             innovation = 0;
             return;
         }
+        drift += Math.min(1, Math.abs(rolled) / DRIFT_WAY) * (innovation - drift);
         // Critically damped at the bandwidth 1 / (MEMORY radius) per metre of way.
         double share = Math.min(0.5, Math.abs(rolled) / (MEMORY * radius));
         distance += Math.min(1, 1.4 * share) * innovation;
@@ -54,6 +60,7 @@ final class WallTracker {
     void bend(double angle) {
         heading += angle;
         innovation = 0;
+        drift = 0;
     }
 
     /** The distance of the wall, metres. */
@@ -69,6 +76,16 @@ final class WallTracker {
     /** How much farther than predicted the last reading was, metres. */
     double innovation() {
         return innovation;
+    }
+
+    /** How much farther than predicted the readings were on the whole of late, metres: a small bend shows here that is below the noise of a single reading. */
+    double drift() {
+        return drift;
+    }
+
+    /** What share of a reading's noise is left in the {@link #drift}, if readings come once a piece of way. */
+    static double driftNoise(double rolled) {
+        return Math.sqrt(Math.abs(rolled) / DRIFT_WAY / 2);
     }
 
     /**

@@ -14,12 +14,15 @@ class SpinTimingTest {
     private static final double STEP = 0.1;
     private static final int MOST = 200;
 
+    /** Of the robot in a step: too much for two samples to be averaged. */
+    private static final double TURN = Math.toRadians(3);
+
     private static SpinTiming spin(Timing rule, double noise, DoubleUnaryOperator readings) {
         SpinTiming timing = new SpinTiming(rule);
-        timing.start(noise);
+        timing.start(noise, TURN);
         int i = 0;
         do {
-            timing.approach(i * STEP, readings.applyAsDouble(i * STEP));
+            timing.approach(i * STEP, readings.applyAsDouble(i * STEP), 0);
         } while (!timing.comesToWall() && ++i < MOST);
         do {
             i++;
@@ -69,20 +72,20 @@ class SpinTimingTest {
     @Test
     void byRangeAWallInSightFromTheStartIsNotComeTo() {
         SpinTiming timing = new SpinTiming(Timing.RANGE);
-        timing.start(0);
-        timing.approach(0, 0.4);
-        timing.approach(0.1, 0.3);
+        timing.start(0, TURN);
+        timing.approach(0, 0.4, 0);
+        timing.approach(0.1, 0.3, 0);
         assertFalse(timing.comesToWall());
     }
 
     @Test
     void byEqualReadingsAWallInSightFromTheStartIsComeToAsSoonAsReadingsFall() {
         SpinTiming timing = new SpinTiming(Timing.EQUAL_READINGS);
-        timing.start(0);
-        timing.approach(0, 0.3);
-        timing.approach(0.1, 0.4);
+        timing.start(0, TURN);
+        timing.approach(0, 0.3, 0);
+        timing.approach(0.1, 0.4, 0);
         assertFalse(timing.comesToWall(), "the wall behind goes");
-        timing.approach(0.2, 0.38);
+        timing.approach(0.2, 0.38, 0);
         assertTrue(timing.comesToWall());
     }
 
@@ -97,19 +100,58 @@ class SpinTimingTest {
     @Test
     void aWiggleOfTheNoiseIsNoWall() {
         SpinTiming timing = new SpinTiming(Timing.EQUAL_READINGS);
-        timing.start(0.005);
+        timing.start(0.005, TURN);
         for (int i = 0; i < 50; i++) {
-            timing.approach(i * STEP, 0.4 + (i % 2 == 0 ? 0.008 : -0.008));
+            timing.approach(i * STEP, 0.4 + wiggle(i), 0);
             assertFalse(timing.comesToWall());
         }
     }
 
     @Test
+    void aWallThatTheRobotRollsTowardsIsNotComeTo() {
+        SpinTiming timing = new SpinTiming(Timing.EQUAL_READINGS);
+        timing.start(0, TURN);
+        for (int i = 0; i < 10; i++) {
+            timing.approach(i * STEP, 0.4 - 0.002 * i, 0.003);
+            assertFalse(timing.comesToWall());
+        }
+        timing.approach(1, 0.37, 0);
+        assertTrue(timing.comesToWall(), "what comes nearer than by the way rolled is another wall");
+    }
+
+    @Test
+    void noiseIsAveragedAwayWhereManySamplesFitIntoASmallTurn() {
+        SpinTiming timing = new SpinTiming(Timing.EQUAL_READINGS);
+        timing.start(0.005, Math.toRadians(0.5));
+        for (int i = 0; i < 20; i++) {
+            timing.approach(i * STEP, 0.4 + wiggle(i), 0);
+            assertFalse(timing.comesToWall(), "the swing of 16 mm is gone");
+        }
+        for (int i = 20; i < 30; i++) {
+            timing.approach(i * STEP, 0.392 + wiggle(i), 0);
+        }
+        assertTrue(timing.comesToWall(), "a fall of 8 mm shows: with ten samples four deviations are 6.3 mm");
+    }
+
+    private static double wiggle(int i) {
+        return i % 2 == 0 ? 0.008 : -0.008;
+    }
+
+    @Test
+    void byRangeNothingIsAveraged() {
+        SpinTiming timing = new SpinTiming(Timing.RANGE);
+        timing.start(0.005, Math.toRadians(0.5));
+        timing.approach(0, Reading.NOTHING, 0);
+        timing.approach(STEP, 0.7, 0);
+        assertTrue(timing.comesToWall());
+    }
+
+    @Test
     void aNewSpinForgetsTheOneBefore() {
         SpinTiming timing = spin(Timing.EQUAL_READINGS, 0, wallAt(3));
-        timing.start(0);
+        timing.start(0, TURN);
         assertTrue(Double.isNaN(timing.tF3()) && Double.isNaN(timing.tF4()));
-        timing.approach(7, Reading.NOTHING);
+        timing.approach(7, Reading.NOTHING, 0);
         assertFalse(timing.comesToWall());
     }
 }

@@ -133,7 +133,7 @@ class WallFollowerTest {
     void atMostOneTransitionIsMadeInADecision() {
         int before = 0;
         SplittableRandom random = new SplittableRandom(4);
-        for (int i = 0; i < 20000; i++) {
+        for (int i = 0; i < 40000; i++) {
             int now = see(randomReadings(random)).transitions();
             assertTrue(now - before <= 1);
             before = now;

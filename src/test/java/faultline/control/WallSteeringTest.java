@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.sensor.Reading;
 import java.util.Map;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /** Steering at a wanted reading of 0.25 m; the robot's centre is 0.1 m farther off. */
@@ -92,5 +93,23 @@ class WallSteeringTest {
             steering.trackCorner();
         }
         assertTrue(way < 0.08, "seen after " + way + " m");
+    }
+
+    @Test
+    void aStraightWallThatIsRoundedForACornerShowsInTimeThroughNoise() {
+        SplittableRandom random = new SplittableRandom(3);
+        steering.begin();
+        for (int i = 0; i < 100; i++) {
+            roll(WANTED + 0.002 * random.nextGaussian());
+            steering.trackWall();
+        }
+        steering.takeCorner();
+        double way = 0;
+        while (!steering.bendsBack() && way < 3) {
+            way += 0.003;
+            roll(WANTED + 0.002 * random.nextGaussian());
+            steering.trackCorner();
+        }
+        assertTrue(way < 0.4, "seen after " + way + " m");
     }
 }

@@ -100,4 +100,22 @@ class WallTrackerTest {
         assertEquals(-0.1, tracker.heading(), 1e-12);
         assertEquals(0, tracker.innovation());
     }
+
+    @Test
+    void theDriftIsAllOfAnInnovationThatLasts() {
+        double way = 0;
+        while (way < 2) {
+            way += STEP;
+            tracker.predict(STEP, 0, 0);
+            tracker.correct(tracker.distance() - 0.002, STEP, RADIUS);
+        }
+        assertEquals(-0.002, tracker.drift(), 1e-5);
+        tracker.bend(0);
+        assertEquals(0, tracker.drift());
+    }
+
+    @Test
+    void aWayOfAQuarterOfAMillimetreLeaves2Point5PercentOfTheNoiseInTheDrift() {
+        assertEquals(0.025, WallTracker.driftNoise(0.00025), 1e-9);
+    }
 }

@@ -2,14 +2,22 @@ package faultline.engine;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.Hand;
+import faultline.control.Timing;
 import faultline.engine.Walk.Manner;
 import faultline.geometry.Pose;
 import faultline.geometry.Vec;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Rooms that a follower has failed in, each with what it got wrong. */
 class HardRoomsTest {
+
+    private static final RobotSpec ROBOT = RobotSpec.DEFAULT;
 
     private static void walk(Room room) {
         assertEquals(List.of(), Walk.round(room, Manner.USUAL).complaints(), room::toString);
@@ -43,5 +51,51 @@ class HardRoomsTest {
                         new Vec(2.5, 6.015831646516501), new Vec(1.775648359259078, 6.015831646516501),
                         new Vec(1.775648359259078, 4.839435663561796), new Vec(2.5, 4.839435663561796)),
                 new Pose(3.46827471793019, 6.0415720278356835, 5.573780412896247)));
+    }
+
+    @Test
+    void rollingOutTowardsTheWallThatIsFollowedIsNotComingToTheNext() {
+        walk(new Room("a thin partition, beside which the wall that was left was timed again and the one ahead run up to",
+                List.of(new Vec(5.1049854483166985, 6.938009033213697), new Vec(3.852915839320196, 5.461030877218825),
+                        new Vec(4.245197000191625, 4.267249632028694), new Vec(4.700936491013666, 4.772039680960108),
+                        new Vec(4.700943913502073, 4.772032979716504), new Vec(4.245204422680032, 4.267242930785089),
+                        new Vec(4.911304091291182, 2.2401674472091417), new Vec(7.001921359408847, 5)),
+                new Pose(5.023557780930864, 5.803515136853821, 0.7639243971867833)));
+    }
+
+    /** A wall whose corner juts out between the front and the front left cone when it is met. */
+    private static final Room CORNER_BETWEEN_CONES = new Room("a wedge met tip first, a little to the left",
+            List.of(new Vec(6.54900805439158, 4.745778316528551), new Vec(4.92632439172866, 3.129471266437934),
+                    new Vec(3.5526979799532388, 4.291628795949029)),
+            new Pose(8.866701487780412, 6.024021290988007, -2.669742047253149));
+
+    @Test
+    void aCornerThatHasSlippedBetweenTwoConesIsMetAtTheWantedDistance() {
+        List<Double> met = new ArrayList<>();
+        HeadlessRun.run(Manner.USUAL.lasting(20).in(CORNER_BETWEEN_CONES), ControllerMode.DIRECT, List.of(simulation -> {
+            if (simulation.telemetry().state().equals("FOLLOW")) {
+                met.add(CORNER_BETWEEN_CONES.distance(simulation.pose().position()));
+            }
+        }));
+        assertEquals(0.35, met.get(0), 0.01);
+    }
+
+    /** Inner corners of 149, 136 and 140 degrees, between whose walls the reading rises by no more than 4 to 12 mm. */
+    private static final Room OBTUSE = new Room("obtuse corners",
+            List.of(new Vec(5.090595516073189, 6.432903118197997), new Vec(2.1635317999275046, 6.197354773282942),
+                    new Vec(4.060589223525082, 3.9437863786525034), new Vec(6.091208760867594, 3.7198442744531666),
+                    new Vec(7.984884410800532, 5.000000000000002)),
+            new Pose(5.345159736063929, 5.7263071359379, 2.951950936164629));
+
+    @Test
+    void obtuseCornersAreTimedThroughNoise() {
+        RobotSpec noisy = new RobotSpec(ROBOT.length(), ROBOT.width(), ROBOT.track(), ROBOT.speed(), ROBOT.turnRate(), ROBOT.motor(),
+                ROBOT.sensors().stream().map(s -> new SensorSpec(s.id(), s.seat(), s.bearing(), s.range(), s.cone(), s.on(), 0.002)).toList());
+        assertEquals(List.of(), Walk.round(OBTUSE, Manner.USUAL.with(noisy)).complaints());
+    }
+
+    @Test
+    void obtuseCornersAreTimedByDecisionsThatAreFarBetween() {
+        assertEquals(List.of(), Walk.round(OBTUSE, Manner.USUAL.with(new WallFollowing(0.25, Hand.LEFT, 0.05, Timing.EQUAL_READINGS))).complaints());
     }
 }
