@@ -40,10 +40,8 @@ final class Perception {
         lastTick = observation.tick();
         now = observation;
         Sight fresh = Sight.of(observation, hand);
-        if (v > 0) { // Spinning, readings bend of themselves.
-            leftNoise.learn(fresh.left().reading());
-            frontNoise.learn(fresh.front().reading());
-        }
+        leftNoise.learn(fresh.left().reading());
+        frontNoise.learn(fresh.front().reading());
         frontNow = fresh.front();
         frontMemory.update(frontNow, odometer.rolled(), odometer.turned(), robot().width() / 2);
         sight = fresh.withFront(frontMemory.fill(frontNow));

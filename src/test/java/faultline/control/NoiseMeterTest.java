@@ -27,8 +27,14 @@ class NoiseMeterTest {
     }
 
     @Test
-    void readingsThatJumpToAndFroBy2MillimetresHaveSecondDifferencesOf4() {
-        assertEquals(0.004 / Math.sqrt(6), deviation(DoubleStream.of(0.3, 0.302, 0.3, 0.302, 0.3)), 1e-9);
+    void readingsThatJumpToAndFroBy2MillimetresHaveThirdDifferencesOf8() {
+        assertEquals(0.008 / Math.sqrt(20), deviation(DoubleStream.of(0.3, 0.302, 0.3, 0.302, 0.3)), 1e-9);
+    }
+
+    @Test
+    void aSpinPastAWallInStepsOf3DegreesIsLittleNoise() {
+        DoubleStream readings = DoubleStream.iterate(-40, degrees -> degrees + 3).limit(27).map(degrees -> 0.25 / Math.cos(Math.toRadians(degrees)));
+        assertEquals(0, deviation(readings), 0.0001);
     }
 
     @Test
