@@ -122,7 +122,7 @@ final class SpinTiming {
     }
 
     private boolean leavesLevel() {
-        double level = Math.min(top, nearest + Math.max(Timing.MARGIN * nearest, 2 * turnMargin));
+        double level = Math.min(top, nearest + Math.max(Timing.MARGIN * nearest, 3 * turnMargin));
         double last = last().reading();
         boolean turnedRound = farthestSince - nearest > turnMargin && last < farthestSince - turnMargin;
         if (last >= level || turnedRound) {
