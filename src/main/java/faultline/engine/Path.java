@@ -1,17 +1,17 @@
 package faultline.engine;
 
+import java.awt.geom.Rectangle2D;
+
 /**
  * The robot's path so far, as a view of fixed length on a recording that goes on growing: taking one copies nothing, and any thread may read it.
- * Two views of one recording agree wherever both have points, so a painter may draw only what has been added.
+ * Two views of one recording agree wherever both have points, unless it was thinned between them, so a painter may draw only what has been added.
  */
 public final class Path {
 
-    private final PathRecorder recorder;
-    private final double[][] chunks;
+    private final PathChunk[] chunks;
     private final int size;
 
-    Path(PathRecorder recorder, double[][] chunks, int size) {
-        this.recorder = recorder;
+    Path(PathChunk[] chunks, int size) {
         this.chunks = chunks;
         this.size = size;
     }
@@ -32,7 +32,7 @@ public final class Path {
      * @return metres
      */
     public double x(int index) {
-        return chunks[index / PathRecorder.CHUNK][2 * (index % PathRecorder.CHUNK)];
+        return chunks[index / PathChunk.POINTS].x(index % PathChunk.POINTS);
     }
 
     /**
@@ -42,16 +42,30 @@ public final class Path {
      * @return metres
      */
     public double y(int index) {
-        return chunks[index / PathRecorder.CHUNK][2 * (index % PathRecorder.CHUNK) + 1];
+        return chunks[index / PathChunk.POINTS].y(index % PathChunk.POINTS);
     }
 
     /**
-     * Whether this view continues another: same run, at least as long.
+     * How many points from one on can be left out because all of them, and the lines between them, lie outside of a box.
+     *
+     * @param index from 0 to size - 1
+     * @param box metres
+     * @return 0 where that is not known at a glance
+     */
+    public int outside(int index, Rectangle2D box) {
+        boolean whole = index % PathChunk.STRETCH == 0 && index + PathChunk.STRETCH <= size;
+        boolean outside = whole && !chunks[index / PathChunk.POINTS].overlaps(index % PathChunk.POINTS,
+                box.getMinX(), box.getMinY(), box.getMaxX(), box.getMaxY());
+        return outside ? PathChunk.STRETCH : 0;
+    }
+
+    /**
+     * Whether this view continues another: same recording, not thinned since, at least as long.
      *
      * @param earlier another view
      * @return true where the first points of this are all of {@code earlier}'s
      */
     public boolean continues(Path earlier) {
-        return recorder == earlier.recorder && size >= earlier.size;
+        return chunks[0] == earlier.chunks[0] && size >= earlier.size;
     }
 }

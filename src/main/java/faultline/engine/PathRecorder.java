@@ -4,21 +4,20 @@ import java.util.Arrays;
 
 /**
  * Records the robot's path by whole points at least a spacing apart. Written by one thread; the views that it gives are for all, because a point
- * once written is never changed and a view is published after its last point. The spacing keeps a long run's memory in bounds.
+ * once written is never changed and a view is published after its last point. Where there are too many, every second one goes and the spacing doubles, so
+ * that a run of days needs no more memory than one of an hour.
  */
 final class PathRecorder {
 
-    /** How many points one chunk holds. */
-    static final int CHUNK = 4096;
-
-    /** No two recorded points are nearer than this, metres: less than a pixel at any zoom that shows a room. */
+    /** The spacing at first, metres: less than a pixel at any zoom that shows a room. */
     private static final double SPACING = 0.005;
 
-    /** No more points than this are recorded: some 5 km at the spacing. */
-    private static final int MOST = 1 << 20;
+    /** No more points than this are recorded: 1.3 km at the first spacing. */
+    static final int MOST = 1 << 18;
 
-    private double[][] chunks = new double[0][];
+    private PathChunk[] chunks = new PathChunk[0];
     private int size;
+    private double spacing = SPACING;
     private double lastX;
     private double lastY;
 
@@ -26,23 +25,40 @@ final class PathRecorder {
     void record(double x, double y) {
         double dx = x - lastX;
         double dy = y - lastY;
-        if (size > 0 && dx * dx + dy * dy < SPACING * SPACING || size == MOST) {
+        if (size > 0 && dx * dx + dy * dy < spacing * spacing) {
             return;
         }
-        int chunk = size / CHUNK;
+        if (size == MOST) {
+            thin();
+        }
+        add(x, y);
+    }
+
+    private void add(double x, double y) {
+        int chunk = size / PathChunk.POINTS;
         if (chunk == chunks.length) {
             chunks = Arrays.copyOf(chunks, chunk + 1);
-            chunks[chunk] = new double[2 * CHUNK];
+            chunks[chunk] = new PathChunk();
         }
-        chunks[chunk][2 * (size % CHUNK)] = x;
-        chunks[chunk][2 * (size % CHUNK) + 1] = y;
+        chunks[chunk].set(size % PathChunk.POINTS, x, y);
         size++;
         lastX = x;
         lastY = y;
     }
 
+    /** Views hold the old chunks, so the thinned ones are others. */
+    private void thin() {
+        Path all = view();
+        chunks = new PathChunk[0];
+        size = 0;
+        spacing *= 2;
+        for (int i = 0; i < all.size(); i += 2) {
+            add(all.x(i), all.y(i));
+        }
+    }
+
     /** The path so far. */
     Path view() {
-        return new Path(this, chunks, size);
+        return new Path(chunks, size);
     }
 }

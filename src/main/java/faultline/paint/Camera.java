@@ -1,6 +1,7 @@
 package faultline.paint;
 
 import faultline.geometry.Vec;
+import java.awt.Rectangle;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Rectangle2D;
 
@@ -74,6 +75,15 @@ public record Camera(double x, double y, double scale, int width, int height) {
      */
     public AffineTransform transform() {
         return new AffineTransform(scale, 0, 0, -scale, width / 2.0 - scale * x, height / 2.0 + scale * y);
+    }
+
+    /**
+     * The whole picture.
+     *
+     * @return pixels, from the upper left corner
+     */
+    public Rectangle bounds() {
+        return new Rectangle(width, height);
     }
 
     /**

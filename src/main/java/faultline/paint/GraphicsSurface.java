@@ -2,6 +2,7 @@ package faultline.paint;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.Stroke;
@@ -24,7 +25,18 @@ record GraphicsSurface(Graphics2D graphics) implements Surface {
     @Override
     public void fill(Shape shape, Color colour) {
         graphics.setColor(colour);
-        graphics.fill(shape);
+        if (shape instanceof Rectangle) {
+            fillPixels(shape);
+        } else {
+            graphics.fill(shape);
+        }
+    }
+
+    /** Whole pixels have no edges to smooth, and filling them as they are is several times faster. */
+    private void fillPixels(Shape pixels) {
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
+        graphics.fill(pixels);
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     }
 
     @Override

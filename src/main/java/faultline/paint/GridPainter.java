@@ -1,7 +1,7 @@
 package faultline.paint;
 
 import java.awt.Color;
-import java.awt.geom.Line2D;
+import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
 
 /** Paints a grid whose steps are round and adapt to the zoom. */
@@ -23,17 +23,17 @@ final class GridPainter {
         Camera camera = brush.camera();
         Rectangle2D visible = camera.visible();
         for (double i = Math.ceil(visible.getMinX() / step); i * step <= visible.getMaxX(); i++) {
-            double x = sharp(camera.width() / 2.0 + camera.scale() * (i * step - camera.x()));
-            brush.draw(new Line2D.Double(x, 0, x, camera.height()), colour, Brush.solid(1));
+            int x = pixel(camera.width() / 2.0 + camera.scale() * (i * step - camera.x()));
+            brush.fill(new Rectangle(x, 0, 1, camera.height()), colour);
         }
         for (double i = Math.ceil(visible.getMinY() / step); i * step <= visible.getMaxY(); i++) {
-            double y = sharp(camera.height() / 2.0 - camera.scale() * (i * step - camera.y()));
-            brush.draw(new Line2D.Double(0, y, camera.width(), y), colour, Brush.solid(1));
+            int y = pixel(camera.height() / 2.0 - camera.scale() * (i * step - camera.y()));
+            brush.fill(new Rectangle(0, y, camera.width(), 1), colour);
         }
     }
 
-    /** The middle of the pixel that a coordinate falls into: a thin line there is one pixel wide and not two pale ones. */
-    private static double sharp(double coordinate) {
-        return Math.floor(coordinate) + 0.5;
+    /** The pixel that a coordinate falls into: a thin line that fills it is sharp, and not two pale ones. */
+    private static int pixel(double coordinate) {
+        return (int) Math.floor(coordinate);
     }
 }

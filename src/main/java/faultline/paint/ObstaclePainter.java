@@ -6,6 +6,7 @@ import faultline.world.ObstacleShape;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
+import java.awt.font.FontRenderContext;
 import java.awt.geom.Rectangle2D;
 
 /**
@@ -22,6 +23,11 @@ final class ObstaclePainter {
     /** An obstacle smaller than this on the screen would be hidden by its name, pixels. */
     private static final double SMALL = 30;
     private static final double NAME_GAP = 10;
+    /** How far a name may reach beyond an obstacle's upper or lower end, pixels. */
+    private static final double NAME_HEIGHT = 24;
+    /** How far an outline, its halo or a mark of selection may reach beyond an obstacle, pixels. */
+    private static final double BLEED = 4;
+    private static final FontRenderContext FONTS = new FontRenderContext(null, true, true);
 
     private ObstaclePainter() {
     }
@@ -37,6 +43,15 @@ final class ObstaclePainter {
             brush.fill(shape, moves ? Palette.translucent(palette.moving(), MOVING_ALPHA) : palette.obstacle());
             brush.draw(shape, outline, moves ? MOVING : STILL);
         }
+    }
+
+    /** Where the outline and the name leave marks, pixels. */
+    static Rectangle2D extent(Camera camera, Obstacle obstacle, boolean named) {
+        Rectangle2D bounds = camera.transform().createTransformedShape(ObstacleOutlines.inWorld(obstacle)).getBounds2D();
+        double halfName = named ? Brush.FONT.getStringBounds(obstacle.id(), FONTS).getWidth() / 2 : 0;
+        double across = Math.max(bounds.getWidth() / 2, halfName) + BLEED;
+        double up = bounds.getHeight() / 2 + (named ? NAME_HEIGHT : BLEED);
+        return new Rectangle2D.Double(bounds.getCenterX() - across, bounds.getCenterY() - up, 2 * across, 2 * up);
     }
 
     /** Paints the name in the middle of an obstacle, or above one that it would hide. */

@@ -4,7 +4,7 @@ import faultline.engine.Frame;
 import faultline.world.Obstacle;
 import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
-import java.awt.Rectangle;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -30,25 +30,57 @@ public record ScenePainter(Set<Layer> layers) {
     public void paint(Brush brush, Frame frame) {
         Predicate<Obstacle> moves = obstacle -> obstacle.motion().isPresent();
         List<Obstacle> obstacles = frame.world().obstacles();
-        paintGround(brush, frame.world(), obstacles.stream().filter(moves.negate()).toList());
+        paintBackdrop(brush, frame.world());
+        obstacles.stream().filter(moves.negate()).forEach(obstacle -> paintStill(brush, obstacle));
         paintLive(brush, frame, obstacles.stream().filter(moves).toList(), 0);
         paintMargin(brush, frame.world());
     }
 
     /**
-     * Paints what seldom changes: the canvas, the grid, the edge of the world and obstacles that stand still.
+     * Paints what lies beneath all obstacles: the canvas, the grid, and the edge of the world.
      *
      * @param brush where to
      * @param world the world
-     * @param obstacles those that belong to the ground
      */
-    public void paintGround(Brush brush, Snapshot world, List<Obstacle> obstacles) {
-        brush.fill(new Rectangle(brush.camera().width(), brush.camera().height()), brush.palette().canvas());
+    public void paintBackdrop(Brush brush, Snapshot world) {
+        brush.fill(brush.camera().bounds(), brush.palette().canvas());
         if (layers.contains(Layer.GRID)) {
             GridPainter.paint(brush);
         }
         BoundsPainter.paint(brush, world);
-        obstacles.forEach(obstacle -> paintObstacle(brush, obstacle));
+    }
+
+    /**
+     * Paints an obstacle without its route.
+     *
+     * @param brush where to
+     * @param obstacle the obstacle
+     */
+    public void paintStill(Brush brush, Obstacle obstacle) {
+        ObstaclePainter.paint(brush, obstacle);
+        if (showsNames()) {
+            ObstaclePainter.paintName(brush, obstacle);
+        }
+    }
+
+    /**
+     * Where an obstacle leaves marks, its route apart.
+     *
+     * @param camera through which it is looked at
+     * @param obstacle the obstacle
+     * @return pixels; its outline and its name are wholly inside
+     */
+    public Rectangle2D extent(Camera camera, Obstacle obstacle) {
+        return ObstaclePainter.extent(camera, obstacle, showsNames());
+    }
+
+    /**
+     * Whether obstacles are painted with their names.
+     *
+     * @return true where {@link Layer#LABELS} shows
+     */
+    public boolean showsNames() {
+        return layers.contains(Layer.LABELS);
     }
 
     /**
@@ -90,14 +122,7 @@ public record ScenePainter(Set<Layer> layers) {
         if (layers.contains(Layer.ROUTES)) {
             obstacle.motion().ifPresent(motion -> RoutePainter.paint(brush, motion));
         }
-        paintObstacle(brush, obstacle);
-    }
-
-    private void paintObstacle(Brush brush, Obstacle obstacle) {
-        ObstaclePainter.paint(brush, obstacle);
-        if (layers.contains(Layer.LABELS)) {
-            ObstaclePainter.paintName(brush, obstacle);
-        }
+        paintStill(brush, obstacle);
     }
 
     private void paintSensors(Brush brush, List<SensorSnapshot> sensors) {

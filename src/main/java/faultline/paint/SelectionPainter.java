@@ -14,6 +14,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Paints the selected obstacle's outline and the handle that turns it, and while a hand moves it, where it is wanted and by what
@@ -118,6 +119,21 @@ public final class SelectionPainter {
     }
 
     /**
+     * Paints a frame about where a hand wants many obstacles, which the world need not have done yet.
+     *
+     * @param brush where to
+     * @param there the obstacles as they are wanted, at least one
+     * @param blocked whether one of them cannot be there
+     */
+    public static void paintWanted(Brush brush, List<Obstacle> there, boolean blocked) {
+        paintWanted(brush, bounds(brush, there).orElseThrow(), blocked);
+    }
+
+    private static Optional<Rectangle2D> bounds(Brush brush, List<Obstacle> obstacles) {
+        return obstacles.stream().map(obstacle -> outline(brush, obstacle).getBounds2D()).reduce(Rectangle2D::createUnion);
+    }
+
+    /**
      * Paints where a hand wants the robot.
      *
      * @param brush where to
@@ -181,8 +197,7 @@ public final class SelectionPainter {
      * @param mouse pixels
      */
     public static void paintValues(Brush brush, String values, List<Obstacle> there, Vec mouse) {
-        Rectangle2D bounds = there.stream().map(obstacle -> outline(brush, obstacle).getBounds2D()).reduce(Rectangle2D::createUnion)
-                .orElse(new Rectangle2D.Double(mouse.x(), mouse.y(), 0, 0));
+        Rectangle2D bounds = bounds(brush, there).orElse(new Rectangle2D.Double(mouse.x(), mouse.y(), 0, 0));
         paintValues(brush, values, bounds.getCenterX(), bounds.getMaxY() + VALUES_GAP);
     }
 

@@ -5,6 +5,7 @@ import faultline.gui.edit.Snap;
 import faultline.paint.Brush;
 import faultline.paint.SelectionPainter;
 import faultline.world.Obstacle;
+import java.util.List;
 import java.util.Optional;
 
 /** One drag from the press of the button on: nothing happens before the mouse has moved far enough to mean it. */
@@ -65,8 +66,16 @@ final class DragHold implements Hold {
     @Override
     public void paint(Brush brush) {
         wish.ifPresent(wanted -> {
-            wanted.there().forEach(obstacle -> SelectionPainter.paintWanted(brush, obstacle, Room.isBlocked(scene, obstacle)));
+            paint(brush, wanted.there());
             SelectionPainter.paintValues(brush, wanted.values(), wanted.there(), last);
         });
+    }
+
+    private void paint(Brush brush, List<Obstacle> there) {
+        if (there.size() <= Picture.FEW) {
+            there.forEach(obstacle -> SelectionPainter.paintWanted(brush, obstacle, Room.isBlocked(scene, obstacle)));
+        } else {
+            SelectionPainter.paintWanted(brush, there, there.stream().anyMatch(obstacle -> Room.isBlocked(scene, obstacle)));
+        }
     }
 }

@@ -19,39 +19,54 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * Paints frames with the ground and the path kept as images. The selected obstacles are never part of the ground, so that a hand may
- * move them cheaply.
+ * Paints frames with the ground and the path kept as images. A few selected obstacles are no part of the ground, so that a hand may
+ * move them cheaply; where many are selected, they stay in it.
  */
 final class Picture {
 
-    private final GroundLayer ground = new GroundLayer();
-    private final PathLayer path = new PathLayer();
+    /** So many obstacles can be painted with each frame. */
+    static final int FEW = 16;
+
+    private final KeptLayer<GroundMotif> ground = new KeptLayer<>();
+    private final KeptLayer<PathMotif> path = new KeptLayer<>();
     private boolean complete = true;
 
     /** Paints a frame at the resolution of the device that the graphics belongs to. */
     void paint(Graphics2D graphics, Camera camera, Palette palette, Set<Layer> layers, Frame frame, Scene scene) {
         LayerImage.View view = new LayerImage.View(camera, palette, graphics.getTransform().getScaleX());
         ScenePainter painter = new ScenePainter(layers);
+        Set<String> apart = scene.selection().get().size() <= FEW ? scene.selection().get() : Set.of();
         Map<Boolean, List<Obstacle>> byLife = frame.world().obstacles().stream().collect(Collectors.partitioningBy(
-                obstacle -> obstacle.motion().isPresent() || scene.isSelected(obstacle)));
-        ground.image(view, painter, frame, byLife.get(false)).show(graphics);
-        complete = true;
+                obstacle -> obstacle.motion().isPresent() || apart.contains(obstacle.id())));
+        Set<String> marked = apart.isEmpty() ? scene.selection().get() : Set.of();
+        PathMotif driven = new PathMotif(frame.path());
+        bring(new GroundMotif(frame.world(), byLife.get(false), marked, painter), driven, view, layers.contains(Layer.PATH));
+        ground.show(graphics, camera);
         if (layers.contains(Layer.PATH)) {
-            path.image(view, frame.path()).show(graphics);
-            complete = path.isComplete();
+            path.show(graphics, camera);
         }
         Brush brush = new Brush(graphics, camera, palette);
         Optional<Ghost> ghost = scene.ghost().get();
         ghost.ifPresent(earlier -> GhostPainter.paintRobot(brush, earlier, frame.world().robot(), frame.world().time()));
-        painter.paintLive(brush, frame, byLife.get(true), path.tailFrom());
+        painter.paintLive(brush, frame, byLife.get(true), driven.tailFrom(path.shown()));
         ghost.ifPresent(earlier -> GhostPainter.paintDivergence(brush, earlier));
-        paintSelection(brush, scene);
+        byLife.get(true).stream().filter(scene::isSelected).forEach(obstacle -> SelectionPainter.paintOutline(brush, obstacle));
+        paintHandles(brush, scene);
         painter.paintMargin(brush, frame.world());
         ghost.ifPresent(earlier -> GhostPainter.paintCaption(brush, earlier));
     }
 
-    private static void paintSelection(Brush brush, Scene scene) {
-        scene.selected().forEach(obstacle -> SelectionPainter.paintOutline(brush, obstacle));
+    /** The path waits for the ground. */
+    private void bring(GroundMotif wantedGround, PathMotif wantedPath, LayerImage.View view, boolean withPath) {
+        Effort effort = new Effort();
+        ground.bring(wantedGround, view, effort);
+        if (ground.isComplete() && withPath && !effort.isSpent()) {
+            path.bring(wantedPath, view, effort);
+        }
+        complete = ground.isComplete() && (!withPath || path.isComplete());
+    }
+
+    private static void paintHandles(Brush brush, Scene scene) {
         scene.single().ifPresent(obstacle -> SelectionPainter.paintHandles(brush, obstacle, ShapeHandles.places(obstacle)));
         scene.selectedSensor().ifPresent(sensor -> SelectionPainter.paintCone(brush, sensor.sector()));
     }

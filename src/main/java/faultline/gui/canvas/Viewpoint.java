@@ -77,8 +77,9 @@ final class Viewpoint {
     private void keepInMiddle(Vec robot) {
         Camera now = camera.get();
         Vec place = now.toScreen(robot);
-        double dx = excess(place.x() - now.width() / 2.0, SLACK * now.width());
-        double dy = excess(place.y() - now.height() / 2.0, SLACK * now.height());
+        // By whole pixels, so that what is kept of the picture can be moved.
+        double dx = Math.rint(excess(place.x() - now.width() / 2.0, SLACK * now.width()));
+        double dy = Math.rint(excess(place.y() - now.height() / 2.0, SLACK * now.height()));
         if (dx != 0 || dy != 0) {
             move(c -> c.panned(-dx, -dy));
         }

@@ -27,6 +27,7 @@ class CanvasPictureTest {
 
     private static final int WIDTH = 600;
     private static final int HEIGHT = 440;
+    private static final int MOST_FRAMES = 4;
     private static final Pose ROBOT = new Pose(2, 1, 0.3);
     private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Rectangle(1, 0.5), new Pose(4, 3, 0.2));
 
@@ -65,7 +66,7 @@ class CanvasPictureTest {
         }
         Frame frame = SampleFrames.of(ROBOT, SampleFrames.path(spiral.toArray(Vec[]::new)), List.of());
         assertTrue(Pixels.unlike(picture(frame), shown(frame)) > 1000, "all in one go");
-        for (int go = 0; go < 3; go++) {
+        for (int go = 0; go < 20; go++) {
             paint(1);
         }
         assertLooksLikeAFileButForJoints(frame);
@@ -163,6 +164,14 @@ class CanvasPictureTest {
 
     private BufferedImage shown(Frame frame) {
         edt(() -> canvas.show(frame));
+        return settled();
+    }
+
+    /** What shows when all is painted, which may take several frames. */
+    private BufferedImage settled() {
+        for (int frame = 1; frame < MOST_FRAMES; frame++) {
+            paint(1);
+        }
         return paint(1);
     }
 

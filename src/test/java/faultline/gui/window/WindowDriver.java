@@ -32,6 +32,9 @@ import javax.swing.JTextField;
 /** Drives the whole window by what a user sees of it: its menus, its controls and the frame that its canvas shows. */
 final class WindowDriver implements AutoCloseable {
 
+    /** How often the speed must be raised at most to be the highest. */
+    private static final int FASTER = 40;
+
     private final GuiRobot robot = new GuiRobot();
     private final SimulatorFrame window;
 
@@ -159,6 +162,27 @@ final class WindowDriver implements AutoCloseable {
         Vec at = onEdt(() -> canvas().camera().toScreen(pose.position()));
         robot.drag(canvas(), at.x(), at.y(), at.x() + right, at.y() + down, InputEvent.BUTTON1_DOWN_MASK);
         waitForFrame("the obstacle is elsewhere", frame -> !frame.world().obstacles().get(index).pose().equals(pose));
+    }
+
+    /** Resizes the window until the canvas has a size, pixels. */
+    void sizeCanvas(int width, int height) {
+        robot.waitFor("the canvas has its size", () -> {
+            int wider = width - canvas().getWidth();
+            int higher = height - canvas().getHeight();
+            if (wider != 0 || higher != 0) {
+                window.setBounds(0, 0, window.getWidth() + wider, window.getHeight() + higher);
+            }
+            return wider == 0 && higher == 0;
+        });
+    }
+
+    /** Runs as fast as possible, and goes on doing so, until a condition of the shown frame holds. */
+    void runFast(Predicate<Frame> condition) {
+        for (int i = 0; i < FASTER; i++) {
+            choose("faster");
+        }
+        choose("run");
+        waitForFrame("the run has come far enough", condition);
     }
 
     /** Whether time runs, as the menu has it. */

@@ -1,0 +1,42 @@
+package faultline.engine;
+
+/** Some consecutive points of a path, and the boxes about stretches of them, by which a painter leaves out at once what is not in view. */
+final class PathChunk {
+
+    /** How many points a chunk holds. */
+    static final int POINTS = 4096;
+
+    /** How many points a stretch has. */
+    static final int STRETCH = 64;
+
+    private static final int SIDES = 4;
+
+    private final double[] xy = new double[2 * POINTS];
+    private final double[] boxes = new double[POINTS / STRETCH * SIDES];
+
+    /** Writes the next point. */
+    void set(int index, double x, double y) {
+        xy[2 * index] = x;
+        xy[2 * index + 1] = y;
+        int box = index / STRETCH * SIDES;
+        boolean first = index % STRETCH == 0;
+        boxes[box] = first ? x : Math.min(boxes[box], x);
+        boxes[box + 1] = first ? y : Math.min(boxes[box + 1], y);
+        boxes[box + 2] = first ? x : Math.max(boxes[box + 2], x);
+        boxes[box + 3] = first ? y : Math.max(boxes[box + 3], y);
+    }
+
+    double x(int index) {
+        return xy[2 * index];
+    }
+
+    double y(int index) {
+        return xy[2 * index + 1];
+    }
+
+    /** Whether the box about a stretch whose points are all written overlaps another box. */
+    boolean overlaps(int index, double minX, double minY, double maxX, double maxY) {
+        int box = index / STRETCH * SIDES;
+        return boxes[box] <= maxX && boxes[box + 1] <= maxY && boxes[box + 2] >= minX && boxes[box + 3] >= minY;
+    }
+}

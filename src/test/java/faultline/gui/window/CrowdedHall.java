@@ -1,0 +1,90 @@
+package faultline.gui.window;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.Setup;
+import faultline.geometry.Pose;
+import faultline.geometry.Vec;
+import faultline.gui.theme.Theme;
+import faultline.robot.RobotSpec;
+import faultline.scenario.Expectation;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+import faultline.world.Motion;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WorldSpec;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+
+/** A hall full of shapes of every kind, with an aisle along the wall that the robot goes round and round. */
+final class CrowdedHall {
+
+    /** How many shapes stand in the hall. */
+    static final int SHAPES = 500;
+
+    /** How many of them move. */
+    static final int MOVING = 3;
+
+    private static final int COLUMNS = 28;
+    private static final double PITCH = 0.36;
+    private static final double AISLE = 1.1;
+
+    private final Random random = new Random(7);
+
+    private CrowdedHall() {
+    }
+
+    /** Opens a window with the hall, kept in a file of a folder. */
+    static WindowDriver open(Path folder) throws IOException, ScenarioException {
+        Path file = folder.resolve("hall.xml");
+        scenario().save(file);
+        return WindowDriver.open(Theme.LIGHT, file);
+    }
+
+    static Scenario scenario() {
+        int rows = (SHAPES + COLUMNS - 1) / COLUMNS;
+        WorldSpec world = new WorldSpec(COLUMNS * PITCH + 2 * AISLE, rows * PITCH + 2 * AISLE, true, MOVING, new CrowdedHall().obstacles());
+        RobotSpec robot = RobotSpec.DEFAULT.withPlatform(0.25, 0.20, 0.6);
+        Setup setup = new Setup(world, robot, new Pose(0.5, 0.5, 0), ControllerSpec.WallFollowing.DEFAULT, List.of(), 0.01, 1, 60);
+        return new Scenario("Crowded hall", "", false, setup, Expectation.NONE);
+    }
+
+    private List<Obstacle> obstacles() {
+        List<Obstacle> obstacles = new ArrayList<>();
+        for (int i = 0; i < SHAPES; i++) {
+            obstacles.add(obstacle(i, new Vec(AISLE + (i % COLUMNS + 0.5) * PITCH, AISLE + (i / COLUMNS + 0.5) * PITCH)));
+        }
+        return obstacles;
+    }
+
+    private Obstacle obstacle(int number, Vec place) {
+        boolean moves = number % (SHAPES / MOVING) == SHAPES / MOVING / 2;
+        Vec beside = place.plus(new Vec(0.3, 0.2));
+        Optional<Motion> motion = moves ? Optional.of(new Motion(0.2, true, List.of(place, beside))) : Optional.empty();
+        return new Obstacle("shape" + number, shape(number % 6), new Pose(place.x(), place.y(), random.nextDouble() * 6), motion);
+    }
+
+    private ObstacleShape shape(int kind) {
+        double size = 0.06 + 0.06 * random.nextDouble();
+        return switch (kind) {
+            case 0 -> new ObstacleShape.Rectangle(2 * size, size);
+            case 1 -> new ObstacleShape.Circle(size);
+            case 2 -> new ObstacleShape.Ellipse(size, size / 2);
+            case 3 -> new ObstacleShape.Polygon(star(size));
+            case 4 -> new ObstacleShape.Wall(List.of(new Vec(-size, 0), new Vec(0, size), new Vec(size, 0)));
+            default -> new ObstacleShape.Rectangle(size, size);
+        };
+    }
+
+    private static List<Vec> star(double size) {
+        List<Vec> points = new ArrayList<>();
+        for (int i = 0; i < 10; i++) {
+            points.add(Vec.direction(i * Math.PI / 5).times(i % 2 == 0 ? size : size / 2));
+        }
+        return points;
+    }
+}
