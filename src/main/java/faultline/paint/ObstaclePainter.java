@@ -11,7 +11,7 @@ import java.awt.geom.Rectangle2D;
 
 /**
  * Paints one obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour and with a heavier
- * outline.
+ * outline, a glossy one with a bright line along its edge.
  */
 final class ObstaclePainter {
 
@@ -19,6 +19,8 @@ final class ObstaclePainter {
     private static final Stroke MOVING = Brush.solid(2);
     /** A wall has no thickness in the world; this much makes it seen. */
     private static final Stroke WALL = Brush.solid(4);
+    private static final Stroke GLOSSY = Brush.solid(5);
+    private static final Stroke GLOSS = Brush.solid(2);
     private static final int MOVING_ALPHA = 120;
     /** An obstacle smaller than this on the screen would be hidden by its name, pixels. */
     private static final double SMALL = 30;
@@ -42,6 +44,10 @@ final class ObstaclePainter {
         } else {
             brush.fill(shape, moves ? Palette.translucent(palette.moving(), MOVING_ALPHA) : palette.obstacle());
             brush.draw(shape, outline, moves ? MOVING : STILL);
+        }
+        if (obstacle.isGlossy()) {
+            brush.draw(shape, outline, GLOSSY);
+            brush.draw(shape, palette.canvas(), GLOSS);
         }
     }
 

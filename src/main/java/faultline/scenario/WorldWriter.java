@@ -35,7 +35,7 @@ final class WorldWriter {
         } else if (shape instanceof ObstacleShape.Wall wall) {
             placed("wall", obstacle, out).set("points", text(wall.points()));
         }
-        if (obstacle.specular() < Obstacle.MATT) {
+        if (obstacle.isGlossy()) {
             out.setAngle("specular", obstacle.specular());
         }
         obstacle.motion().ifPresent(motion -> motion(motion, out));

@@ -57,6 +57,45 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motio
     }
 
     /**
+     * Whether its surface sends light back only where it is met steeply.
+     *
+     * @return false for a matt surface
+     */
+    public boolean isGlossy() {
+        return specular < MATT;
+    }
+
+    /**
+     * This obstacle of another shape.
+     *
+     * @param changed the new shape
+     * @return the same obstacle otherwise
+     */
+    public Obstacle shaped(ObstacleShape changed) {
+        return new Obstacle(id, changed, pose, motion, specular);
+    }
+
+    /**
+     * This obstacle on another way.
+     *
+     * @param way its way-points, empty to stand still
+     * @return the same obstacle otherwise
+     */
+    public Obstacle moving(Optional<Motion> way) {
+        return new Obstacle(id, shape, pose, way, specular);
+    }
+
+    /**
+     * This obstacle under another name.
+     *
+     * @param other unique in its world
+     * @return the same obstacle otherwise
+     */
+    public Obstacle named(String other) {
+        return new Obstacle(other, shape, pose, motion, specular);
+    }
+
+    /**
      * This obstacle somewhere else.
      *
      * @param elsewhere the new pose

@@ -147,7 +147,7 @@ final class SensorBank {
         return reading <= spec.range() ? reading : Reading.NOTHING;
     }
 
-    /** All sensors as values, with the points where their cones' outlines meet obstacles' outlines. */
+    /** All sensors as values, with the points where their cones' outlines meet what they can see of obstacles' outlines. */
     List<SensorSnapshot> snapshots(ObstacleField field, Pose pose) {
         double cos = StrictMath.cos(pose.heading());
         double sin = StrictMath.sin(pose.heading());
@@ -158,16 +158,22 @@ final class SensorBank {
             Mount mount = mounts.get(i);
             Sector sector = mount.sector(pose, cos, sin);
             snapshots.add(new SensorSnapshot(mount.spec, sector, new Reading(truth[i]), new Reading(reported[i]),
-                    mount.spec.on() ? hits(sector) : List.of(), mount.faults));
+                    mount.spec.on() ? hits(field, sector) : List.of(), mount.faults));
         }
         return snapshots;
     }
 
-    private List<Vec> hits(Sector sector) {
+    private List<Vec> hits(ObstacleField field, Sector sector) {
         List<Vec> hits = new ArrayList<>();
         for (int i = 0; i < near.size(); i++) {
-            hits.addAll(SectorOutline.hits(sector, near.figure(i)));
+            hits.addAll(hits(sector, near.figure(i), field.specular(near.owner(i))));
         }
         return hits;
+    }
+
+    /** Of a glossy surface only what the sensor can see. */
+    private static List<Vec> hits(Sector sector, Convex figure, double specular) {
+        return specular < Obstacle.MATT && figure instanceof Segment segment
+                ? GlossyDistance.hits(sector, segment, specular) : SectorOutline.hits(sector, figure);
     }
 }

@@ -14,7 +14,7 @@ import java.util.List;
  * @param sector its cone in the world
  * @param truth what is really there, whether it is on or not
  * @param reported what it gives the controller
- * @param hits where the cone's outline meets obstacles' outlines, metres; empty where it is off
+ * @param hits where the cone's outline meets obstacles' outlines, of glossy ones what sends its light back, metres; empty where it is off
  * @param faults its active faults, oldest first
  */
 public record SensorSnapshot(SensorSpec spec, Sector sector, Reading truth, Reading reported, List<Vec> hits, List<Fault> faults) {

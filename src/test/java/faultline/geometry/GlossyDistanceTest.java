@@ -2,6 +2,7 @@ package faultline.geometry;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -47,6 +48,32 @@ class GlossyDistanceTest {
             double incidence = random.nextDouble(0.05, 1.5);
             assertEquals(sampled(sector, segment, incidence), GlossyDistance.nearest(sector, segment, incidence), 2e-3, "case " + i);
         }
+    }
+
+    private static List<Vec> hits(double bearing, double incidence) {
+        return GlossyDistance.hits(Sector.of(Vec.ZERO, Math.toRadians(bearing), CONE, 5), WALL, Math.toRadians(incidence));
+    }
+
+    @Test
+    void whereNothingComesBackNothingIsCircled() {
+        assertEquals(List.of(), hits(50, 29));
+    }
+
+    @Test
+    void circlesStandOnTheConesEdgesWhereAllOfWhatItSeesAnswers() {
+        assertAcross(10, hits(90, 11));
+    }
+
+    @Test
+    void circlesStandAtTheEndsOfWhatAnswersWithinTheCone() {
+        assertAcross(5, hits(90, 5));
+    }
+
+    /** Two circles, so many degrees to the left and to the right. */
+    private static void assertAcross(double degrees, List<Vec> hits) {
+        assertEquals(2, hits.size());
+        assertEquals(-Math.tan(Math.toRadians(degrees)), hits.stream().mapToDouble(Vec::x).min().orElseThrow(), 1e-12);
+        assertEquals(Math.tan(Math.toRadians(degrees)), hits.stream().mapToDouble(Vec::x).max().orElseThrow(), 1e-12);
     }
 
     private static double sampled(Sector sector, Segment segment, double incidence) {

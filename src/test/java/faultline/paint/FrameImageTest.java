@@ -106,6 +106,15 @@ class FrameImageTest {
     }
 
     @Test
+    void aGlossyWallIsABrightLineBetweenTwoDarkOnes() {
+        Obstacle mirror = new Obstacle("mirror", new ObstacleShape.Wall(List.of(new Vec(0, -1), new Vec(0, 1))), new Pose(4, 2, 0), Optional.empty(), 0.2);
+        Pixels pixels = Pixels.of(SampleFrames.of(AT_2_1, mirror), LIGHT);
+        Vec place = new Vec(4, 2.6);
+        assertTrue(pixels.hasNear(LIGHT.obstacleOutline(), place, 3), "its edge");
+        assertTrue(pixels.hasNear(LIGHT.canvas(), place, 1), "its gloss");
+    }
+
+    @Test
     void aMovingObstacleHasItsOwnOutlineAndShowsItsWay() {
         Motion motion = new Motion(0.2, false, List.of(new Vec(3, 3), new Vec(5, 3)));
         Pixels pixels = Pixels.of(SampleFrames.of(AT_2_1,

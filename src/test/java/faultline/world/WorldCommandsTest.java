@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vec;
 import faultline.robot.RobotSpec;
@@ -36,6 +37,18 @@ class WorldCommandsTest {
         world.sense();
         // The desk's near side is at 2.625, the front sensor's seat at 2.125.
         assertEquals(0.5, world.trueReading(FRONT), 1e-12);
+    }
+
+    @Test
+    void whatAGlossyWallDoesNotSendBackIsNotCircledEither() {
+        // The front cone of 20 degrees meets the desk's near side squarely, and that of a desk turned by 30 degrees at 20 to 40.
+        double within = Degrees.toRadians(15);
+        world.apply(new Command.PutObstacle(new Obstacle("desk", DESK.shape(), new Pose(2.875, 2, 0), Optional.empty(), within)));
+        assertEquals(2, world.snapshot().sensors().get(FRONT).hits().size());
+        world.apply(new Command.MoveObstacle("desk", new Pose(2.875, 2, Degrees.toRadians(30))));
+        world.sense();
+        assertEquals(Reading.NOTHING, world.trueReading(FRONT));
+        assertEquals(List.of(), world.snapshot().sensors().get(FRONT).hits());
     }
 
     @Test

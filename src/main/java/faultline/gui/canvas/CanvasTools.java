@@ -69,7 +69,7 @@ public final class CanvasTools {
             List<Vec> way = new ArrayList<>(points);
             way.add(obstacle.pose().position());
             Motion motion = new Motion(obstacle.motion().map(Motion::speed).orElse(USUAL_SPEED), true, way);
-            desk.editor().send(new Command.PutObstacle(new Obstacle(id, obstacle.shape(), obstacle.pose(), Optional.of(motion))));
+            desk.editor().send(new Command.PutObstacle(obstacle.moving(Optional.of(motion))));
         });
         return true;
     }

@@ -39,7 +39,7 @@ public final class Copies {
 
     private static Obstacle moved(Obstacle original, String id, Vec by) {
         Vec place = Metres.round(original.pose().position().plus(by));
-        return new Obstacle(id, original.shape(), new Pose(place.x(), place.y(), original.pose().heading()), original.motion().map(way -> moved(way, by)));
+        return original.named(id).at(new Pose(place.x(), place.y(), original.pose().heading())).moving(original.motion().map(way -> moved(way, by)));
     }
 
     private static Motion moved(Motion way, Vec by) {

@@ -96,7 +96,7 @@ public final class ShapeHandles {
     }
 
     private static Obstacle with(Obstacle obstacle, ObstacleShape shape, Pose pose) {
-        return new Obstacle(obstacle.id(), shape, pose, obstacle.motion());
+        return obstacle.shaped(shape).at(pose);
     }
 
     /**

@@ -103,7 +103,7 @@ final class ObstacleActions {
 
     private void standStill() {
         editor.send(tools.selected().stream().filter(obstacle -> obstacle.motion().isPresent())
-                .<Command>map(obstacle -> new Command.PutObstacle(new Obstacle(obstacle.id(), obstacle.shape(), obstacle.pose()))).toList());
+                .<Command>map(obstacle -> new Command.PutObstacle(obstacle.moving(Optional.empty()))).toList());
     }
 
     private void cut() {

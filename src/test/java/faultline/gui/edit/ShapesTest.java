@@ -8,6 +8,7 @@ import faultline.geometry.Vec;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -74,6 +75,15 @@ class ShapesTest {
         Obstacle triangle = PointShapes.polygon("t", List.of(new Vec(0, 0), new Vec(2, 0), new Vec(0, 2)));
         Obstacle changed = ShapeHandles.dragged(triangle, 1, new Vec(3, 0.5), Snap.NONE);
         assertEquals(List.of(new Vec(0, 0), new Vec(3, 0.5), new Vec(0, 2)), ShapeHandles.places(changed));
+    }
+
+    @Test
+    void aGlossyObstacleStaysGlossyWhenItIsCopiedAndReshaped() {
+        Obstacle glass = new Obstacle("glass", new ObstacleShape.Rectangle(1, 0.5), new Pose(2, 1, 0), Optional.empty(), Degrees.toRadians(8));
+        Obstacle copy = Copies.of(List.of(glass), Set.of("glass")).get(0);
+        assertEquals(glass.specular(), copy.specular());
+        assertEquals("glass-2", copy.id());
+        assertEquals(glass.specular(), ShapeHandles.dragged(glass, 0, new Vec(3, 2), Snap.NONE).specular());
     }
 
     @Test
