@@ -43,7 +43,7 @@ final class Dialogs {
             badFile(file, bad.complaints()).setVisible(true);
             return;
         }
-        String sentence = Texts.text("failed." + task, String.valueOf(file.getFileName()), reason(why));
+        String sentence = Texts.text("failed." + task, String.valueOf(file.getFileName()), reason(why).replace(file + ": ", ""));
         JOptionPane.showMessageDialog(owner, Lines.broken(sentence), Texts.text("failed.title"), JOptionPane.ERROR_MESSAGE);
     }
 

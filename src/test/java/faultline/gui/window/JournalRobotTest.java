@@ -72,7 +72,7 @@ class JournalRobotTest {
         edt(() -> driver.window().open(journal));
         driver.waitForTitle("session.xml (replay)");
         driver.waitForFrame("it is at its beginning", frame -> frame.world().tick() == 0);
-        driver.robot().waitFor("the window says so", () -> driver.note().startsWith("This is a saved run"));
+        driver.robot().waitFor("the window says so", () -> driver.note().startsWith("A saved run"));
         for (int i = 0; i < 12; i++) {
             driver.choose("faster");
         }
@@ -168,7 +168,7 @@ class JournalRobotTest {
         driver.waitForTitle("office.xml*");
         driver.robot().type(KeyEvent.VK_1);
         driver.waitForFrame("a sensor is switched off", frame -> !sensors(frame).get(0).on());
-        driver.robot().waitFor("the window says what becomes of the later edit", () -> driver.note().contains("done again with Redo: 1"));
+        driver.robot().waitFor("the window says what becomes of the later edit", () -> driver.note().endsWith("later edits under Redo: 1"));
         driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_Y);
         driver.waitForFrame("the desk is moved again", frame -> frame.world().obstacles().get(0).equals(moved));
     }

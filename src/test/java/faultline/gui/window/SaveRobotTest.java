@@ -91,7 +91,7 @@ class SaveRobotTest {
         Files.createDirectory(file);
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
         JDialog dialog = driver.dialog("Faultline");
-        assertTrue(WindowDriver.text(dialog).contains("office.xml cannot be saved"), WindowDriver.text(dialog));
+        assertTrue(WindowDriver.text(dialog).contains("office.xml cannot be saved: this is a folder, allowed is a file"), WindowDriver.text(dialog));
         driver.robot().type(KeyEvent.VK_ENTER);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
         assertEquals("office.xml* – Faultline", onEdt(driver.window()::getTitle));

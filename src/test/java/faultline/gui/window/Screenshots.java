@@ -139,10 +139,28 @@ public final class Screenshots {
         driver.robot().waitFor("the examples are there",
                 () -> Components.all(gallery, JList.class).anyMatch(list -> list.getModel().getSize() >= EXAMPLES));
         writeDialog("examples");
-        Path broken = Files.writeString(Files.createTempDirectory("faultline").resolve("broken.xml"),
-                Files.readString(Path.of("scenarios/office.xml")).replaceFirst("<robot ", "<robot lenght=\"1\" speed=\"-1\" "));
-        edt(() -> driver.window().open(broken));
+        takeFileDialogs(new FileScenes(driver));
+    }
+
+    private void takeFileDialogs(FileScenes scenes) throws IOException, AWTException {
+        scenes.broken();
         writeDialog("broken-file");
+        scenes.missing();
+        writeDialog("missing-file");
+        scenes.unsaved();
+        writeDialog("unsaved");
+        scenes.revert();
+        writeDialog("revert");
+        scenes.changedUnsaved();
+        writeDialog("changed-file");
+        scenes.recover();
+        writeDialog("recover");
+        scenes.replay();
+        write(driver.window(), "replay");
+        scenes.longWay();
+        writeDialog("wait");
+        scenes.failedSave();
+        writeDialog("failed-save");
     }
 
     private void writeDialog(String name) throws IOException, AWTException {
