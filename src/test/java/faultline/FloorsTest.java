@@ -66,7 +66,7 @@ class FloorsTest {
             world/World.java         | // import faultline.engine.Setup;
             world/World.java         | /** See {@link faultline.engine.Setup}. */
             scenario/Names.java      | String s = "see faultline.app.Main // no comment";
-            engine/Session.java      | long t = System.nanoTime();
+            engine/WorldLoop.java    | long t = System.nanoTime();
             gui/Window.java          | import javax.swing.JFrame;
             """)
     void whatIsAllowedPasses(String path, String line) {

@@ -3,44 +3,21 @@ package faultline.engine;
 import faultline.world.Command;
 import java.util.List;
 import java.util.Optional;
-import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.atomic.AtomicReference;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongPredicate;
 
 /**
- * An interactive run: owns the world thread and the controller's, takes commands and orders from any thread without ever blocking the caller, and
+ * An interactive run: has a world thread and a controller's, takes commands and orders from any thread without ever blocking the caller, and
  * publishes frames. It starts paused. A restart is a new session from the same setup; a step back is a new session that replays the journal of the old one.
  */
 public final class Session implements AutoCloseable {
 
-    private static final long NO_END = -1;
-
-    private final Queue<Consumer<LiveRun>> orders = new ConcurrentLinkedQueue<>();
-    private final AtomicReference<Frame> newest = new AtomicReference<>();
-    private final AtomicReference<Status> status;
-    private final Thread thread;
-    private final Pacer pacer = new Pacer();
-    private volatile boolean frameWanted;
-    private volatile boolean closed;
-
-    // The world thread's own.
-    private boolean running;
-    private long end = NO_END;
-    private boolean changed;
-    private int refusals;
-    private Optional<String> lastRefusal = Optional.empty();
-    private Optional<String> failure = Optional.empty();
+    private final WorldLoop loop;
 
     private Session(LiveRun run) {
-        newest.set(run.frame());
-        status = new AtomicReference<>(describe());
-        thread = new Thread(() -> live(run), "faultline-world");
-        thread.setDaemon(true);
+        loop = new WorldLoop(run);
     }
 
     /**
@@ -66,7 +43,7 @@ public final class Session implements AutoCloseable {
      */
     public static Session replay(Journal journal, long tick, LongPredicate onward) {
         Session session = new Session(LiveRun.at(journal, tick, onward));
-        session.thread.start();
+        session.loop.start();
         return session;
     }
 
@@ -76,8 +53,7 @@ public final class Session implements AutoCloseable {
      * @return the frame
      */
     public Frame frame() {
-        frameWanted = true;
-        return newest.get();
+        return loop.frame();
     }
 
     /**
@@ -96,31 +72,17 @@ public final class Session implements AutoCloseable {
      * @param told gets what became of each, on the world thread; it must be quick
      */
     public void send(List<Command> commands, Consumer<List<Outcome>> told) {
-        order(run -> told.accept(commands.stream().map(command -> carryOut(run, command)).toList()));
-    }
-
-    private Outcome carryOut(LiveRun run, Command command) {
-        List<Command> undo = run.undoing(command);
-        Optional<String> refusal = run.apply(command);
-        if (refusal.isPresent()) {
-            refusals++;
-            lastRefusal = refusal;
-        }
-        changed = true;
-        return new Outcome(run.ticks() + 1, command, undo, refusal);
+        loop.order(world -> told.accept(commands.stream().map(world::carryOut).toList()));
     }
 
     /** Lets time run. */
     public void run() {
-        order(run -> {
-            running = failure.isEmpty();
-            pacer.restart();
-        });
+        loop.order(WorldLoop::go);
     }
 
     /** Holds time. */
     public void pause() {
-        order(run -> running = false);
+        loop.order(WorldLoop::hold);
     }
 
     /**
@@ -129,22 +91,17 @@ public final class Session implements AutoCloseable {
      * @param tick later than now
      */
     public void holdAt(long tick) {
-        order(run -> end = tick);
+        loop.order(world -> world.holdAt(tick));
     }
 
     /** Forgets where to hold. */
     public void holdNowhere() {
-        holdAt(NO_END);
+        loop.order(WorldLoop::holdNowhere);
     }
 
     /** Makes one tick and holds. */
     public void step() {
-        order(run -> {
-            running = false;
-            if (failure.isEmpty()) {
-                tick(run);
-            }
-        });
+        loop.order(WorldLoop::step);
     }
 
     /**
@@ -157,7 +114,7 @@ public final class Session implements AutoCloseable {
         if (!(factor > 0)) {
             throw new IllegalArgumentException("the speed must be positive: " + factor);
         }
-        order(run -> pacer.setSpeed(factor));
+        loop.order(world -> world.setSpeed(factor));
     }
 
     /**
@@ -166,7 +123,7 @@ public final class Session implements AutoCloseable {
      * @return a value of this moment
      */
     public Status status() {
-        return status.get();
+        return loop.status();
     }
 
     /**
@@ -189,8 +146,8 @@ public final class Session implements AutoCloseable {
 
     private CompletableFuture<Journal> ask(Function<LiveRun, Journal> question) {
         CompletableFuture<Journal> journal = new CompletableFuture<>();
-        order(run -> journal.complete(question.apply(run)));
-        if (closed) {
+        loop.order(world -> journal.complete(question.apply(world.live())));
+        if (loop.isClosed()) {
             journal.completeExceptionally(new IllegalStateException("the session is closed"));
         }
         return journal;
@@ -199,91 +156,7 @@ public final class Session implements AutoCloseable {
     /** Ends the session and its threads; frames already taken stay good. */
     @Override
     public void close() {
-        closed = true;
-        LockSupport.unpark(thread);
-    }
-
-    private void order(Consumer<LiveRun> order) {
-        orders.add(order);
-        LockSupport.unpark(thread);
-    }
-
-    private void live(LiveRun run) {
-        try (run) {
-            while (!closed) {
-                obey(run);
-                if (running) {
-                    tick(run);
-                }
-                publish(run);
-                rest();
-            }
-            // What was asked before the end is answered.
-            obey(run);
-        }
-    }
-
-    private void obey(LiveRun run) {
-        Consumer<LiveRun> order = orders.poll();
-        while (order != null) {
-            try {
-                order.accept(run);
-            } catch (RuntimeException broken) {
-                fail(broken, run);
-            }
-            order = orders.poll();
-        }
-    }
-
-    private void tick(LiveRun run) {
-        try {
-            run.tick();
-            pacer.ticked(run.dt());
-            changed = true;
-            running = running && run.ticks() != end;
-        } catch (RuntimeException broken) {
-            fail(broken, run);
-        }
-    }
-
-    private void fail(RuntimeException broken, LiveRun run) {
-        running = false;
-        failure = Optional.of(broken instanceof RunFailedException
-                ? broken.getMessage() : "the run broke at tick " + run.ticks() + ": " + broken);
-    }
-
-    private void publish(LiveRun run) {
-        if (changed && (frameWanted || !running)) {
-            frameWanted = false;
-            changed = false;
-            if (!running) {
-                run.look();
-            }
-            newest.set(run.frame());
-        }
-        Status now = describe();
-        if (!now.equals(status.get())) {
-            status.set(now);
-        }
-    }
-
-    private Status describe() {
-        return new Status(running, pacer.speed(), running ? pacer.achieved() : 0, refusals, lastRefusal, failure);
-    }
-
-    /** Waits for the next tick's moment, or for an order. */
-    private void rest() {
-        if (!orders.isEmpty() || closed) {
-            return;
-        }
-        if (!running) {
-            LockSupport.park(this);
-        } else {
-            long wait = pacer.nanosToWait();
-            if (wait > 0) {
-                LockSupport.parkNanos(this, wait);
-            }
-        }
+        loop.close();
     }
 
     /**
