@@ -10,7 +10,6 @@ import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Snapshot;
 import faultline.world.World;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -24,13 +23,9 @@ public final class Simulation implements AutoCloseable {
     private final Setup setup;
     private final World world;
     private final ControllerLink controller;
-    private final Timeline timeline;
-    private final TrajectoryHash hash = new TrajectoryHash();
-    private final PathRecorder path = new PathRecorder();
-    private final List<Journal.Entry> journal = new ArrayList<>();
-    private final CommandListener listener;
+    private final Interventions interventions;
+    private final Trajectory trajectory = new Trajectory();
     private Decision acting;
-    private boolean opened;
 
     /**
      * A run at tick 0: its timeline's first commands applied, its sensors read, its controller asked.
@@ -44,12 +39,10 @@ public final class Simulation implements AutoCloseable {
 
     Simulation(Setup setup, ControllerMode mode, CommandListener listener) {
         this.setup = setup;
-        this.listener = listener;
         this.world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
         this.controller = ControllerLink.connect(setup.controller().create(), mode);
-        this.timeline = new Timeline(setup);
         this.acting = new Decision(0, 0, Telemetry.named(setup.controller().firstState()));
-        applyDue(0);
+        this.interventions = new Interventions(setup, world, listener);
         observe();
     }
 
@@ -59,51 +52,18 @@ public final class Simulation implements AutoCloseable {
      * @throws RunFailedException if the controller threw or does not answer
      */
     public void tick() {
-        openTick();
+        interventions.open();
         acting = controller.await();
         world.move(acting.leftVolts(), acting.rightVolts());
         observe();
-        opened = false;
-    }
-
-    /** Step 1: what the timeline holds for the coming tick comes before anything given from outside. */
-    private void openTick() {
-        if (!opened) {
-            applyDue(ticks() + 1);
-            opened = true;
-        }
-    }
-
-    private void applyDue(long tick) {
-        while (timeline.isDue(tick)) {
-            carryOut(timeline.take(), tick);
-        }
-    }
-
-    private Optional<String> carryOut(Command command, long tick) {
-        Optional<String> refusal = world.apply(command);
-        listener.commanded(tick, command, refusal);
-        return refusal;
+        interventions.close();
     }
 
     /** Steps 6 and 7: sense, record, and ask the controller. */
     private void observe() {
         world.sense();
-        record();
+        trajectory.record(world);
         controller.submit(new Observation(world.tick(), setup.dt(), world.robot(), world.reportedReadings()));
-    }
-
-    private void record() {
-        Pose pose = world.pose();
-        hash.add(pose.x());
-        hash.add(pose.y());
-        hash.add(pose.heading());
-        hash.add(world.leftSpeed());
-        hash.add(world.rightSpeed());
-        for (int i = 0; i < world.robot().sensors().size(); i++) {
-            hash.add(world.reportedReading(i));
-        }
-        path.record(pose.x(), pose.y());
     }
 
     /**
@@ -113,12 +73,7 @@ public final class Simulation implements AutoCloseable {
      * @return why it was refused, empty where it was done
      */
     public Optional<String> apply(Command command) {
-        openTick();
-        Optional<String> refusal = carryOut(command, ticks() + 1);
-        if (refusal.isEmpty()) {
-            journal.add(new Journal.Entry(ticks() + 1, command));
-        }
-        return refusal;
+        return interventions.apply(command);
     }
 
     /**
@@ -128,8 +83,7 @@ public final class Simulation implements AutoCloseable {
      * @return the commands, in order, that restore what it is about to change
      */
     List<Command> undoing(Command command) {
-        openTick();
-        return world.undoing(command);
+        return interventions.undoing(command);
     }
 
     /** Reads the sensors again, so that a frame taken between two ticks shows what commands have changed. The run itself does not notice. */
@@ -280,7 +234,7 @@ public final class Simulation implements AutoCloseable {
      * @return of poses, wheel speeds and reported readings
      */
     public long trajectoryHash() {
-        return hash.value();
+        return trajectory.hash();
     }
 
     /**
@@ -298,7 +252,7 @@ public final class Simulation implements AutoCloseable {
      * @return an immutable value
      */
     public Frame frame() {
-        return new Frame(world.snapshot(), telemetry(), leftVolts(), rightVolts(), path.view(), trajectoryHash(), Recording.EMPTY);
+        return new Frame(world.snapshot(), telemetry(), leftVolts(), rightVolts(), trajectory.path(), trajectoryHash(), Recording.EMPTY);
     }
 
     /**
@@ -307,7 +261,7 @@ public final class Simulation implements AutoCloseable {
      * @return an immutable value
      */
     public Journal journal() {
-        return new Journal(setup, journal, ticks());
+        return interventions.journal();
     }
 
     @Override
