@@ -3,6 +3,7 @@ package faultline.paint;
 import faultline.geometry.RigidMotion;
 import faultline.geometry.Vec;
 import faultline.robot.RobotSpec;
+import faultline.world.Snapshot;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
@@ -12,7 +13,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 
-/** Paints an earlier run beside the one that shows: its robot as a dashed outline, a mark where the two first differ, and a caption. Its path is kept as a picture. */
+/** Paints an earlier run beside the one that shows: its robot as a dashed outline, a mark where the two first differ, and a caption. */
 public final class GhostPainter {
 
     private static final Stroke DASHED = Brush.dashed(1.6, 4, 3);
@@ -26,19 +27,35 @@ public final class GhostPainter {
     private GhostPainter() {
     }
 
+    /** Paints all of its path. */
+    static void paintPath(Brush brush, Ghost ghost) {
+        PathPainter.paint(brush, ghost.run().path(), PathStyle.GHOST, 0, Integer.MAX_VALUE, brush.camera().bounds());
+    }
+
     /**
-     * Paints its robot where it was.
+     * Paints its robot where it was; what lives belongs above it.
      *
      * @param brush where to
      * @param ghost the earlier run
-     * @param robot as large as
-     * @param time of the frame that shows, seconds
+     * @param world of the frame that shows
      */
-    public static void paintRobot(Brush brush, Ghost ghost, RobotSpec robot, double time) {
-        AffineTransform frame = RigidMotion.to(ghost.at(time));
+    public static void paintBeneath(Brush brush, Ghost ghost, Snapshot world) {
+        RobotSpec robot = world.robot();
+        AffineTransform frame = RigidMotion.to(ghost.at(world.time()));
         Color colour = brush.palette().ghost();
         brush.draw(brush.onScreen(new Rectangle2D.Double(-robot.length() / 2, -robot.width() / 2, robot.length(), robot.width()), frame), colour, DASHED);
         brush.draw(brush.onScreen(arrow(robot), frame), colour, SOLID);
+    }
+
+    /**
+     * Paints the mark where the two first differ, if they do, and the caption.
+     *
+     * @param brush where to
+     * @param ghost the earlier run
+     */
+    public static void paintAbove(Brush brush, Ghost ghost) {
+        ghost.divergence().ifPresent(tick -> paintMark(brush, ghost.mark(), brush.camera().toScreen(ghost.run().pose(tick).position())));
+        paintCaption(brush, ghost);
     }
 
     private static Shape arrow(RobotSpec robot) {
@@ -49,36 +66,23 @@ public final class GhostPainter {
         return arrow;
     }
 
-    /**
-     * Paints the mark where the two first differ, if they do: a diamond with a line across.
-     *
-     * @param brush where to
-     * @param ghost the earlier run
-     */
-    public static void paintDivergence(Brush brush, Ghost ghost) {
-        ghost.divergence().ifPresent(tick -> {
-            Vec at = brush.camera().toScreen(ghost.run().pose(tick).position());
-            Color colour = brush.palette().ghost();
-            Path2D diamond = new Path2D.Double();
-            diamond.moveTo(at.x() - MARK, at.y());
-            diamond.lineTo(at.x(), at.y() - MARK);
-            diamond.lineTo(at.x() + MARK, at.y());
-            diamond.lineTo(at.x(), at.y() + MARK);
-            diamond.closePath();
-            brush.draw(diamond, brush.palette().canvas(), Brush.HALO);
-            brush.draw(diamond, colour, SOLID);
-            brush.draw(new Line2D.Double(at.x() - MARK / 2, at.y() + MARK / 2, at.x() + MARK / 2, at.y() - MARK / 2), colour, SOLID);
-            brush.label(ghost.mark(), at.x(), at.y() - MARK - LINE_HEIGHT / 2, colour);
-        });
+    /** A diamond with a line across. */
+    private static void paintMark(Brush brush, String text, Vec at) {
+        Color colour = brush.palette().ghost();
+        Path2D diamond = new Path2D.Double();
+        diamond.moveTo(at.x() - MARK, at.y());
+        diamond.lineTo(at.x(), at.y() - MARK);
+        diamond.lineTo(at.x() + MARK, at.y());
+        diamond.lineTo(at.x(), at.y() + MARK);
+        diamond.closePath();
+        brush.draw(diamond, brush.palette().canvas(), Brush.HALO);
+        brush.draw(diamond, colour, SOLID);
+        brush.draw(new Line2D.Double(at.x() - MARK / 2, at.y() + MARK / 2, at.x() + MARK / 2, at.y() - MARK / 2), colour, SOLID);
+        brush.label(text, at.x(), at.y() - MARK - LINE_HEIGHT / 2, colour);
     }
 
-    /**
-     * Paints the caption, in the lower left corner, with a sample of the dashed line.
-     *
-     * @param brush where to
-     * @param ghost the earlier run
-     */
-    public static void paintCaption(Brush brush, Ghost ghost) {
+    /** In the lower left corner, with a sample of the robot's outline. */
+    private static void paintCaption(Brush brush, Ghost ghost) {
         double text = ghost.caption().stream().mapToDouble(line -> brush.measure(line).getWidth()).max().orElse(0);
         double height = LINE_HEIGHT * ghost.caption().size() + PADDING;
         double top = Math.rint(brush.camera().height() - FROM_EDGE - height) + 0.5;

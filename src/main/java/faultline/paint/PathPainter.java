@@ -3,7 +3,6 @@ package faultline.paint;
 import faultline.engine.Path;
 import faultline.geometry.Vec;
 import java.awt.Rectangle;
-import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -11,7 +10,6 @@ import java.awt.geom.Rectangle2D;
 /** Paints where the robot has been, or only a stretch of it, so that a picture of the path can grow instead of being made anew. */
 public final class PathPainter {
 
-    private static final Stroke STROKE = Brush.solid(2);
     /** Points nearer to the last one than this are left out, pixels. */
     private static final double THINNING = 0.7;
     /** How far the line reaches beyond its middle, pixels. */
@@ -29,15 +27,16 @@ public final class PathPainter {
      *
      * @param brush where to
      * @param path the path
+     * @param style how it is drawn
      * @param from the first point's index
      * @param most how many points may be drawn, about
      * @param clip what is to be painted, pixels; lines outside are left out
      * @return what was painted
      */
-    public static Stretch paint(Brush brush, Path path, int from, int most, Rectangle clip) {
+    public static Stretch paint(Brush brush, Path path, PathStyle style, int from, int most, Rectangle clip) {
         Line line = new Line(brush.camera(), path, from, clip);
         line.to(path.size(), most);
-        brush.draw(line.drawn, brush.palette().path(), STROKE);
+        brush.draw(line.drawn, style.colour(brush.palette()), style.stroke());
         return new Stretch(line.next, (double) line.cost / CHEAPER);
     }
 
@@ -56,7 +55,7 @@ public final class PathPainter {
         line.to(path.size(), Integer.MAX_VALUE);
         Vec end = brush.camera().toScreen(robot);
         line.join(end.x(), end.y());
-        brush.draw(line.drawn, brush.palette().path(), STROKE);
+        brush.draw(line.drawn, PathStyle.RUN.colour(brush.palette()), PathStyle.RUN.stroke());
     }
 
     /** A line through some of the points of a path. */

@@ -6,6 +6,7 @@ import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 
@@ -26,14 +27,24 @@ public record ScenePainter(Set<Layer> layers) {
      *
      * @param brush where to
      * @param frame the frame
+     * @param ghost an earlier run beside it, empty for none
      */
-    public void paint(Brush brush, Frame frame) {
+    public void paint(Brush brush, Frame frame, Optional<Ghost> ghost) {
         Predicate<Obstacle> moves = obstacle -> obstacle.motion().isPresent();
         List<Obstacle> obstacles = frame.world().obstacles();
         paintBackdrop(brush, frame.world());
         obstacles.stream().filter(moves.negate()).forEach(obstacle -> paintStill(brush, obstacle));
+        ghost.ifPresent(earlier -> paintGhost(brush, earlier, frame.world()));
         paintLive(brush, frame, obstacles.stream().filter(moves).toList(), 0);
         paintMargin(brush, frame.world());
+        ghost.ifPresent(earlier -> GhostPainter.paintAbove(brush, earlier));
+    }
+
+    private void paintGhost(Brush brush, Ghost ghost, Snapshot world) {
+        if (layers.contains(Layer.PATH)) {
+            GhostPainter.paintPath(brush, ghost);
+        }
+        GhostPainter.paintBeneath(brush, ghost, world);
     }
 
     /**

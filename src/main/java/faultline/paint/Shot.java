@@ -3,6 +3,7 @@ package faultline.paint;
 import faultline.engine.Frame;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -12,11 +13,24 @@ import java.util.Set;
  * @param camera what part of the world, and how large the picture is
  * @param palette the colours; {@link Palette#LIGHT} for files
  * @param layers the layers that show
+ * @param ghost an earlier run beside the frame's, empty for none
  */
-public record Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layers) {
+public record Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layers, Optional<Ghost> ghost) {
 
     public Shot {
         layers = Set.copyOf(layers);
+    }
+
+    /**
+     * A picture without an earlier run.
+     *
+     * @param frame what to paint
+     * @param camera what part of the world, and how large the picture is
+     * @param palette the colours
+     * @param layers the layers that show
+     */
+    public Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layers) {
+        this(frame, camera, palette, layers, Optional.empty());
     }
 
     /**
@@ -26,7 +40,7 @@ public record Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layer
      * @return the same shot otherwise
      */
     public Shot of(Frame other) {
-        return new Shot(other, camera, palette, layers);
+        return new Shot(other, camera, palette, layers, ghost);
     }
 
     /**
@@ -39,7 +53,7 @@ public record Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layer
     }
 
     private void paint(Brush brush) {
-        new ScenePainter(layers).paint(brush, frame);
+        new ScenePainter(layers).paint(brush, frame, ghost);
     }
 
     /**

@@ -12,6 +12,8 @@ import java.awt.print.Paper;
 import java.awt.print.Printable;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
@@ -48,6 +50,19 @@ class ShotTest {
         assertTrue(elements(svg, "path").anyMatch(path -> path.getAttribute("stroke").equals("#009e73")), "the robot's path");
         assertTrue(elements(svg, "path").anyMatch(path -> !path.getAttribute("stroke-dasharray").isEmpty()), "broken lines");
         assertTrue(elements(svg, "text").anyMatch(text -> text.getTextContent().contains("12.48")), "the badge of the first collision");
+    }
+
+    @Test
+    void anEarlierRunShowsItsPathItsOutlineWhereTheyDifferAndItsCaption() throws Exception {
+        Shot without = shot(FRAME);
+        Ghost ghost = SampleGhosts.ofTheOffice();
+        Document svg = parse(new Shot(FRAME, without.camera(), Palette.LIGHT, Layer.usual(), Optional.of(ghost)).svg());
+        List<Element> strokes = elements(svg, "path").filter(path -> path.getAttribute("stroke").equals("#7a4fa3")).toList();
+        assertTrue(strokes.stream().anyMatch(path -> path.getAttribute("stroke-width").equals("1")), "its path");
+        assertTrue(strokes.stream().anyMatch(path -> !path.getAttribute("stroke-dasharray").isEmpty()), "its outline");
+        assertTrue(elements(svg, "text").anyMatch(text -> text.getTextContent().equals(ghost.mark())), "the mark");
+        assertTrue(elements(svg, "text").anyMatch(text -> text.getTextContent().equals(ghost.caption().get(0))), "the caption");
+        assertTrue(elements(parse(without.svg()), "path").noneMatch(path -> path.getAttribute("stroke").equals("#7a4fa3")));
     }
 
     @Test

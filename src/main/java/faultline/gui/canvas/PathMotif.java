@@ -4,17 +4,19 @@ import faultline.engine.Path;
 import faultline.paint.Brush;
 import faultline.paint.Camera;
 import faultline.paint.PathPainter;
+import faultline.paint.PathStyle;
 import java.awt.Rectangle;
 import java.util.List;
 import java.util.Optional;
 
 /**
- * The path, point by point. Points are added to its picture in batches, because an image that changes must be sent to the screen again as a whole; the few points
+ * A path, point by point. Points are added to its picture in batches, because an image that changes must be sent to the screen again as a whole; the few points
  * since the last batch are painted with each frame.
  *
  * @param path so far
+ * @param style how it is drawn
  */
-record PathMotif(Path path) implements Motif<PathMotif> {
+record PathMotif(Path path, PathStyle style) implements Motif<PathMotif> {
 
     /** How many points are left to be painted with each frame before they are added: about four seconds of driving. */
     private static final int BATCH = 256;
@@ -37,7 +39,7 @@ record PathMotif(Path path) implements Motif<PathMotif> {
 
     @Override
     public int paint(Brush brush, Rectangle clip, int from, Effort effort) {
-        PathPainter.Stretch painted = PathPainter.paint(brush, path, Math.max(0, from - 1), (int) Math.ceil(POINTS * effort.left()), clip);
+        PathPainter.Stretch painted = PathPainter.paint(brush, path, style, Math.max(0, from - 1), (int) Math.ceil(POINTS * effort.left()), clip);
         effort.spend(painted.cost() / POINTS);
         return painted.end();
     }

@@ -8,6 +8,7 @@ import faultline.paint.Ghost;
 import faultline.paint.GhostPainter;
 import faultline.paint.Layer;
 import faultline.paint.Palette;
+import faultline.paint.PathStyle;
 import faultline.paint.ScenePainter;
 import faultline.paint.SelectionPainter;
 import faultline.world.Obstacle;
@@ -29,6 +30,8 @@ final class Picture {
 
     private final KeptLayer<GroundMotif> ground = new KeptLayer<>();
     private final KeptLayer<PathMotif> path = new KeptLayer<>();
+    private final KeptLayer<PathMotif> ghostPath = new KeptLayer<>();
+    private Effort effort = new Effort();
     private boolean complete = true;
 
     /** Paints a frame at the resolution of the device that the graphics belongs to. */
@@ -39,31 +42,38 @@ final class Picture {
         Map<Boolean, List<Obstacle>> byLife = frame.world().obstacles().stream().collect(Collectors.partitioningBy(
                 obstacle -> obstacle.motion().isPresent() || apart.contains(obstacle.id())));
         Set<String> marked = apart.isEmpty() ? scene.selection().get() : Set.of();
-        PathMotif driven = new PathMotif(frame.path());
-        bring(new GroundMotif(frame.world(), byLife.get(false), marked, painter), driven, view, layers.contains(Layer.PATH));
+        PathMotif driven = new PathMotif(frame.path(), PathStyle.RUN);
+        Optional<Ghost> ghost = scene.ghost().get();
+        bringGround(new GroundMotif(frame.world(), byLife.get(false), marked, painter), view);
         ground.show(graphics, camera);
         if (layers.contains(Layer.PATH)) {
+            bring(path, driven, view);
+            ghost.ifPresent(earlier -> bring(ghostPath, new PathMotif(earlier.run().path(), PathStyle.GHOST), view));
+            ghost.ifPresent(earlier -> ghostPath.show(graphics, camera));
             path.show(graphics, camera);
         }
         Brush brush = new Brush(graphics, camera, palette);
-        Optional<Ghost> ghost = scene.ghost().get();
-        ghost.ifPresent(earlier -> GhostPainter.paintRobot(brush, earlier, frame.world().robot(), frame.world().time()));
+        ghost.ifPresent(earlier -> GhostPainter.paintBeneath(brush, earlier, frame.world()));
         painter.paintLive(brush, frame, byLife.get(true), driven.tailFrom(path.shown()));
-        ghost.ifPresent(earlier -> GhostPainter.paintDivergence(brush, earlier));
         byLife.get(true).stream().filter(scene::isSelected).forEach(obstacle -> SelectionPainter.paintOutline(brush, obstacle));
         paintHandles(brush, scene);
         painter.paintMargin(brush, frame.world());
-        ghost.ifPresent(earlier -> GhostPainter.paintCaption(brush, earlier));
+        ghost.ifPresent(earlier -> GhostPainter.paintAbove(brush, earlier));
     }
 
-    /** The path waits for the ground. */
-    private void bring(GroundMotif wantedGround, PathMotif wantedPath, LayerImage.View view, boolean withPath) {
-        Effort effort = new Effort();
-        ground.bring(wantedGround, view, effort);
-        if (ground.isComplete() && withPath && !effort.isSpent()) {
-            path.bring(wantedPath, view, effort);
+    private void bringGround(GroundMotif wanted, LayerImage.View view) {
+        effort = new Effort();
+        ground.bring(wanted, view, effort);
+        complete = ground.isComplete();
+    }
+
+    /** A path waits for the ground, and for the path before it. */
+    private void bring(KeptLayer<PathMotif> layer, PathMotif wanted, LayerImage.View view) {
+        complete = complete && !effort.isSpent();
+        if (complete) {
+            layer.bring(wanted, view, effort);
+            complete = layer.isComplete();
         }
-        complete = ground.isComplete() && (!withPath || path.isComplete());
     }
 
     private static void paintHandles(Brush brush, Scene scene) {

@@ -94,7 +94,7 @@ public final class SimulationCanvas extends JComponent {
      */
     public Optional<Shot> shot(Palette colours) {
         assert EventQueue.isDispatchThread();
-        return frame().map(now -> new Shot(now, camera(), colours, layers));
+        return frame().map(now -> new Shot(now, camera(), colours, layers, scene.ghost().get()));
     }
 
     /**

@@ -11,15 +11,18 @@ import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vec;
 import faultline.paint.FrameImage;
+import faultline.paint.Ghost;
 import faultline.paint.Layer;
 import faultline.paint.Palette;
 import faultline.paint.Pixels;
+import faultline.paint.SampleGhosts;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /** The canvas keeps parts of its picture; whatever happens, it must look as if it had been painted at once. No display is needed. */
@@ -76,6 +79,19 @@ class CanvasPictureTest {
     void thePathOfARestartedRunDoesNotKeepTheOldOne() {
         shown(SampleFrames.of(ROBOT, SampleFrames.path(line(0, 400).toArray(Vec[]::new)), List.of()));
         assertLooksLikeAFileButForJoints(SampleFrames.of(ROBOT, SampleFrames.path(new Vec(1, 1), new Vec(1.5, 1)), List.of()));
+    }
+
+    @Test
+    void anEarlierRunLooksLikeInAFileAndLeavesNothingWhenItIsRemoved() {
+        Frame frame = SampleFrames.everything();
+        Ghost ghost = SampleGhosts.ofTheOffice();
+        shown(frame);
+        edt(() -> canvas.setGhost(Optional.of(ghost)));
+        BufferedImage file = onEdt(() -> canvas.shot(Palette.LIGHT).orElseThrow().image(1));
+        assertTrue(Pixels.unlike(file, picture(frame)) > 100, "the ghost shows");
+        assertTrue(Pixels.unlike(file, shown(frame)) < 30, "but for joints of its path");
+        edt(() -> canvas.setGhost(Optional.empty()));
+        assertLooksLikeAFile(frame);
     }
 
     @Test
