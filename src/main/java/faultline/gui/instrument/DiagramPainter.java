@@ -7,6 +7,7 @@ import faultline.engine.Frame;
 import faultline.engine.record.EventLog;
 import faultline.engine.record.RunEvent;
 import faultline.engine.record.StateTally;
+import faultline.geometry.Vec;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Smooth;
 import faultline.gui.theme.Theme;
@@ -24,6 +25,8 @@ final class DiagramPainter {
 
     private static final Font NAME = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
     private static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
+    private static final double LEAST_LETTERS = 8;
+    private static final double SIDES = 8;
     private static final double HEAD = 8;
 
     private final Graphics2D g;
@@ -49,8 +52,15 @@ final class DiagramPainter {
         for (FollowerState state : FollowerState.values()) {
             state(state);
         }
-        centred(last.map(DiagramPainter::sentence).orElseGet(() -> Texts.text("diagram.none")), width / 2, height - 9, SMALL.deriveFont(Font.BOLD),
-                last.isPresent() ? colours.accent() : colours.muted());
+        Font bold = SMALL.deriveFont(Font.BOLD);
+        fitted(last.map(transition -> sentence(transition, width - SIDES, bold)).orElseGet(() -> Texts.text("diagram.none")),
+                new Vec(width / 2, height - 9), width - SIDES, bold, last.isPresent() ? colours.accent() : colours.muted());
+    }
+
+    /** Where all of it does not fit, the condition alone: the arrow that is thick says the rest. */
+    private String sentence(RunEvent.Transition last, double room, Font font) {
+        String whole = sentence(last);
+        return g.getFontMetrics(font).stringWidth(whole) <= room ? whole : condition(last);
     }
 
     /** The newest transition that the log still has. */
@@ -65,7 +75,11 @@ final class DiagramPainter {
     }
 
     static String sentence(RunEvent.Transition last) {
-        return Texts.text("diagram.last", StateText.name(last.from()), StateText.name(last.to()), StateText.condition(last.from(), last.to(), last.condition()));
+        return Texts.text("diagram.last", StateText.name(last.from()), StateText.name(last.to()), condition(last));
+    }
+
+    private static String condition(RunEvent.Transition last) {
+        return StateText.condition(last.from(), last.to(), last.condition());
     }
 
     private static boolean isLast(Arrow arrow, Optional<RunEvent.Transition> last) {
@@ -108,14 +122,20 @@ final class DiagramPainter {
         g.setStroke(Smooth.line(active ? 2.5 : 1));
         g.draw(Smooth.box(box.getX(), box.getY(), box.getWidth(), box.getHeight()));
         double middle = box.getCenterY();
-        centred(StateText.name(state.name()), box.getCenterX(), middle - 2, active ? NAME.deriveFont(Font.BOLD) : NAME,
+        fitted(StateText.name(state.name()), new Vec(box.getCenterX(), middle - 2), box.getWidth() - 4, active ? NAME.deriveFont(Font.BOLD) : NAME,
                 active ? colours.onAccent() : colours.text());
-        centred(stay(state), box.getCenterX(), middle + 13, SMALL, active ? colours.onAccent() : colours.muted());
+        fitted(stay(state), new Vec(box.getCenterX(), middle + 13), box.getWidth() - 4, SMALL, active ? colours.onAccent() : colours.muted());
     }
 
     /** How long and how often; a dash where never. */
     private String stay(FollowerState state) {
         return tally.stay(state.name()).map(stay -> String.format(Locale.ROOT, "%.1f s · %d×", stay.ticks() * dt, stay.visits())).orElse("–");
+    }
+
+    /** In smaller letters where the room is short. */
+    private void fitted(String text, Vec foot, double room, Font font, Color colour) {
+        double share = Math.min(1, room / g.getFontMetrics(font).stringWidth(text));
+        centred(text, foot.x(), foot.y(), font.deriveFont((float) Math.max(LEAST_LETTERS, font.getSize2D() * share)), colour);
     }
 
     private void centred(String text, double x, double baseLine, Font font, Color colour) {

@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import faultline.engine.Frame;
 import faultline.engine.record.RunEvent;
 import faultline.gui.text.Texts;
+import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.event.ActionEvent;
@@ -20,11 +21,13 @@ import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingConstants;
+import javax.swing.table.TableColumn;
 
 /** The list of what happened in a run. A double click or Enter on an event jumps to its moment. The newest stays in view unless a row is chosen. */
 public final class EventLogView extends JPanel {
 
     private static final int[] WIDTHS = {100, 130, 700};
+    private static final int[] LEAST_WIDTHS = {62, 98, 120};
     private static final int ROW = 22;
     private static final String JUMP = "jump";
 
@@ -53,14 +56,15 @@ public final class EventLogView extends JPanel {
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.setDefaultRenderer(Object.class, new EventCells(events));
         table.setShowVerticalLines(false);
-        table.setRowHeight(ROW);
+        table.setRowHeight(TextSize.scaled(ROW));
         table.setFillsViewportHeight(true);
         table.getTableHeader().setReorderingAllowed(false);
         for (int i = 0; i < WIDTHS.length; i++) {
-            table.getColumnModel().getColumn(i).setPreferredWidth(WIDTHS[i]);
+            TableColumn column = table.getColumnModel().getColumn(i);
+            column.setPreferredWidth(TextSize.scaled(WIDTHS[i]));
+            column.setMinWidth(TextSize.scaled(LEAST_WIDTHS[i]));
+            column.setMaxWidth(i == WIDTHS.length - 1 ? Integer.MAX_VALUE : TextSize.scaled(2 * WIDTHS[i]));
         }
-        table.getColumnModel().getColumn(0).setMaxWidth(2 * WIDTHS[0]);
-        table.getColumnModel().getColumn(1).setMaxWidth(2 * WIDTHS[1]);
         if (table.getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
             headings.setHorizontalAlignment(SwingConstants.LEADING);
         }

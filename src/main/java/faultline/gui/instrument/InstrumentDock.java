@@ -3,10 +3,12 @@ package faultline.gui.instrument;
 import faultline.engine.Frame;
 import faultline.engine.record.RunEvent;
 import faultline.gui.text.Texts;
+import faultline.gui.theme.TextSize;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.Optional;
 import java.util.function.LongConsumer;
+import javax.swing.JComponent;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 
@@ -34,13 +36,17 @@ public final class InstrumentDock extends JTabbedPane {
         events = new EventLogView(jump);
         split = new PlacedSplit(JSplitPane.HORIZONTAL_SPLIT, chart, diagram, 0.5);
         split.place(width -> width / 2);
-        addTab(Texts.text("instruments.charts"), split);
-        addTab(Texts.text("instruments.timing"), timing);
-        addTab(Texts.text("instruments.events"), events);
+        add("charts", split);
+        add("timing", timing);
+        add("events", events);
         setMinimumSize(LEAST);
-        setPreferredSize(USUAL);
+        setPreferredSize(new Dimension(TextSize.scaled(USUAL.width), TextSize.scaled(USUAL.height)));
         getAccessibleContext().setAccessibleName(Texts.text("instruments"));
         addChangeListener(event -> newest.ifPresent(this::update));
+    }
+
+    private void add(String key, JComponent instrument) {
+        addTab(Texts.text("instruments." + key), null, instrument, Texts.text("instruments." + key + ".tip"));
     }
 
     /**

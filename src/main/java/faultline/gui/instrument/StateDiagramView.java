@@ -6,6 +6,7 @@ import faultline.control.StateDiagram.Arrow;
 import faultline.engine.Frame;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Smooth;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.BasicStroke;
 import java.awt.Dimension;
@@ -61,8 +62,12 @@ public final class StateDiagramView extends JComponent {
         return Arrays.stream(FollowerState.values()).anyMatch(state -> state.name().equals(shown.control().state()));
     }
 
+    private double scale() {
+        return TextSize.enlargement(getWidth(), getHeight(), LEAST);
+    }
+
     private DiagramLayout layoutNow() {
-        return new DiagramLayout(getWidth(), getHeight());
+        return new DiagramLayout(getWidth() / scale(), getHeight() / scale());
     }
 
     @Override
@@ -70,8 +75,9 @@ public final class StateDiagramView extends JComponent {
         graphics.setColor(Theme.current().palette().canvas());
         graphics.fillRect(0, 0, getWidth(), getHeight());
         Smooth.paint(graphics, g -> frame.ifPresent(shown -> {
+            g.scale(scale(), scale());
             if (isFollower(shown)) {
-                new DiagramPainter(g, layoutNow(), Theme.current(), shown).paint(getWidth(), getHeight());
+                new DiagramPainter(g, layoutNow(), Theme.current(), shown).paint(getWidth() / scale(), getHeight() / scale());
             } else {
                 g.setColor(Theme.now().muted());
                 g.drawString(Texts.text("diagram.other", StateText.name(shown.control().state())), 16, 28);
@@ -86,7 +92,7 @@ public final class StateDiagramView extends JComponent {
     }
 
     private boolean isNear(Arrow arrow, MouseEvent event) {
-        return new BasicStroke(NEAR).createStrokedShape(layoutNow().route(arrow).shaft()).contains(event.getX(), event.getY());
+        return new BasicStroke(NEAR).createStrokedShape(layoutNow().route(arrow).shaft()).contains(event.getX() / scale(), event.getY() / scale());
     }
 
     private String explain(Arrow arrow) {

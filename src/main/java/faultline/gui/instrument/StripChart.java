@@ -5,6 +5,7 @@ import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
 import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.List;
 import javax.swing.BorderFactory;
@@ -16,6 +17,8 @@ import javax.swing.JToggleButton;
 
 /** A chart of numbers over time, with a choice of what it shows and a button that holds it still. */
 public final class StripChart extends JPanel {
+
+    private static final int LEAST_CHOICE = 80;
 
     private final StripView view = new StripView();
     private final JComboBox<Signal> choice = new JComboBox<>();
@@ -38,6 +41,8 @@ public final class StripChart extends JPanel {
         bar.setBorder(BorderFactory.createEmptyBorder(4, 10, 4, 10));
         choice.setPrototypeDisplayValue(new Signal(Texts.text("signal.sensor", "front-right") + "  ", "", List.of()));
         choice.setMaximumSize(choice.getPreferredSize());
+        choice.setMinimumSize(new Dimension(LEAST_CHOICE, choice.getPreferredSize().height));
+        hold.setMinimumSize(hold.getPreferredSize());
         bar.add(choice);
         bar.add(Box.createHorizontalStrut(6));
         bar.add(hold);

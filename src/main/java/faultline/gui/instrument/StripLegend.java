@@ -1,6 +1,7 @@
 package faultline.gui.instrument;
 
 import faultline.gui.theme.Smooth;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
 import java.awt.Font;
@@ -13,7 +14,6 @@ import javax.swing.JComponent;
 /** What the lines of a strip chart are called. */
 final class StripLegend extends JComponent {
 
-    private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
     private static final int SAMPLE = 26;
     private static final int GAP = 6;
     private static final int APART = 16;
@@ -22,7 +22,7 @@ final class StripLegend extends JComponent {
     private transient List<Curve> curves = List.of();
 
     StripLegend() {
-        setFont(FONT);
+        setFont(TextSize.font(Font.PLAIN, 11));
     }
 
     void setSignal(Signal signal) {
@@ -33,8 +33,18 @@ final class StripLegend extends JComponent {
 
     @Override
     public Dimension getPreferredSize() {
-        int width = curves.stream().mapToInt(curve -> SAMPLE + GAP + getFontMetrics(FONT).stringWidth(curve.name()) + APART).sum();
-        return new Dimension(width, HEIGHT);
+        int width = curves.stream().mapToInt(this::width).sum();
+        return new Dimension(width, TextSize.scaled(HEIGHT));
+    }
+
+    private int width(Curve curve) {
+        return SAMPLE + GAP + getFontMetrics(getFont()).stringWidth(curve.name()) + APART;
+    }
+
+    /** Names that do not fit are left out. */
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(0, getPreferredSize().height);
     }
 
     @Override
@@ -45,19 +55,21 @@ final class StripLegend extends JComponent {
     @Override
     protected void paintComponent(Graphics graphics) {
         Smooth.paint(graphics, g -> {
+            g.setFont(getFont());
             double x = 0;
-            for (int i = curves.size() - 1; i >= 0; i--) {
+            for (int i = curves.size() - 1; i >= 0 && x + width(curves.get(i)) <= getWidth(); i--) {
                 x = paint(g, curves.get(i), x) + APART;
             }
         });
     }
 
-    private static double paint(Graphics2D g, Curve curve, double x) {
+    private double paint(Graphics2D g, Curve curve, double x) {
         g.setColor(curve.colour().apply(Theme.current()));
         g.setStroke(curve.stroke());
-        g.draw(new Line2D.Double(x, HEIGHT / 2.0, x + SAMPLE, HEIGHT / 2.0));
+        double middle = getHeight() / 2.0;
+        g.draw(new Line2D.Double(x, middle, x + SAMPLE, middle));
         g.setColor(Theme.now().text());
-        g.drawString(curve.name(), (float) (x + SAMPLE + GAP), HEIGHT / 2f + 4);
+        g.drawString(curve.name(), (float) (x + SAMPLE + GAP), (float) (middle + g.getFontMetrics().getAscent() / 2.0 - 2));
         return x + SAMPLE + GAP + g.getFontMetrics().stringWidth(curve.name());
     }
 }

@@ -3,11 +3,13 @@ package faultline.gui.instrument;
 import faultline.engine.Frame;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Smooth;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -71,7 +73,7 @@ final class StripView extends JComponent {
 
     /** Where on the chart a place of this component is: 0 at its beginning, 1 at its end. */
     double share(double x) {
-        return (x - StripScale.LEFT) / Math.max(1, getWidth() - StripScale.LEFT - StripScale.RIGHT);
+        return (x / enlargement() - StripScale.LEFT) / Math.max(1, getWidth() / enlargement() - StripScale.LEFT - StripScale.RIGHT);
     }
 
     /** Reads out the values at a place of this component, or none. */
@@ -90,8 +92,12 @@ final class StripView extends JComponent {
                 : Optional.of(new ReadOut(scale, span.at(share(pointer.getAsDouble())))).filter(out -> !out.isEmpty());
     }
 
+    private double enlargement() {
+        return TextSize.enlargement(getWidth(), getHeight(), LEAST);
+    }
+
     private Optional<StripScale> scale() {
-        return frame.flatMap(shown -> signal.map(chosen -> StripScale.of(shown, chosen, span, getWidth(), getHeight())));
+        return frame.flatMap(shown -> signal.map(chosen -> StripScale.of(shown, chosen, span, (int) (getWidth() / enlargement()), (int) (getHeight() / enlargement()))));
     }
 
     private void paint(Graphics2D g, StripScale scale) {
@@ -104,7 +110,10 @@ final class StripView extends JComponent {
         graphics.setColor(Theme.current().palette().canvas());
         graphics.fillRect(0, 0, getWidth(), getHeight());
         Smooth.paint(graphics, g -> {
+            AffineTransform whole = g.getTransform();
+            g.scale(enlargement(), enlargement());
             scale().ifPresent(scale -> paint(g, scale));
+            g.setTransform(whole);
             if (isFocusOwner()) {
                 g.setColor(Theme.now().accent());
                 g.draw(Smooth.box(0, 0, getWidth(), getHeight()));

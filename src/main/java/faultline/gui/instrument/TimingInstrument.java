@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import faultline.engine.Frame;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Smooth;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -67,29 +68,34 @@ public final class TimingInstrument extends JComponent {
     protected void paintComponent(Graphics graphics) {
         graphics.setColor(Theme.current().palette().canvas());
         graphics.fillRect(0, 0, getWidth(), getHeight());
-        Smooth.paint(graphics, g -> spin.ifPresentOrElse(shown -> paint(g, shown), () -> paintNone(g)));
+        double scale = TextSize.enlargement(getWidth(), getHeight(), LEAST);
+        Smooth.paint(graphics, g -> {
+            g.scale(scale, scale);
+            spin.ifPresentOrElse(shown -> paint(g, shown, getWidth() / scale, getHeight() / scale), () -> paintNone(g));
+        });
     }
 
     private void paintNone(Graphics2D g) {
+        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
         g.setColor(Theme.now().muted());
         g.drawString(Texts.text("spin.none"), 16, 28);
     }
 
-    private void paint(Graphics2D g, Spin shown) {
-        double radius = Math.min(90, getHeight() / 2.0 - 16);
-        double numbers = getWidth() - NUMBERS;
+    private void paint(Graphics2D g, Spin shown, double width, double height) {
+        double radius = Math.min(90, height / 2 - 16);
+        double numbers = width - NUMBERS;
         double dial = numbers - GAP - radius;
-        Rectangle2D plot = new Rectangle2D.Double(LEFT, TOP, Math.max(1, dial - radius - GAP - LEFT), Math.max(1, getHeight() - TOP - BOTTOM));
+        Rectangle2D plot = new Rectangle2D.Double(LEFT, TOP, Math.max(1, dial - radius - GAP - LEFT), Math.max(1, height - TOP - BOTTOM));
         new SpinChart(g, Theme.current(), shown, plot).paint();
-        new SpinDial(g, Theme.current(), dial, getHeight() / 2.0, radius).paint(shown);
-        paintNumbers(g, numbers);
+        new SpinDial(g, Theme.current(), dial, height / 2, radius).paint(shown);
+        paintNumbers(g, numbers, height);
     }
 
-    private void paintNumbers(Graphics2D g, double x) {
+    private void paintNumbers(Graphics2D g, double x, double height) {
         List<SpinText.Row> rows = rows();
-        double row = Math.min(ROW, (getHeight() - 16.0) / rows.size());
+        double row = Math.min(ROW, (height - 16) / rows.size());
         for (int i = 0; i < rows.size(); i++) {
-            float y = (float) (getHeight() / 2.0 + (i + 0.75 - rows.size() / 2.0) * row);
+            float y = (float) (height / 2 + (i + 0.75 - rows.size() / 2.0) * row);
             boolean last = i == rows.size() - 1;
             g.setFont(new Font(Font.SANS_SERIF, last ? Font.BOLD : Font.PLAIN, 12));
             g.setColor(last ? Theme.now().text() : Theme.now().muted());

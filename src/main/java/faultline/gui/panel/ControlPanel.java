@@ -48,21 +48,31 @@ public final class ControlPanel extends JPanel {
         JPanel top = new JPanel(new BorderLayout());
         top.add(column, BorderLayout.NORTH);
         JScrollPane scroll = new JScrollPane(top, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.getVerticalScrollBar().setUnitIncrement(WHEEL);
+        scroll.getHorizontalScrollBar().setUnitIncrement(WHEEL);
         add(scroll, BorderLayout.CENTER);
     }
 
-    /** Wide enough for its rows before there are any, and for the scroll bar before it comes. */
+    /** As wide as at the normal size of texts; larger ones can be scrolled to where the window has no room for more. */
     @Override
     public Dimension getMinimumSize() {
-        return new Dimension(TextSize.scaled(WIDTH), super.getMinimumSize().height);
+        return new Dimension(WIDTH, super.getMinimumSize().height);
     }
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(TextSize.scaled(WIDTH), super.getPreferredSize().height);
+        return new Dimension(usualWidth(), super.getPreferredSize().height);
+    }
+
+    /**
+     * Wide enough for its rows before there are any, and for the scroll bar before it comes.
+     *
+     * @return pixels
+     */
+    public int usualWidth() {
+        return TextSize.scaled(WIDTH);
     }
 
     /**

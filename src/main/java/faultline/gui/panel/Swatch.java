@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.gui.theme.Smooth;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.SensorColours;
 import java.awt.BasicStroke;
@@ -17,14 +18,15 @@ import javax.swing.JComponent;
 final class Swatch extends JComponent {
 
     private static final int SIZE = 18;
-    private static final Font FONT = new Font(Font.SANS_SERIF, Font.BOLD, 11);
 
     private final int index;
+    private final int size = TextSize.scaled(SIZE);
+    private final Font font = TextSize.font(Font.BOLD, 11);
 
     /** The swatch of a sensor by its place in the robot's order, from 0. */
     Swatch(int index) {
         this.index = index;
-        setPreferredSize(new Dimension(SIZE, SIZE));
+        setPreferredSize(new Dimension(size, size));
         setMinimumSize(getPreferredSize());
     }
 
@@ -32,7 +34,7 @@ final class Swatch extends JComponent {
     protected void paintComponent(Graphics graphics) {
         SensorColours colours = Theme.current().palette().sensor(index);
         Smooth.paint(graphics, g -> {
-            Shape box = Smooth.box(0, 0, SIZE, SIZE);
+            Shape box = Smooth.box(0, 0, size, size);
             g.setColor(colours.fill());
             g.fill(box);
             g.setColor(colours.outline());
@@ -44,10 +46,10 @@ final class Swatch extends JComponent {
 
     private void paintNumber(Graphics2D g, Color colour) {
         String number = Integer.toString(index + 1);
-        Rectangle2D bounds = FONT.createGlyphVector(g.getFontRenderContext(), number).getVisualBounds();
-        g.setFont(FONT);
+        Rectangle2D bounds = font.createGlyphVector(g.getFontRenderContext(), number).getVisualBounds();
+        g.setFont(font);
         g.setColor(colour);
-        g.drawString(number, (float) (SIZE / 2.0 - bounds.getCenterX()), (float) (SIZE / 2.0 - bounds.getCenterY()));
+        g.drawString(number, (float) (size / 2.0 - bounds.getCenterX()), (float) (size / 2.0 - bounds.getCenterY()));
     }
 
     /** Whether black stands out better than white, by the usual weights of red, green and blue. */

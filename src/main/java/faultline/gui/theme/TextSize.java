@@ -1,5 +1,7 @@
 package faultline.gui.theme;
 
+import java.awt.Dimension;
+import java.awt.Font;
 import javax.swing.UIManager;
 
 /** How large texts are. Whole screens are enlarged by whole numbers only on some systems; this is for what lies between. */
@@ -37,6 +39,30 @@ public enum TextSize {
      */
     public static int scaled(int pixels) {
         return (int) Math.round(pixels * current().percent / WHOLE);
+    }
+
+    /**
+     * A font of pictures' texts that goes along with all others.
+     *
+     * @param style of {@link Font}
+     * @param points at the normal size
+     * @return the sans serif font at the installed size
+     */
+    public static Font font(int style, int points) {
+        return new Font(Font.SANS_SERIF, style, scaled(points));
+    }
+
+    /**
+     * How much a picture with texts in it is enlarged: like all texts, but never so much that it has less room than it needs.
+     *
+     * @param width of the place for the picture, pixels
+     * @param height of the place for the picture, pixels
+     * @param least what the picture needs at the normal size
+     * @return at least 1
+     */
+    public static double enlargement(int width, int height, Dimension least) {
+        double room = Math.min((double) width / least.width, (double) height / least.height);
+        return Math.max(1, Math.min(current().percent / WHOLE, room));
     }
 
     /** Makes this the size of all texts of windows made from now on, once a theme is installed after it. */

@@ -140,8 +140,7 @@ public final class SimulatorFrame extends JFrame {
     }
 
     private void placeDivider() {
-        int panelWidth = memory.panelWidth().orElse(area.panel().getMinimumSize().width);
-        area.split().setDividerLocation(area.split().getWidth() - panelWidth - area.split().getDividerSize());
+        area.setPanelWidth(memory.panelWidth().orElse(area.panel().usualWidth()));
     }
 
     private void placeDock() {

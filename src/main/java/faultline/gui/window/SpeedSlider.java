@@ -15,6 +15,7 @@ import javax.swing.JSlider;
 final class SpeedSlider extends JSlider {
 
     private static final int WIDTH = 170;
+    private static final int LEAST_WIDTH = 60;
 
     private final JLabel number = new JLabel();
 
@@ -23,6 +24,7 @@ final class SpeedSlider extends JSlider {
         Dimension size = new Dimension(WIDTH, getPreferredSize().height);
         setPreferredSize(size);
         setMaximumSize(size);
+        setMinimumSize(new Dimension(LEAST_WIDTH, size.height));
         setToolTipText(Texts.text("speed.tip"));
         getAccessibleContext().setAccessibleName(Texts.text("speed"));
         // Each press of a key is another speed; the bare model would take three for real time.

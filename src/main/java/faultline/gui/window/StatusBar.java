@@ -6,17 +6,18 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vec;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.RuleBorder;
+import faultline.gui.theme.TextSize;
 import faultline.world.Snapshot;
-import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.Locale;
 import java.util.Optional;
-import javax.swing.Box;
-import javax.swing.BoxLayout;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
-/** One line about the run: whether it runs, its time and pace, the controller's state, the robot's pose, and where the mouse is. */
+/**
+ * One line about the run: whether it runs, its time and pace, the controller's state, the robot's pose, and where the mouse is; at its end what was refused
+ * and why. Where the line is short, the cells at its end give way, to the sentence too.
+ */
 final class StatusBar extends JPanel {
 
     private static final int GAP = 14;
@@ -31,21 +32,18 @@ final class StatusBar extends JPanel {
     private final StatusCell pose = cell("status.pose", "x -00.000  y -00.000  θ -000.0°");
     private final StatusCell cursor = cell("status.cursor", "cursor -00.00, -00.00");
     private final StatusCell scale = cell("status.scale", "0000 px/m");
-    private final JLabel note = new JLabel(" ");
+    private final JLabel note = new JLabel();
     private int noteLeft;
     private int refusals;
 
     StatusBar() {
-        setLayout(new BoxLayout(this, BoxLayout.LINE_AXIS));
+        super(new StatusLayout(TextSize.scaled(GAP), StatusCell.class::isInstance));
         setBorder(RuleBorder.above(4, 14, 4));
-        for (StatusCell cell : new StatusCell[] {running, time, tick, pace, state, pose, cursor, scale}) {
+        for (StatusCell cell : new StatusCell[] {running, time, pace, state, pose, cursor, scale, tick}) {
             add(cell);
-            add(Box.createHorizontalStrut(GAP));
         }
         note.getAccessibleContext().setAccessibleName(Texts.text("status.note"));
-        note.setMinimumSize(new Dimension());
         add(note);
-        add(Box.createHorizontalGlue());
     }
 
     private static StatusCell cell(String key, String widest) {
@@ -79,7 +77,7 @@ final class StatusBar extends JPanel {
             refusals = status.refusals();
             status.lastRefusal().ifPresent(this::showNote);
         } else if (noteLeft > 0 && --noteLeft == 0) {
-            note.setText(" ");
+            note.setText("");
         }
     }
 

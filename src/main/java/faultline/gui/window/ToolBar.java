@@ -65,7 +65,7 @@ final class ToolBar extends JToolBar {
         button.setHideActionText(true);
         button.setAction(action);
         button.getAccessibleContext().setAccessibleName(action.name());
-        fix(button, 0, TextSize.scaled(SIDE));
+        fix(button, 0, side());
         return button;
     }
 
@@ -83,11 +83,16 @@ final class ToolBar extends JToolBar {
         return button;
     }
 
+    /** Drawings stay as they are, so that buttons need to grow only half as much as texts. */
+    private static int side() {
+        return (SIDE + TextSize.scaled(SIDE)) / 2;
+    }
+
     /** The border is no resource of the look, which tool bars would exchange for one of their own. */
     private static void fix(AbstractButton button, int padding, int width) {
         button.setFocusable(false);
         button.setBorder(BorderFactory.createEmptyBorder(0, padding, 0, padding));
-        Dimension size = new Dimension(width, TextSize.scaled(SIDE));
+        Dimension size = new Dimension(width, side());
         button.setPreferredSize(size);
         button.setMinimumSize(size);
         button.setMaximumSize(size);

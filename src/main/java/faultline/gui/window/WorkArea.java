@@ -7,10 +7,12 @@ import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.instrument.PlacedSplit;
 import faultline.gui.panel.ControlPanel;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.Ghost;
 import faultline.world.Command;
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -22,13 +24,20 @@ import javax.swing.JSplitPane;
 /** All of the window below its menu bar: tool bar, canvas, instruments, control panel and status bar. Needs no display. */
 final class WorkArea extends JPanel {
 
+    /** What canvas and instruments need at the normal size of texts, pixels. */
+    private static final int LEAST_STAGE = 300;
+    /** What the canvas and its time line keep where the window is low, pixels. */
+    private static final int LEAST_HEIGHT = 220;
+    /** The share of the height that the instruments may have at first. */
+    private static final double MOST_DOCK = 0.45;
+
     private final SimulationCanvas canvas;
     private final ControlPanel panel;
     private final StatusBar status = new StatusBar();
     private final InstrumentDock instruments;
     private final TimeBar time;
     private final PlacedSplit dockSplit;
-    private final JSplitPane split;
+    private final PlacedSplit split;
     private int dockHeight;
     private transient Optional<Frame> shown = Optional.empty();
 
@@ -51,11 +60,12 @@ final class WorkArea extends JPanel {
         JPanel stage = new JPanel(new BorderLayout());
         stage.add(canvas, BorderLayout.CENTER);
         stage.add(time, BorderLayout.SOUTH);
+        stage.setMinimumSize(new Dimension(0, LEAST_HEIGHT));
         dockSplit = new PlacedSplit(JSplitPane.VERTICAL_SPLIT, stage, instruments, 1);
         setDockHeight(dockHeight);
-        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, dockSplit, panel);
-        split.setResizeWeight(1);
-        split.setContinuousLayout(true);
+        dockSplit.setMinimumSize(new Dimension(TextSize.scaled(LEAST_STAGE), 0));
+        split = new PlacedSplit(JSplitPane.HORIZONTAL_SPLIT, dockSplit, panel, 1);
+        setPanelWidth(panel.usualWidth());
         add(new ToolBar(actions, speed), BorderLayout.NORTH);
         add(new ObstaclePalette(actions), BorderLayout.LINE_START);
         add(split, BorderLayout.CENTER);
@@ -97,6 +107,11 @@ final class WorkArea extends JPanel {
         return instruments;
     }
 
+    /** Makes the control panel so wide, pixels, as far as the canvas and the instruments can spare it. */
+    void setPanelWidth(int width) {
+        split.place(size -> size - Math.min(width, size - TextSize.scaled(LEAST_STAGE)));
+    }
+
     /** How high the instruments are, or were before they were hidden, pixels. */
     int dockHeight() {
         return instruments.isVisible() && instruments.getHeight() > 0 ? instruments.getHeight() : dockHeight;
@@ -105,7 +120,7 @@ final class WorkArea extends JPanel {
     /** Makes the instruments so high, pixels. */
     void setDockHeight(int height) {
         dockHeight = height;
-        dockSplit.place(size -> size - height);
+        dockSplit.place(size -> size - Math.min(height, (int) (MOST_DOCK * size)));
     }
 
     /** Shows or hides the instruments. */
@@ -121,9 +136,5 @@ final class WorkArea extends JPanel {
 
     StatusBar status() {
         return status;
-    }
-
-    JSplitPane split() {
-        return split;
     }
 }

@@ -25,23 +25,23 @@ class StatusBarTest {
     @Test
     void aRunIsToldInOneLine() {
         show(SampleFrames.of(new Pose(1.5, 2, Degrees.toRadians(-90))), running(0.98));
-        assertEquals(List.of("Running", "t 0.010 s", "tick 1", "0.98× real time", "FOLLOW", "x 1.500  y 2.000  θ -90.0°"), texts().subList(0, 6));
+        assertEquals(List.of("Running", "t 0.010 s", "0.98× real time", "FOLLOW", "x 1.500  y 2.000  θ -90.0°"), texts().subList(0, 5));
     }
 
     @Test
     void aHeadingIsWithinHalfATurnAndNeverMinusNothing() {
         show(SampleFrames.of(new Pose(1, 1, 7 * Math.PI - 1e-3)), running(1));
-        assertTrue(texts().get(5).endsWith("θ 179.9°"), texts().get(5));
+        assertTrue(texts().get(4).endsWith("θ 179.9°"), texts().get(4));
         show(SampleFrames.of(new Pose(1, 1, -1e-4)), running(1));
-        assertTrue(texts().get(5).endsWith("θ 0.0°"), texts().get(5));
+        assertTrue(texts().get(4).endsWith("θ 0.0°"), texts().get(4));
     }
 
     @Test
     void thePlaceUnderTheMouseShowsWhileItIsOnTheCanvas() {
         edt(() -> bar.showCursor(Optional.of(new Vec(1.234, -2))));
-        assertEquals("cursor 1.23, -2.00", texts().get(6));
+        assertEquals("cursor 1.23, -2.00", texts().get(5));
         edt(() -> bar.showCursor(Optional.empty()));
-        assertEquals("", texts().get(6));
+        assertEquals("", texts().get(5));
     }
 
     @Test
@@ -64,6 +64,23 @@ class StatusBarTest {
         }
         assertEquals("Failed", texts().get(0));
         assertTrue(texts().contains("the controller does not answer"));
+    }
+
+    @Test
+    void whereTheLineIsShortItsEndGivesWayToTheReasonOfARefusal() {
+        edt(() -> bar.setSize(2000, 28));
+        assertEquals(8, shown());
+        edt(() -> bar.setSize(600, 28));
+        assertEquals(4, shown());
+        edt(() -> bar.showNote("box cannot be put there: it would overlap the robot"));
+        assertEquals(2, shown());
+    }
+
+    private long shown() {
+        return onEdt(() -> {
+            bar.doLayout();
+            return Components.all(bar, StatusCell.class).filter(StatusCell::isVisible).count();
+        });
     }
 
     private static Session.Status running(double achieved) {

@@ -18,18 +18,20 @@ import faultline.gui.edit.EditDesk;
 import faultline.gui.export.ExportDesk;
 import faultline.gui.text.Language;
 import faultline.gui.text.Texts;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.Box;
 import javax.swing.CellRendererPane;
@@ -48,14 +50,17 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** All of the window but its frame, without a display. */
 class WorkAreaTest {
 
     private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, Optional.empty(), Optional.empty());
     private static final Session.Status FAST = new Session.Status(true, 100, 12345.67, 0, Optional.empty(), Optional.empty());
+
+    private static final int LEAST_SLIDER = 60;
 
     private UiActions actions = new UiActions();
     private SimulationCanvas canvas;
@@ -98,14 +103,31 @@ class WorkAreaTest {
         });
     }
 
+    private static Stream<Arguments> rooms() {
+        return Stream.of(new Dimension(1360, 800), new Dimension(1024, 550)).flatMap(room -> Stream.of(TextSize.values())
+                .flatMap(size -> Stream.of(Language.values()).map(language -> Arguments.of(room.width, room.height, size, language))));
+    }
+
     @ParameterizedTest
-    @CsvSource({"1360, 840", "1024, 560"})
-    void nothingIsCutOffAtTheUsualAndAtTheLeastSize(int width, int height) {
-        edt(() -> lay(width, height));
-        List<String> cut = new ArrayList<>();
-        onEdt(() -> Components.tree(area).filter(WorkAreaTest::mustBeWhole).filter(part -> !fits(part)).map(WorkAreaTest::describe).toList())
-                .forEach(cut::add);
-        assertEquals(List.of(), cut);
+    @MethodSource("rooms")
+    void nothingIsCutOffAtTheUsualAndAtTheLeastSizeInAnyLanguageAndSizeOfTexts(int width, int height, TextSize size, Language language) {
+        try {
+            build(size, language);
+            edt(() -> area.status().showNote("A sentence that says why something has been refused."));
+            edt(() -> lay(width, height));
+            assertEquals(List.of(), onEdt(() -> Components.tree(area).filter(WorkAreaTest::mustBeWhole).filter(part -> !fits(part))
+                    .map(WorkAreaTest::describe).toList()));
+            assertEquals(1, area.instruments().getTabRunCount(), "rows of tabs");
+        } finally {
+            build(TextSize.NORMAL, Language.ENGLISH);
+        }
+    }
+
+    private void build(TextSize size, Language language) {
+        edt(size::install);
+        Texts.speak(language);
+        actions = new UiActions();
+        build();
     }
 
     @Test
@@ -185,9 +207,10 @@ class WorkAreaTest {
 
     private void lay(int width, int height) {
         area.setSize(width, height);
-        // The second pass gives a scroll pane what its bars left.
+        area.setPanelWidth(area.panel().usualWidth());
+        // The second pass places the dividers, the third gives a scroll pane what its bars left.
         layout(area);
-        area.split().setDividerLocation(width - area.panel().getMinimumSize().width - area.split().getDividerSize());
+        layout(area);
         layout(area);
     }
 
@@ -215,7 +238,7 @@ class WorkAreaTest {
     /** Whether a part has the room that it wants, and lies within its parent; what scrolls may be higher than what shows. */
     private static boolean fits(Component part) {
         Component parent = part.getParent();
-        boolean roomy = part.getWidth() >= part.getPreferredSize().width || part instanceof JSpinner || parent instanceof JSpinner;
+        boolean roomy = part.getWidth() >= (part instanceof JSlider ? LEAST_SLIDER : part.getPreferredSize().width) || part instanceof JSpinner || parent instanceof JSpinner;
         boolean inside = parent instanceof JViewport || part.getX() >= 0 && part.getX() + part.getWidth() <= parent.getWidth()
                 && part.getY() >= 0 && part.getY() + part.getHeight() <= parent.getHeight();
         return roomy && inside;
