@@ -10,6 +10,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RectangularShape;
+import java.util.Collection;
 import java.util.List;
 
 /** Obstacles as shapes of {@link java.awt.geom}, in metres. */
@@ -77,21 +78,32 @@ public final class ObstacleOutlines {
         return obstacle.pose().toOuter(localMiddle(obstacle));
     }
 
+    /**
+     * The common middle of obstacles, which they are turned about together: the mean of their middles, because that stays where it is when they turn.
+     *
+     * @param obstacles the obstacles, at least one
+     * @return metres, in the world
+     */
+    public static Vec middle(Collection<Obstacle> obstacles) {
+        return obstacles.stream().map(ObstacleOutlines::middle).reduce(Vec.ZERO, Vec::plus).times(1.0 / obstacles.size());
+    }
+
     private static Vec localMiddle(Obstacle obstacle) {
         Rectangle2D bounds = local(obstacle.shape()).getBounds2D();
         return new Vec(bounds.getCenterX(), bounds.getCenterY());
     }
 
     /**
-     * The pose of an obstacle turned about its middle, eq. (1).
+     * The pose of an obstacle turned about a point, eq. (1).
      *
      * @param obstacle the obstacle as it stands
+     * @param about the point, metres, in the world
      * @param turn radians, counter-clockwise
-     * @return the pose after the turn; the middle stays
+     * @return the pose after the turn
      */
-    public static Pose turned(Obstacle obstacle, double turn) {
+    public static Pose turned(Obstacle obstacle, Vec about, double turn) {
         Pose pose = obstacle.pose();
-        Vec origin = RigidMotion.apply(RigidMotion.rotationAbout(middle(obstacle), turn), pose.position());
+        Vec origin = RigidMotion.apply(RigidMotion.rotationAbout(about, turn), pose.position());
         return new Pose(origin.x(), origin.y(), pose.heading() + turn);
     }
 }

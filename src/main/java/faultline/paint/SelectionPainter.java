@@ -50,6 +50,19 @@ public final class SelectionPainter {
         return stalk(camera, obstacle, HANDLE_STALK);
     }
 
+    /**
+     * Where the handle that turns several obstacles about their common middle is: above all of them.
+     *
+     * @param camera from the world to the picture
+     * @param obstacles the obstacles, at least one
+     * @return pixels
+     */
+    public static Vec handle(Camera camera, List<Obstacle> obstacles) {
+        double top = obstacles.stream().mapToDouble(obstacle -> ObstacleOutlines.inWorld(obstacle).getBounds2D().getMaxY()).max().orElseThrow();
+        Vec above = camera.toScreen(new Vec(ObstacleOutlines.middle(obstacles).x(), top));
+        return new Vec(above.x(), above.y() - HANDLE_STALK);
+    }
+
     private static Vec stalk(Camera camera, Obstacle obstacle, double beyond) {
         Rectangle2D bounds = ObstacleOutlines.local(obstacle.shape()).getBounds2D();
         double up = bounds.getHeight() / 2 * camera.scale() + beyond;
@@ -76,11 +89,23 @@ public final class SelectionPainter {
      * @param places of the handles that change its size, metres
      */
     public static void paintHandles(Brush brush, Obstacle obstacle, List<Vec> places) {
-        Vec foot = stalk(brush.camera(), obstacle, 0);
-        Vec handle = handle(brush.camera(), obstacle);
-        brush.draw(new Line2D.Double(foot.x(), foot.y(), handle.x(), handle.y()), brush.palette().accent(), Brush.solid(1.4));
-        knob(brush, new Ellipse2D.Double(handle.x() - HANDLE_RADIUS, handle.y() - HANDLE_RADIUS, 2 * HANDLE_RADIUS, 2 * HANDLE_RADIUS));
+        paintHandle(brush, stalk(brush.camera(), obstacle, 0), handle(brush.camera(), obstacle));
         places.stream().map(brush.camera()::toScreen).forEach(place -> square(brush, place));
+    }
+
+    /**
+     * Paints the handle of several selected obstacles.
+     *
+     * @param brush where to
+     * @param obstacles the obstacles as they stand, at least one
+     */
+    public static void paintHandle(Brush brush, List<Obstacle> obstacles) {
+        paintHandle(brush, brush.camera().toScreen(ObstacleOutlines.middle(obstacles)), handle(brush.camera(), obstacles));
+    }
+
+    private static void paintHandle(Brush brush, Vec foot, Vec handle) {
+        brush.draw(new Line2D.Double(foot.x(), foot.y(), handle.x(), handle.y()), brush.palette().accent(), KNOB);
+        knob(brush, new Ellipse2D.Double(handle.x() - HANDLE_RADIUS, handle.y() - HANDLE_RADIUS, 2 * HANDLE_RADIUS, 2 * HANDLE_RADIUS));
     }
 
     /** A square about a place of the picture. */

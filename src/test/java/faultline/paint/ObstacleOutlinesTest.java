@@ -47,7 +47,7 @@ class ObstacleOutlinesTest {
         Obstacle niche = new Obstacle("niche", triangle, new Pose(4, 0, 0));
         Vec middle = ObstacleOutlines.middle(niche);
         assertEquals(new Vec(6, 1.5), middle);
-        Obstacle turned = niche.at(ObstacleOutlines.turned(niche, QUARTER));
+        Obstacle turned = niche.at(ObstacleOutlines.turned(niche, ObstacleOutlines.middle(niche), QUARTER));
         assertEquals(0, ObstacleOutlines.middle(turned).distanceTo(middle), 1e-12);
         assertEquals(QUARTER, turned.pose().heading());
     }

@@ -67,31 +67,30 @@ sealed interface Drag {
     }
 
     /**
-     * Turns an obstacle about its middle.
+     * Turns obstacles about their common middle. Of a single one the heading snaps, of several the turn.
      *
-     * @param obstacle as it stood at the start
-     * @param grip where the mouse took it, metres
+     * @param obstacles as they stood at the start, at least one
+     * @param grip where the mouse took them, metres
      */
-    record Turn(Obstacle obstacle, Vec grip) implements Drag {
+    record Turn(List<Obstacle> obstacles, Vec grip) implements Drag {
+
+        public Turn {
+            obstacles = List.copyOf(obstacles);
+        }
 
         @Override
         public Wish wanted(Vec mouse, Snap snap) {
-            Vec middle = ObstacleOutlines.middle(obstacle);
-            double turn = mouse.minus(middle).angle() - grip.minus(middle).angle();
-            double heading = snap.angle(obstacle.pose().heading() + turn);
-            Obstacle there = obstacle.at(ObstacleOutlines.turned(obstacle, heading - obstacle.pose().heading()));
-            String degrees = String.format(Locale.ROOT, "%.1f", Math.toDegrees(Math.IEEEremainder(heading, 2 * Math.PI)));
-            return new Wish(moves(List.of(there)), List.of(there), Texts.text("value.heading", degrees));
+            Vec middle = ObstacleOutlines.middle(obstacles);
+            double before = obstacles.size() == 1 ? obstacles.get(0).pose().heading() : 0;
+            double after = snap.angle(before + mouse.minus(middle).angle() - grip.minus(middle).angle());
+            List<Obstacle> there = obstacles.stream().map(obstacle -> obstacle.at(ObstacleOutlines.turned(obstacle, middle, after - before))).toList();
+            String degrees = String.format(Locale.ROOT, "%.1f", Math.toDegrees(Math.IEEEremainder(after, 2 * Math.PI)));
+            return new Wish(moves(there), there, Texts.text(obstacles.size() == 1 ? "value.heading" : "value.turn", degrees));
         }
 
         @Override
         public List<Command> back() {
-            return moves(List.of(obstacle));
-        }
-
-        @Override
-        public List<Obstacle> obstacles() {
-            return List.of(obstacle);
+            return moves(obstacles);
         }
     }
 

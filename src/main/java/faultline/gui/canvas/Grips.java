@@ -51,12 +51,19 @@ final class Grips {
     }
 
     private Optional<Drag> handle(Vec at) {
-        Optional<Obstacle> single = scene.single();
-        if (single.filter(obstacle -> SelectionPainter.handle(camera(), obstacle).distanceTo(at) <= REACH).isPresent()) {
-            return Optional.of(new Drag.Turn(single.get(), camera().toWorld(at)));
+        if (turner().filter(place -> place.distanceTo(at) <= REACH).isPresent()) {
+            return Optional.of(new Drag.Turn(scene.selected(), camera().toWorld(at)));
         }
+        Optional<Obstacle> single = scene.single();
         OptionalInt handle = single.map(obstacle -> resizer(obstacle, at)).orElse(OptionalInt.empty());
         return handle.isPresent() ? Optional.of(new Drag.Resize(single.orElseThrow(), handle.getAsInt())) : scene.selectedSensor().flatMap(s -> cone(s, at));
+    }
+
+    /** Where the handle is that turns what is selected. */
+    private Optional<Vec> turner() {
+        List<Obstacle> selected = scene.selected();
+        return selected.isEmpty() ? Optional.empty() : Optional.of(selected.size() == 1 ? SelectionPainter.handle(camera(), selected.get(0))
+                : SelectionPainter.handle(camera(), selected));
     }
 
     private OptionalInt resizer(Obstacle obstacle, Vec at) {
@@ -83,7 +90,7 @@ final class Grips {
             scene.select(Set.of(obstacle.id()));
         }
         Vec grip = camera().toWorld(at);
-        return drag(turns ? new Drag.Turn(obstacle, grip) : new Drag.Move(obstacle, scene.selected(), grip), at);
+        return drag(turns ? new Drag.Turn(scene.selected(), grip) : new Drag.Move(obstacle, scene.selected(), grip), at);
     }
 
     private Hold drag(Drag drag, Vec at) {

@@ -2,10 +2,12 @@ package faultline.gui.canvas;
 
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
+import faultline.geometry.Vec;
 import faultline.paint.ObstacleOutlines;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import java.awt.event.ActionEvent;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -36,8 +38,8 @@ final class Keys {
         nudges(canvas, "RIGHT", 1, 0);
         nudges(canvas, "UP", 0, 1);
         nudges(canvas, "DOWN", 0, -1);
-        bind(canvas, "Q", () -> change(obstacle -> ObstacleOutlines.turned(obstacle, TURN)));
-        bind(canvas, "E", () -> change(obstacle -> ObstacleOutlines.turned(obstacle, -TURN)));
+        bind(canvas, "Q", () -> turn(TURN));
+        bind(canvas, "E", () -> turn(-TURN));
         bind(canvas, "ENTER", () -> withTool(Tool::finish));
         bind(canvas, "BACK_SPACE", () -> withTool(Tool::back));
         bind(canvas, "shift F10", hand::askForMenu);
@@ -52,6 +54,14 @@ final class Keys {
 
     private void nudge(double dx, double dy) {
         change(obstacle -> new Pose(obstacle.pose().x() + dx, obstacle.pose().y() + dy, obstacle.pose().heading()));
+    }
+
+    private void turn(double turn) {
+        List<Obstacle> expected = scene.selected().stream().map(courier::expected).toList();
+        if (!expected.isEmpty()) {
+            Vec middle = ObstacleOutlines.middle(expected);
+            change(obstacle -> ObstacleOutlines.turned(obstacle, middle, turn));
+        }
     }
 
     private void change(Function<Obstacle, Pose> change) {

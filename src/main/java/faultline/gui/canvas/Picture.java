@@ -78,6 +78,9 @@ final class Picture {
 
     private static void paintHandles(Brush brush, Scene scene) {
         scene.single().ifPresent(obstacle -> SelectionPainter.paintHandles(brush, obstacle, ShapeHandles.places(obstacle)));
+        if (scene.selection().get().size() > 1) {
+            SelectionPainter.paintHandle(brush, scene.selected());
+        }
         scene.selectedSensor().ifPresent(sensor -> SelectionPainter.paintCone(brush, sensor.sector()));
     }
 

@@ -1,6 +1,5 @@
 package faultline.gui.edit;
 
-import faultline.geometry.Pose;
 import faultline.gui.text.Texts;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
@@ -25,7 +24,7 @@ final class EditNames {
 
     private static String several(Step first) {
         if (first.redo() instanceof Command.MoveObstacle) {
-            return "edit.moveSeveral";
+            return isTurn(first.redo(), first.undo()) ? "edit.turnSeveral" : "edit.moveSeveral";
         }
         if (first.redo() instanceof Command.RemoveObstacle) {
             return "edit.removeSeveral";
@@ -35,8 +34,7 @@ final class EditNames {
 
     private static String of(Command redo, List<Command> undo) {
         if (redo instanceof Command.MoveObstacle move) {
-            boolean turns = undo.get(0) instanceof Command.MoveObstacle back && isTurn(back.pose(), move.pose());
-            return Texts.text(turns ? "edit.turn" : "edit.move", move.obstacle());
+            return Texts.text(isTurn(redo, undo) ? "edit.turn" : "edit.move", move.obstacle());
         }
         if (redo instanceof Command.PutObstacle put) {
             return Texts.text(undo.get(0) instanceof Command.RemoveObstacle ? "edit.add" : "edit.change", put.obstacle().id());
@@ -47,8 +45,9 @@ final class EditNames {
         return redo instanceof Command.SetPlatform platform ? Texts.text(platform(platform, undo)) : ofSensor(redo, undo);
     }
 
-    private static boolean isTurn(Pose before, Pose after) {
-        return before.heading() != after.heading();
+    private static boolean isTurn(Command redo, List<Command> undo) {
+        return redo instanceof Command.MoveObstacle move && undo.get(0) instanceof Command.MoveObstacle back
+                && back.pose().heading() != move.pose().heading();
     }
 
     private static String platform(Command.SetPlatform platform, List<Command> undo) {

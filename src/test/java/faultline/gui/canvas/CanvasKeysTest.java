@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.edt;
 import static faultline.gui.GuiRobot.onEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
@@ -45,6 +46,21 @@ class CanvasKeysTest {
         key("RIGHT");
         key("RIGHT");
         assertEquals(List.of(moveTo(4.01), moveTo(4.02)), onEdt(() -> List.copyOf(sent)));
+    }
+
+    @Test
+    void turningThereAndBackLeavesSeveralWhereTheyWere() {
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(5, 3, 0));
+        edt(() -> canvas.show(SampleFrames.of(ROBOT, WITH_BOX.world().obstacles().get(0), pole)));
+        edt(() -> canvas.tools().select(List.of("box", "pole")));
+        for (String key : List.of("Q", "Q", "E", "E")) {
+            key(key);
+        }
+        Command.MoveObstacle there = (Command.MoveObstacle) onEdt(() -> sent.get(3));
+        Command.MoveObstacle back = (Command.MoveObstacle) onEdt(() -> sent.get(7));
+        assertEquals("pole", back.obstacle());
+        assertNotEquals(pole.pose().position(), there.pose().position());
+        assertEquals(0, back.pose().position().distanceTo(pole.pose().position()), 1e-12);
     }
 
     @Test

@@ -44,15 +44,27 @@ class DragTest {
 
     @Test
     void aTurnFollowsTheMouseRoundTheMiddleAndIsNamedWithinHalfATurn() {
-        Wish wish = new Drag.Turn(BOX, new Vec(3, 1)).wanted(new Vec(2, 4), Snap.NONE);
+        Wish wish = new Drag.Turn(List.of(BOX), new Vec(3, 1)).wanted(new Vec(2, 4), Snap.NONE);
         assertEquals(Degrees.toRadians(260), only(wish).pose().heading(), 1e-12);
         assertEquals("heading -100.0\u00b0", wish.values());
     }
 
     @Test
     void aTurnSnapsToWholeSteps() {
-        Wish wish = new Drag.Turn(BOX, new Vec(3, 1)).wanted(new Vec(2, 4), new Snap(0, Degrees.toRadians(45)));
+        Wish wish = new Drag.Turn(List.of(BOX), new Vec(3, 1)).wanted(new Vec(2, 4), new Snap(0, Degrees.toRadians(45)));
         assertEquals(Degrees.toRadians(270), only(wish).pose().heading(), 1e-8);
+    }
+
+    @Test
+    void severalTurnAboutTheirCommonMiddle() {
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(4, 1, 0));
+        Drag turn = new Drag.Turn(List.of(BOX, pole), new Vec(4, 1));
+        Wish wish = turn.wanted(new Vec(3.05, 2), new Snap(0, Degrees.toRadians(15)));
+        assertEquals(0, wish.there().get(0).pose().position().distanceTo(new Vec(3, 0)), 1e-8);
+        assertEquals(0, wish.there().get(1).pose().position().distanceTo(new Vec(3, 2)), 1e-8);
+        assertEquals(Degrees.toRadians(260), wish.there().get(0).pose().heading(), 1e-8);
+        assertEquals("turned by 90.0\u00b0", wish.values());
+        assertEquals(List.of(new Command.MoveObstacle("box", BOX.pose()), new Command.MoveObstacle("pole", pole.pose())), turn.back());
     }
 
     @Test
