@@ -113,7 +113,7 @@ public final class EditDesk implements Editor {
             channel.send(commands, outcomes -> {
                 if (sentIn == era) {
                     noteFork(outcomes);
-                    chronicle.add(outcomes.get(0).tick(), edit, done);
+                    outcomes.stream().findFirst().ifPresent(first -> chronicle.add(first.tick(), edit, done));
                 }
             });
         }

@@ -243,7 +243,8 @@ public final class SimulatorFrame extends JFrame {
 
     private void poll() {
         waiting.show(bench.underWay());
-        run.frame().ifPresent(frame -> run.status().ifPresent(status -> {
+        // In this order: where the status says that time is held, the frame is the one that it is held at.
+        run.status().ifPresent(status -> run.frame().ifPresent(frame -> {
             area.show(frame, status);
             edits.passed(frame.world().tick());
             replay.show(frame);

@@ -20,6 +20,8 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -34,6 +36,8 @@ final class WindowDriver implements AutoCloseable {
 
     /** How often the speed must be raised at most to be the highest. */
     private static final int FASTER = 40;
+
+    private static final long REST_NANOS = 150_000_000;
 
     private final GuiRobot robot = new GuiRobot();
     private final SimulatorFrame window;
@@ -162,6 +166,20 @@ final class WindowDriver implements AutoCloseable {
         Vec at = onEdt(() -> canvas().camera().toScreen(pose.position()));
         robot.drag(canvas(), at.x(), at.y(), at.x() + right, at.y() + down, InputEvent.BUTTON1_DOWN_MASK);
         waitForFrame("the obstacle is elsewhere", frame -> !frame.world().obstacles().get(index).pose().equals(pose));
+        waitForRest(index);
+    }
+
+    /** The last moves of a drag show a few frames after the button is up. */
+    private void waitForRest(int index) {
+        AtomicReference<Pose> last = new AtomicReference<>(new Pose(0, 0, 0));
+        AtomicLong since = new AtomicLong();
+        waitForFrame("the obstacle is at rest", frame -> {
+            Pose now = frame.world().obstacles().get(index).pose();
+            if (!now.equals(last.getAndSet(now))) {
+                since.set(System.nanoTime());
+            }
+            return System.nanoTime() - since.get() > REST_NANOS;
+        });
     }
 
     /** Resizes the window until the canvas has a size, pixels. */
