@@ -66,6 +66,15 @@ public final class FlatSpinnerUI extends BasicSpinnerUI {
         flatten(after);
     }
 
+    /** The editor stays when another delegate takes over. */
+    @Override
+    protected void uninstallListeners() {
+        if (spinner.getEditor() instanceof JSpinner.DefaultEditor numbers) {
+            numbers.getTextField().removeFocusListener(repainter);
+        }
+        super.uninstallListeners();
+    }
+
     private void flatten(JComponent editor) {
         if (editor instanceof JSpinner.DefaultEditor numbers) {
             JFormattedTextField text = numbers.getTextField();

@@ -7,6 +7,7 @@ import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
 import faultline.scenario.Complaint;
 import faultline.scenario.ScenarioException;
+import java.awt.Font;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
@@ -16,6 +17,7 @@ import java.util.Optional;
 import javax.swing.Icon;
 import javax.swing.ImageIcon;
 import javax.swing.JDialog;
+import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.UIManager;
 
@@ -33,7 +35,7 @@ final class Dialogs {
 
     void addTo(UiActions actions) {
         actions.add(UiAction.of("shortcuts", () -> shortcuts(actions).setVisible(true)).on(Keystrokes.plain(KeyEvent.VK_F1)));
-        actions.add(UiAction.of("guide", () -> new GuideDialog(owner).setVisible(true)));
+        actions.add(UiAction.of("guide", () -> GuideDialog.open(owner)));
         actions.add(UiAction.of("about", this::about));
     }
 
@@ -79,7 +81,9 @@ final class Dialogs {
     private void about() {
         String version = Optional.ofNullable(Dialogs.class.getPackage().getImplementationVersion()).orElse("–");
         Icon robot = new ImageIcon(AppIcon.images().get(AppIcon.images().size() - 1));
-        JOptionPane.showMessageDialog(owner, Texts.text("about.text", version, System.getProperty("java.version")), Texts.text("about.title"),
-                JOptionPane.INFORMATION_MESSAGE, robot);
+        JLabel name = new JLabel(Texts.text("about.name", version));
+        name.setFont(name.getFont().deriveFont(Font.BOLD));
+        Object[] message = {name, " ", Texts.text("about.text", System.getProperty("java.version"))};
+        JOptionPane.showMessageDialog(owner, message, Texts.text("about.title"), JOptionPane.INFORMATION_MESSAGE, robot);
     }
 }

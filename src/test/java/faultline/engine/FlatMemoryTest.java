@@ -1,0 +1,75 @@
+package faultline.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.geometry.Pose;
+import faultline.geometry.Vec;
+import faultline.robot.RobotSpec;
+import faultline.world.Motion;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WorldSpec;
+import java.lang.management.ManagementFactory;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.Test;
+
+/** What a run in the window remembers is bounded: an hour of simulated time at full speed needs hardly more memory than its first minutes. */
+class FlatMemoryTest {
+
+    private static final long TICKS_PER_MINUTE = 6000;
+    private static final long HOUR = 60;
+    /** By now most of what is remembered is as large as it ever gets, minutes. */
+    private static final long SETTLED = 20;
+
+    /**
+     * The path grows by 2.3 MB still, to end at 4.2, the hashes by 1.9, to end at 8, and the coarser traces by 2.3: each of their levels reaches back four times as far as the one
+     * before and is full so much later. Bytes.
+     */
+    private static final long MOST_GROWTH = 8_000_000;
+
+    /** A frame was asked for some sixty times a second, of which as many ticks passed. */
+    private static final long TICKS_PER_FRAME = 2500;
+
+    @Test
+    void anHourAtFullSpeedNeedsHardlyMoreMemoryThanTwentyMinutes() {
+        Map<Long, Long> live = new TreeMap<>();
+        try (LiveRun run = LiveRun.at(new Journal(room(), List.of(), 0), 0, tick -> true)) {
+            Frame newest = run.frame();
+            while (run.ticks() < HOUR * TICKS_PER_MINUTE) {
+                run.tick();
+                newest = run.ticks() % TICKS_PER_FRAME == 0 ? run.frame() : newest;
+                if (run.ticks() % (10 * TICKS_PER_MINUTE) == 0) {
+                    live.put(run.ticks() / TICKS_PER_MINUTE, liveBytes());
+                }
+            }
+            assertEquals(HOUR * TICKS_PER_MINUTE, newest.world().tick());
+            assertTrue(newest.world().collision().isEmpty());
+        }
+        live.forEach((minute, bytes) -> System.out.println(String.format(Locale.ROOT, "memory after %d simulated minutes: %.1f MB", minute, bytes / 1e6)));
+        long growth = live.entrySet().stream().filter(e -> e.getKey() > SETTLED).mapToLong(Map.Entry::getValue).max().orElseThrow() - live.get(SETTLED);
+        assertTrue(growth < MOST_GROWTH, "grown by " + growth + " bytes");
+    }
+
+    private static Setup room() {
+        Obstacle desk = new Obstacle("desk", new ObstacleShape.Rectangle(0.8, 0.4), new Pose(2.4, 2.5, 0.4));
+        Obstacle visitor = new Obstacle("visitor", new ObstacleShape.Circle(0.1), new Pose(3.6, 2, 0),
+                Optional.of(new Motion(0.2, true, List.of(new Vec(3.6, 2), new Vec(3.6, 3)))));
+        return new Setup(new WorldSpec(6, 5, true, 3, List.of(desk, visitor)), RobotSpec.DEFAULT, new Pose(0.6, 0.6, 0.3), ControllerSpec.WallFollowing.DEFAULT,
+                List.of(), 0.01, 1, 60);
+    }
+
+    /** What is still used after the garbage is gone; the least of several looks, because other threads make some meanwhile. */
+    private static long liveBytes() {
+        return LongStream.generate(() -> {
+            System.gc();
+            return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
+        }).limit(4).min().orElseThrow();
+    }
+}
