@@ -48,6 +48,27 @@ public final class Keystrokes {
     }
 
     /**
+     * A sign with the platform's menu key, for people to read. Which keys make the sign differs from keyboard to keyboard, and none types it while the menu key
+     * is down: the keys have to be bound besides.
+     *
+     * @param sign the sign
+     * @return the stroke
+     */
+    public static KeyStroke menuSign(char sign) {
+        return KeyStroke.getKeyStroke(Character.valueOf(sign), menuMask());
+    }
+
+    /**
+     * Whether a stroke is one of {@link #menuSign}.
+     *
+     * @param stroke the stroke
+     * @return true where it is only to be read
+     */
+    public static boolean isMenuSign(KeyStroke stroke) {
+        return stroke.getKeyCode() == KeyEvent.VK_UNDEFINED && (stroke.getModifiers() & menuMask()) != 0;
+    }
+
+    /**
      * A key with the platform's menu key and Shift.
      *
      * @param key a code of {@link KeyEvent}
@@ -70,12 +91,7 @@ public final class Keystrokes {
      */
     public static String text(KeyStroke stroke) {
         String modifiers = InputEvent.getModifiersExText(stroke.getModifiers());
-        String key = switch (stroke.getKeyCode()) {
-            case KeyEvent.VK_UNDEFINED -> String.valueOf(stroke.getKeyChar());
-            case KeyEvent.VK_EQUALS -> "=";
-            case KeyEvent.VK_MINUS -> "-";
-            default -> KeyEvent.getKeyText(stroke.getKeyCode());
-        };
+        String key = stroke.getKeyCode() == KeyEvent.VK_UNDEFINED ? String.valueOf(stroke.getKeyChar()) : KeyEvent.getKeyText(stroke.getKeyCode());
         return modifiers.isEmpty() ? key : modifiers + "+" + key;
     }
 

@@ -3,15 +3,17 @@ package faultline.gui.theme;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
 import javax.swing.JComponent;
 import javax.swing.JSlider;
+import javax.swing.SwingUtilities;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicSliderUI;
 
-/** A flat slider: a thin track, filled up to a round thumb. */
+/** A flat slider: a thin track, filled up to a round thumb. A press on the track takes the thumb there and holds it. */
 public final class FlatSliderUI extends BasicSliderUI {
 
     /** The key of a slider's property that holds a value to be marked on the track, an Integer. */
@@ -34,6 +36,21 @@ public final class FlatSliderUI extends BasicSliderUI {
      */
     public static ComponentUI createUI(JComponent component) {
         return new FlatSliderUI((JSlider) component);
+    }
+
+    @Override
+    protected TrackListener createTrackListener(JSlider ofSlider) {
+        return new TrackListener() {
+            @Override
+            public void mousePressed(MouseEvent event) {
+                if (slider.isEnabled() && SwingUtilities.isLeftMouseButton(event) && !thumbRect.contains(event.getPoint())) {
+                    slider.setValueIsAdjusting(true);
+                    slider.setValue(valueForXPosition(event.getX()));
+                    event.translatePoint(0, (int) thumbRect.getCenterY() - event.getY());
+                }
+                super.mousePressed(event);
+            }
+        };
     }
 
     @Override

@@ -95,6 +95,7 @@ public final class SimulatorFrame extends JFrame {
         new SensorActions(bench, run, edits).addTo(actions);
         new ExportDesk(this, bench, canvas, files::fileFor).actions().forEach(actions::add);
         ViewActions.addTo(actions, canvas, this::setTheme);
+        ViewActions.bindTo(getRootPane(), actions);
         actions.add(UiAction.toggle("instruments", memory.isDockShown(), this::showDock).on(Keystrokes.plain(KeyEvent.VK_I)));
         runActions.addTo(actions, this::toggleSensor);
         dialogs.addTo(actions);

@@ -34,6 +34,8 @@ class KeystrokesTest {
     @Test
     void signsAreWrittenAsSigns() {
         assertEquals(".", Keystrokes.text(Keystrokes.sign('.')));
-        assertEquals("Ctrl+=", Keystrokes.text(KeyStroke.getKeyStroke("ctrl EQUALS")));
+        assertEquals("Ctrl++", Keystrokes.text(Keystrokes.menuSign('+')));
+        assertTrue(Keystrokes.isMenuSign(Keystrokes.menuSign('+')));
+        assertFalse(Keystrokes.isMenuSign(Keystrokes.sign('.')));
     }
 }

@@ -116,6 +116,23 @@ class ControlsRobotTest {
     }
 
     @Test
+    void plusAndMinusZoomOnceForEachPress() {
+        focusCanvas();
+        double before = scale();
+        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_EQUALS);
+        driver.robot().waitFor("the view is larger", () -> scale() > before);
+        double larger = scale();
+        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_MINUS);
+        driver.robot().waitFor("the view is as before", () -> Math.abs(scale() - before) < 1e-9);
+        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_ADD);
+        driver.robot().waitFor("the view is as large again", () -> Math.abs(scale() - larger) < 1e-9);
+    }
+
+    private double scale() {
+        return onEdt(() -> driver.canvas().camera().scale());
+    }
+
+    @Test
     void runPauseStepAndRestartGoByKeys() {
         focusCanvas();
         driver.robot().type(KeyEvent.VK_SPACE);

@@ -12,6 +12,9 @@ import faultline.gui.Patience;
 import faultline.gui.document.Bench;
 import faultline.gui.document.Filing;
 import faultline.gui.document.RunDesk;
+import faultline.gui.theme.Theme;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -36,6 +39,7 @@ class TimeBarTest {
     @BeforeEach
     void runAWhile() {
         edt(() -> {
+            Theme.LIGHT.install();
             bench = new Bench(new Quiet());
             run = new RunDesk(bench);
             bar = new TimeBar(run.travel()::goTo, previews::add);
@@ -83,6 +87,24 @@ class TimeBarTest {
         assertEquals(3, onEdt(slider::getValue), "the bar leaves the thumb to the hand");
         edt(() -> slider.setValueIsAdjusting(false));
         waitForTick(3);
+    }
+
+    @Test
+    void aClickOnTheLineGoesToTheMomentThatIsThere() {
+        edt(() -> {
+            slider.setSize(400 + 15, 24);
+            slider.doLayout();
+            // The thumb, 15 pixels wide, keeps half of its width from the ends.
+            press(MouseEvent.MOUSE_PRESSED, 7 + 100);
+        });
+        assertEquals(TICKS / 4, onEdt(slider::getValue));
+        assertTrue(onEdt(bar::isHeld));
+        edt(() -> press(MouseEvent.MOUSE_RELEASED, 7 + 100));
+        waitForTick(TICKS / 4);
+    }
+
+    private void press(int type, int x) {
+        slider.dispatchEvent(new MouseEvent(slider, type, 0, InputEvent.BUTTON1_DOWN_MASK, x, 3, 1, false, MouseEvent.BUTTON1));
     }
 
     @Test
