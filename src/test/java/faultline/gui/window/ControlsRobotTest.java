@@ -118,10 +118,10 @@ class ControlsRobotTest {
     @Test
     void plusAndMinusZoomOnceForEachPress() {
         focusCanvas();
-        double before = scale();
+        double before = onEdt(this::scale);
         driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_EQUALS);
         driver.robot().waitFor("the view is larger", () -> scale() > before);
-        double larger = scale();
+        double larger = onEdt(this::scale);
         driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_MINUS);
         driver.robot().waitFor("the view is as before", () -> Math.abs(scale() - before) < 1e-9);
         driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_ADD);
@@ -129,7 +129,7 @@ class ControlsRobotTest {
     }
 
     private double scale() {
-        return onEdt(() -> driver.canvas().camera().scale());
+        return driver.canvas().camera().scale();
     }
 
     @Test

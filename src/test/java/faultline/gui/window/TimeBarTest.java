@@ -91,12 +91,9 @@ class TimeBarTest {
 
     @Test
     void aClickOnTheLineGoesToTheMomentThatIsThere() {
-        edt(() -> {
-            slider.setSize(400 + 15, 24);
-            slider.doLayout();
-            // The thumb, 15 pixels wide, keeps half of its width from the ends.
-            press(MouseEvent.MOUSE_PRESSED, 7 + 100);
-        });
+        edt(() -> slider.setSize(400 + 15, 24));
+        // The thumb, 15 pixels wide, keeps half of its width from the ends.
+        edt(() -> press(MouseEvent.MOUSE_PRESSED, 7 + 100));
         assertEquals(TICKS / 4, onEdt(slider::getValue));
         assertTrue(onEdt(bar::isHeld));
         edt(() -> press(MouseEvent.MOUSE_RELEASED, 7 + 100));
