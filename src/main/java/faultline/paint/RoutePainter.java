@@ -6,15 +6,22 @@ import java.awt.Color;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
+import java.util.stream.IntStream;
 
-/** Paints the way-points of a moving obstacle: a broken line through dots, with an arrow in the middle of each leg. */
+/** Paints the way-points of a moving obstacle: a broken line through dots, with an arrow in the middle of each leg, and the speed beside the longest. */
 final class RoutePainter {
 
     private static final Stroke LINE = Brush.dashed(1.4, 7, 5);
     private static final Stroke ARROW = Brush.solid(1.8);
     private static final double DOT = 2.5;
+    private static final double GAP = 4;
+    /** Where the speed stands, as a share of its leg: off the middle, where a name may be. */
+    private static final double SPEED_AT = 0.35;
     private static final double ARROW_SIZE = 6;
     /** A leg shorter than this on the screen gets no arrow, pixels. */
     private static final double LEAST_LEG = 24;
@@ -33,6 +40,25 @@ final class RoutePainter {
         for (int i = 1; i < points.size(); i++) {
             arrow(brush, points.get(i - 1), points.get(i), colour);
         }
+        if (points.size() > 1) {
+            speed(brush, motion.speed(), points);
+        }
+    }
+
+    private static void speed(Brush brush, double speed, List<Vec> points) {
+        int longest = IntStream.range(1, points.size()).boxed()
+                .max(Comparator.comparingDouble(i -> points.get(i).distanceTo(points.get(i - 1)))).orElseThrow();
+        Vec leg = points.get(longest).minus(points.get(longest - 1));
+        String text = String.format(Locale.ROOT, "%.2f m/s", speed);
+        Rectangle2D box = brush.measure(text);
+        if (leg.length() < 2 * box.getWidth()) {
+            return;
+        }
+        // On the left of the leg, off it by as much as keeps the text clear in any direction.
+        Vec aside = new Vec(leg.y(), -leg.x()).times(1 / leg.length());
+        double clear = (Math.abs(aside.x()) * box.getWidth() + Math.abs(aside.y()) * box.getHeight()) / 2 + GAP;
+        Vec place = points.get(longest - 1).plus(leg.times(SPEED_AT)).plus(aside.times(clear));
+        brush.label(text, place.x(), place.y(), brush.palette().text());
     }
 
     /** The way-points in the picture; those of a loop end where they began. */

@@ -21,4 +21,14 @@ public record Motion(double speed, boolean loop, List<Vec> points) {
             throw new IllegalArgumentException("a motion needs way-points, all finite: " + points);
         }
     }
+
+    /**
+     * The same way at another speed.
+     *
+     * @param other metres per second, not negative
+     * @return the same motion otherwise
+     */
+    public Motion at(double other) {
+        return new Motion(other, loop, points);
+    }
 }

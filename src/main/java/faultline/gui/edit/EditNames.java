@@ -3,6 +3,7 @@ package faultline.gui.edit;
 import faultline.gui.text.Texts;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
+import faultline.world.Obstacle;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -29,7 +30,8 @@ final class EditNames {
         if (first.redo() instanceof Command.RemoveObstacle) {
             return "edit.removeSeveral";
         }
-        return first.redo() instanceof Command.PutObstacle ? "edit.addSeveral" : "edit.several";
+        boolean adds = first.redo() instanceof Command.PutObstacle && first.undo().get(0) instanceof Command.RemoveObstacle;
+        return adds ? "edit.addSeveral" : first.redo() instanceof Command.PutObstacle ? "edit.changeSeveral" : "edit.several";
     }
 
     private static String of(Command redo, List<Command> undo) {
@@ -37,7 +39,7 @@ final class EditNames {
             return Texts.text(isTurn(redo, undo) ? "edit.turn" : "edit.move", move.obstacle());
         }
         if (redo instanceof Command.PutObstacle put) {
-            return Texts.text(undo.get(0) instanceof Command.RemoveObstacle ? "edit.add" : "edit.change", put.obstacle().id());
+            return Texts.text(put(put.obstacle(), undo.get(0)), put.obstacle().id());
         }
         if (redo instanceof Command.RemoveObstacle remove) {
             return Texts.text("edit.remove", remove.obstacle());
@@ -48,6 +50,12 @@ final class EditNames {
     private static boolean isTurn(Command redo, List<Command> undo) {
         return redo instanceof Command.MoveObstacle move && undo.get(0) instanceof Command.MoveObstacle back
                 && back.pose().heading() != move.pose().heading();
+    }
+
+    private static String put(Obstacle now, Command undo) {
+        boolean speed = undo instanceof Command.PutObstacle back && !back.obstacle().motion().equals(now.motion())
+                && back.obstacle().motion().flatMap(before -> now.motion().map(way -> before.at(way.speed()))).equals(now.motion());
+        return undo instanceof Command.RemoveObstacle ? "edit.add" : speed ? "edit.waySpeed" : "edit.change";
     }
 
     private static String platform(Command.SetPlatform platform, List<Command> undo) {

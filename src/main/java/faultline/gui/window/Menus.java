@@ -41,14 +41,14 @@ final class Menus {
 
     private JMenu obstacles() {
         JMenu obstacles = menu("obstacles", ObstacleActions.PALETTE.toArray(String[]::new));
-        fill(obstacles, RULE, "drawWay", "standStill", RULE, "snapGrid", "snapAngle");
+        fill(obstacles, RULE, "drawWay", "waySpeed", "standStill", RULE, "snapGrid", "snapAngle");
         return obstacles;
     }
 
     /** What can be done to what is selected, beside the mouse. */
     static JPopupMenu onCanvas(UiActions actions) {
         JPopupMenu popup = new JPopupMenu();
-        for (String key : List.of("drawWay", "standStill", "duplicate", "cut", "copy", "paste", "delete")) {
+        for (String key : List.of("drawWay", "waySpeed", "standStill", "duplicate", "cut", "copy", "paste", "delete")) {
             popup.add(item(actions.get(key)));
         }
         return popup;

@@ -27,7 +27,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import java.util.function.DoubleFunction;
 
 /** The actions on obstacles: new ones from the palette, copies by way of the clipboard, deleting, ways, and snapping. */
 final class ObstacleActions {
@@ -45,13 +47,29 @@ final class ObstacleActions {
     private final CanvasTools tools;
     private final Editor editor;
     private final Consumer<String> note;
-    private final UiAction snapGrid = UiAction.toggle("snapGrid", false, on -> snap());
-    private final UiAction snapAngle = UiAction.toggle("snapAngle", false, on -> snap());
+    private final DoubleFunction<OptionalDouble> askSpeed;
+    private final WindowMemory memory;
+    private final UiAction snapGrid;
+    private final UiAction snapAngle;
 
-    ObstacleActions(CanvasTools tools, Editor editor, Consumer<String> note) {
+    /**
+     * Actions that are not shown yet.
+     *
+     * @param tools of the canvas
+     * @param editor where changes go
+     * @param note told what the user should know
+     * @param askSpeed asks for a speed, metres per second, given the present one
+     * @param memory keeps how obstacles snap
+     */
+    ObstacleActions(CanvasTools tools, Editor editor, Consumer<String> note, DoubleFunction<OptionalDouble> askSpeed, WindowMemory memory) {
         this.tools = tools;
         this.editor = editor;
         this.note = note;
+        this.askSpeed = askSpeed;
+        this.memory = memory;
+        snapGrid = UiAction.toggle("snapGrid", memory.isGridSnapped(), on -> snap());
+        snapAngle = UiAction.toggle("snapAngle", memory.isAngleSnapped(), on -> snap());
+        snap();
     }
 
     void addTo(UiActions actions) {
@@ -63,6 +81,7 @@ final class ObstacleActions {
         actions.add(tool("drawWall", tools::drawWall).drawn(Glyph.WALL));
         actions.add(tool("drawPolygon", tools::drawPolygon).drawn(Glyph.POLYGON));
         actions.add(UiAction.of("drawWay", this::drawWay));
+        actions.add(UiAction.of("waySpeed", this::setSpeed));
         actions.add(UiAction.of("standStill", this::standStill));
         actions.add(UiAction.of("cut", this::cut).on(menu(KeyEvent.VK_X)));
         actions.add(UiAction.of("copy", this::copy).on(menu(KeyEvent.VK_C)));
@@ -90,6 +109,7 @@ final class ObstacleActions {
 
     private void snap() {
         tools.setSnap(new Snap(snapGrid.isOn() ? GRID : 0, snapAngle.isOn() ? TURN : 0));
+        memory.keepSnap(snapGrid.isOn(), snapAngle.isOn());
     }
 
     private void drawWay() {
@@ -98,6 +118,17 @@ final class ObstacleActions {
             note.accept(Texts.text("action.drawWay.tip"));
         } else {
             note.accept(Texts.text("note.selectOne"));
+        }
+    }
+
+    /** Of all selected obstacles that move. */
+    private void setSpeed() {
+        List<Obstacle> moving = tools.selected().stream().filter(obstacle -> obstacle.motion().isPresent()).toList();
+        if (moving.isEmpty()) {
+            note.accept(Texts.text("note.selectMoving"));
+        } else {
+            askSpeed.apply(moving.get(0).motion().orElseThrow().speed()).ifPresent(speed -> editor.send(moving.stream()
+                    .<Command>map(obstacle -> new Command.PutObstacle(obstacle.moving(obstacle.motion().map(way -> way.at(speed))))).toList()));
         }
     }
 

@@ -23,6 +23,8 @@ public final class WindowMemory {
     private static final String TEXT_SIZE = "textSize";
     private static final String GALLERY = "gallery";
     private static final String HIDDEN = "hidden";
+    private static final String SNAP_GRID = "snap.grid";
+    private static final String SNAP_ANGLE = "snap.angle";
     private static final String DOCK = "dock";
     private static final String CHART = "chart";
     private static final String DOCK_HIDDEN = "dock.hidden";
@@ -141,6 +143,21 @@ public final class WindowMemory {
 
     void keepGalleryAtStart(boolean shown) {
         store.put(GALLERY, shown ? "" : HIDDEN);
+    }
+
+    /** Whether places snap to the grid. */
+    boolean isGridSnapped() {
+        return Boolean.parseBoolean(store.get(SNAP_GRID));
+    }
+
+    /** Whether headings snap. */
+    boolean isAngleSnapped() {
+        return Boolean.parseBoolean(store.get(SNAP_ANGLE));
+    }
+
+    void keepSnap(boolean grid, boolean angle) {
+        store.put(SNAP_GRID, Boolean.toString(grid));
+        store.put(SNAP_ANGLE, Boolean.toString(angle));
     }
 
     RecentFiles recent() {

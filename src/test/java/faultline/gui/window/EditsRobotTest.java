@@ -13,13 +13,17 @@ import faultline.gui.theme.Theme;
 import faultline.sensor.SensorSpec;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import java.awt.EventQueue;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import javax.swing.JDialog;
 import javax.swing.JLabel;
+import javax.swing.JMenuItem;
+import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -188,6 +192,26 @@ class EditsRobotTest {
         click(6.5, 2.5);
         driver.robot().type(KeyEvent.VK_ENTER);
         waitForObstacle("it has a way to there and back", "chair-2", chair -> chair.motion().filter(way -> way.points().size() == 2).isPresent());
+    }
+
+    @Test
+    void theSpeedOnAWayIsAskedForAndUndone() {
+        anObstacleIsGivenAWayByClicks();
+        EventQueue.invokeLater(() -> driver.chooseNow("waySpeed"));
+        JDialog dialog = driver.dialog("Speed of moving obstacles");
+        JTextField field = Components.all(dialog, JTextField.class).findFirst().orElseThrow();
+        driver.robot().waitFor("the field has the focus", field::isFocusOwner);
+        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        driver.robot().type(KeyEvent.VK_1);
+        driver.answer("Speed of moving obstacles", "OK");
+        waitForObstacle("it goes at 1 m/s", "chair-2", chair -> chair.motion().orElseThrow().speed() == 1);
+        driver.robot().waitFor("the edit has a name", () -> "Undo Speed of chair-2".equals(undo().getText()));
+        driver.choose("undo");
+        waitForObstacle("it goes as it did", "chair-2", chair -> chair.motion().orElseThrow().speed() == 0.2);
+    }
+
+    private JMenuItem undo() {
+        return Components.all(driver.window(), JMenuItem.class).filter(item -> "undo".equals(item.getActionCommand())).findFirst().orElseThrow();
     }
 
     @Test

@@ -1,6 +1,8 @@
 package faultline.gui.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.theme.Theme;
 import java.awt.Rectangle;
@@ -32,6 +34,14 @@ class WindowMemoryTest {
         assertEquals(Theme.DARK, memory.theme());
         assertEquals(Optional.of(new Rectangle(-20, 30, 1200, 800)), memory.bounds());
         assertEquals(Optional.of(410), memory.panelWidth());
+    }
+
+    @Test
+    void howObstaclesSnapIsKept() {
+        assertFalse(memory.isGridSnapped());
+        memory.keepSnap(true, false);
+        assertTrue(memory.isGridSnapped());
+        assertFalse(memory.isAngleSnapped());
     }
 
     @Test

@@ -31,6 +31,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.Box;
@@ -82,7 +83,7 @@ class WorkAreaTest {
             });
             new EditActions(edits).addTo(actions);
             new ObstacleActions(canvas.tools(), edits, sentence -> {
-            }).addTo(actions);
+            }, now -> OptionalDouble.empty(), WindowMemory.none()).addTo(actions);
             new SensorActions(bench, run, edits).addTo(actions);
             new ExportDesk(canvas, bench, canvas, files::fileFor).actions().forEach(actions::add);
             actions.add(UiAction.of("examples", () -> {
