@@ -6,6 +6,7 @@ import faultline.gui.text.Texts;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
+import java.awt.Graphics;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -33,6 +34,7 @@ public final class EventLogView extends JPanel {
 
     private final EventTable events = new EventTable();
     private final JTable table = new JTable(events);
+    private final JScrollPane scroll = new JScrollPane(table);
     private final transient LongConsumer jump;
 
     /**
@@ -45,9 +47,26 @@ public final class EventLogView extends JPanel {
         this.jump = jump;
         dress();
         listen();
-        JScrollPane scroll = new JScrollPane(table);
+        scroll.setColumnHeaderView(table.getTableHeader());
         scroll.setBorder(BorderFactory.createEmptyBorder());
         add(scroll, BorderLayout.CENTER);
+    }
+
+    /** As many rows as show whole; half a row below the headings would look like a damaged one. */
+    @Override
+    public void doLayout() {
+        super.doLayout();
+        int headings = table.getTableHeader().getPreferredSize().height;
+        int rows = (getHeight() - headings) / table.getRowHeight();
+        if (rows > 0) {
+            scroll.setSize(getWidth(), headings + rows * table.getRowHeight());
+        }
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        graphics.setColor(table.getBackground());
+        graphics.fillRect(0, 0, getWidth(), getHeight());
     }
 
     private void dress() {

@@ -15,6 +15,8 @@ import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -51,6 +53,30 @@ class EventLogViewTest {
         assertTrue(rows().size() > before);
         edt(() -> view.show(Runs.frame(100)));
         assertEquals(List.of("0.000 Command rear switched off"), rows());
+    }
+
+    @Test
+    void scrolledToItsEndTheFirstRowThatShowsIsWhole() {
+        edt(() -> view.setSize(700, 131));
+        for (int pass = 0; pass < 2; pass++) {
+            edt(() -> lay(view));
+        }
+        edt(() -> view.show(Runs.frame(2000)));
+        edt(() -> lay(view));
+        edt(() -> view.show(Runs.frame(3000)));
+        int row = onEdt(view.table()::getRowHeight);
+        int top = onEdt(() -> view.table().getVisibleRect().y);
+        assertTrue(top > 0, "it is scrolled");
+        assertEquals(0, top % row);
+    }
+
+    private static void lay(Container container) {
+        container.doLayout();
+        for (Component part : container.getComponents()) {
+            if (part instanceof Container inner) {
+                lay(inner);
+            }
+        }
     }
 
     @Test
