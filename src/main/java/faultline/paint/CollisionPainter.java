@@ -44,8 +44,8 @@ final class CollisionPainter {
         brush.draw(new Line2D.Double(at.x() - ARM, at.y() + ARM, at.x() + ARM, at.y() - ARM), colour, Brush.solid(2));
     }
 
-    static void paintBadge(Brush brush, Collision collision) {
-        List<String> lines = lines(collision);
+    static void paintBadge(Brush brush, Collision collision, Words words) {
+        List<String> lines = lines(collision, words);
         double text = lines.stream().mapToDouble(line -> brush.measure(line).getWidth()).max().orElseThrow();
         Rectangle2D frame = new Rectangle2D.Double(BADGE_AT, BADGE_AT, text + 3 * PADDING + 2 * DOT, LINE_HEIGHT * lines.size() + PADDING);
         Shape badge = new RoundRectangle2D.Double(frame.getX() + 0.5, frame.getY() + 0.5, frame.getWidth(), frame.getHeight(), 8, 8);
@@ -59,17 +59,17 @@ final class CollisionPainter {
     }
 
     /** What the badge says, a line each. */
-    static List<String> lines(Collision collision) {
+    static List<String> lines(Collision collision, Words words) {
         List<String> lines = new ArrayList<>();
-        lines.add(String.format(Locale.ROOT, "First collision   x %.3f m   y %.3f m   t %.3f s   %s",
+        lines.add(words.collision() + String.format(Locale.ROOT, "   x %.3f m   y %.3f m   t %.3f s   %s",
                 collision.point().x(), collision.point().y(), collision.time(), collision.obstacle()));
         if (!collision.faults().isEmpty()) {
             List<String> broken = new ArrayList<>();
-            collision.faults().forEach((sensor, faults) -> faults.forEach(fault -> broken.add(sensor + " " + fault.kind().fileName())));
-            lines.add("Faults then: " + String.join(", ", broken));
+            collision.faults().forEach((sensor, faults) -> faults.forEach(fault -> broken.add(sensor + " " + words.fault().apply(fault.kind()))));
+            lines.add(words.faults() + ": " + String.join(", ", broken));
         }
         if (!collision.off().isEmpty()) {
-            lines.add("Switched off then: " + String.join(", ", collision.off()));
+            lines.add(words.off() + ": " + String.join(", ", collision.off()));
         }
         return lines;
     }

@@ -15,8 +15,9 @@ import java.util.function.Predicate;
  * Whoever paints many frames may keep the first two as pictures.
  *
  * @param layers the layers that show
+ * @param words the words in the picture
  */
-public record ScenePainter(Set<Layer> layers) {
+public record ScenePainter(Set<Layer> layers, Words words) {
 
     public ScenePainter {
         layers = Set.copyOf(layers);
@@ -126,7 +127,7 @@ public record ScenePainter(Set<Layer> layers) {
         if (layers.contains(Layer.SCALE_BAR)) {
             ScaleBarPainter.paint(brush);
         }
-        world.collision().ifPresent(collision -> CollisionPainter.paintBadge(brush, collision));
+        world.collision().ifPresent(collision -> CollisionPainter.paintBadge(brush, collision, words));
     }
 
     private void paintMoving(Brush brush, Obstacle obstacle) {
@@ -144,7 +145,7 @@ public record ScenePainter(Set<Layer> layers) {
             SensorPainter.paintCone(brush, i, sensors.get(i));
         }
         for (int i = 0; i < sensors.size(); i++) {
-            SensorPainter.paintLabels(brush, i, sensors.get(i));
+            SensorPainter.paintLabels(brush, i, sensors.get(i), words);
         }
     }
 }

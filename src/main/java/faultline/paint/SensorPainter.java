@@ -59,14 +59,14 @@ final class SensorPainter {
     }
 
     /** Paints what must not be hidden by other cones. */
-    static void paintLabels(Brush brush, int index, SensorSnapshot sensor) {
+    static void paintLabels(Brush brush, int index, SensorSnapshot sensor, Words words) {
         ScreenSector cone = ScreenSector.of(brush.camera(), sensor.sector());
         if (!sensor.faults().isEmpty()) {
             sensor.truth().distance().stream().filter(truth -> isHidden(cone, truth, sensor))
                     .forEach(truth -> brush.draw(cone.arcAt(truth), brush.palette().text(), TRUTH));
         }
         if (cone.radius() >= LEAST_NUMBERED) {
-            paintLabel(brush, cone, label(index, sensor), sensor.reported().isOff() ? brush.palette().muted() : brush.palette().text());
+            paintLabel(brush, cone, label(index, sensor, words), sensor.reported().isOff() ? brush.palette().muted() : brush.palette().text());
         }
     }
 
@@ -89,9 +89,9 @@ final class SensorPainter {
         return !(Math.abs(sensor.reported().encoded() - truth) * cone.scale() < SAME);
     }
 
-    private static String label(int index, SensorSnapshot sensor) {
-        String faults = sensor.faults().stream().map(fault -> " " + fault.kind().fileName()).distinct().collect(Collectors.joining());
+    private static String label(int index, SensorSnapshot sensor, Words words) {
+        String faults = sensor.faults().stream().map(fault -> " " + words.fault().apply(fault.kind())).distinct().collect(Collectors.joining());
         boolean switchedOff = !sensor.spec().on() && faults.isEmpty();
-        return (index + 1) + (switchedOff ? " off" : faults);
+        return (index + 1) + (switchedOff ? " " + words.switchedOff() : faults);
     }
 }

@@ -53,7 +53,7 @@ public record Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layer
     }
 
     private void paint(Brush brush) {
-        new ScenePainter(layers).paint(brush, frame, ghost);
+        new ScenePainter(layers, Words.ENGLISH).paint(brush, frame, ghost);
     }
 
     /**

@@ -16,7 +16,15 @@ class CollisionPainterTest {
     @Test
     void theBadgeSaysWhereAndWhenTheRobotFirstHitWhat() {
         Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of());
-        assertEquals(List.of("First collision   x 3.142 m   y 1.871 m   t 12.480 s   desk"), CollisionPainter.lines(collision));
+        assertEquals(List.of("First collision   x 3.142 m   y 1.871 m   t 12.480 s   desk"), CollisionPainter.lines(collision, Words.ENGLISH));
+    }
+
+    @Test
+    void theBadgeSpeaksTheWordsThatItIsGiven() {
+        Words words = new Words("Zderzenie", "Uszkodzone", "Wy\u0142\u0105czone", "wy\u0142.", kind -> "zepsuty");
+        Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of("left", List.of(new Fault.Dead())), List.of("rear"));
+        assertEquals(List.of("Zderzenie   x 3.142 m   y 1.871 m   t 12.480 s   desk", "Uszkodzone: left zepsuty", "Wy\u0142\u0105czone: rear"),
+                CollisionPainter.lines(collision, words));
     }
 
     @Test
@@ -24,6 +32,6 @@ class CollisionPainterTest {
         Map<String, List<Fault>> faults = Map.of("left", List.of(new Fault.Stuck(0.4), new Fault.Bias(0.1)), "front", List.of(new Fault.Dead()));
         Collision collision = new Collision(POINT, 12.48, 1248, "desk", faults, List.of("rear", "right"));
         assertEquals(List.of("Faults then: front off, left stuck, left bias", "Switched off then: rear, right"),
-                CollisionPainter.lines(collision).subList(1, 3));
+                CollisionPainter.lines(collision, Words.ENGLISH).subList(1, 3));
     }
 }

@@ -2,6 +2,7 @@ package faultline.gui.canvas;
 
 import faultline.geometry.Vec;
 import faultline.gui.edit.Snap;
+import faultline.gui.text.Texts;
 import faultline.paint.Brush;
 import faultline.paint.SelectionPainter;
 import faultline.world.Obstacle;
@@ -66,16 +67,18 @@ final class DragHold implements Hold {
     @Override
     public void paint(Brush brush) {
         wish.ifPresent(wanted -> {
-            paint(brush, wanted.there());
-            SelectionPainter.paintValues(brush, wanted.values(), wanted.there(), last);
+            List<Obstacle> blocked = wanted.there().stream().filter(obstacle -> Room.isBlocked(scene, obstacle)).toList();
+            paint(brush, wanted.there(), blocked);
+            String values = blocked.isEmpty() ? wanted.values() : Texts.text("refused.robot", blocked.get(0).id());
+            SelectionPainter.paintValues(brush, values, wanted.there(), last);
         });
     }
 
-    private void paint(Brush brush, List<Obstacle> there) {
+    private static void paint(Brush brush, List<Obstacle> there, List<Obstacle> blocked) {
         if (there.size() <= Picture.FEW) {
-            there.forEach(obstacle -> SelectionPainter.paintWanted(brush, obstacle, Room.isBlocked(scene, obstacle)));
+            there.forEach(obstacle -> SelectionPainter.paintWanted(brush, obstacle, blocked.contains(obstacle)));
         } else {
-            SelectionPainter.paintWanted(brush, there, there.stream().anyMatch(obstacle -> Room.isBlocked(scene, obstacle)));
+            SelectionPainter.paintWanted(brush, there, !blocked.isEmpty());
         }
     }
 }

@@ -37,7 +37,7 @@ final class Picture {
     /** Paints a frame at the resolution of the device that the graphics belongs to. */
     void paint(Graphics2D graphics, Camera camera, Palette palette, Set<Layer> layers, Frame frame, Scene scene) {
         LayerImage.View view = new LayerImage.View(camera, palette, graphics.getTransform().getScaleX());
-        ScenePainter painter = new ScenePainter(layers);
+        ScenePainter painter = new ScenePainter(layers, PictureWords.spoken());
         Set<String> apart = scene.selection().get().size() <= FEW ? scene.selection().get() : Set.of();
         Map<Boolean, List<Obstacle>> byLife = frame.world().obstacles().stream().collect(Collectors.partitioningBy(
                 obstacle -> obstacle.motion().isPresent() || apart.contains(obstacle.id())));

@@ -4,6 +4,7 @@ import faultline.geometry.Vec;
 import faultline.gui.edit.FreshIds;
 import faultline.gui.edit.ReadyShape;
 import faultline.gui.edit.ShapeHandles;
+import faultline.gui.text.Texts;
 import faultline.paint.Brush;
 import faultline.paint.SelectionPainter;
 import faultline.world.Obstacle;
@@ -61,8 +62,12 @@ final class PlaceTool implements Tool {
     @Override
     public void paint(Brush brush) {
         planned.ifPresent(obstacle -> {
-            SelectionPainter.paintWanted(brush, obstacle, Room.isBlocked(desk.scene(), obstacle));
-            pressed.ifPresent(from -> SelectionPainter.paintValues(brush, ShapeHandles.values(obstacle, 0), List.of(obstacle), from));
+            boolean blocked = Room.isBlocked(desk.scene(), obstacle);
+            SelectionPainter.paintWanted(brush, obstacle, blocked);
+            if (blocked || pressed.isPresent()) {
+                String values = blocked ? Texts.text("refused.robot", obstacle.id()) : ShapeHandles.values(obstacle, 0);
+                SelectionPainter.paintValues(brush, values, List.of(obstacle), Vec.ZERO);
+            }
         });
     }
 }

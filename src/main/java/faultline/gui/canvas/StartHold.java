@@ -61,8 +61,9 @@ final class StartHold implements Hold {
     @Override
     public void paint(Brush brush) {
         wanted.ifPresent(pose -> {
-            SelectionPainter.paintRobot(brush, world.robot(), pose, Room.obstructing(world, pose).isPresent());
-            SelectionPainter.paintValues(brush, values(pose), List.of(), last);
+            Optional<String> obstructing = Room.obstructing(world, pose);
+            SelectionPainter.paintRobot(brush, world.robot(), pose, obstructing.isPresent());
+            SelectionPainter.paintValues(brush, obstructing.map(id -> Texts.text("refused.start", id)).orElseGet(() -> values(pose)), List.of(), last);
         });
     }
 

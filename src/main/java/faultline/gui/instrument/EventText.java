@@ -2,6 +2,7 @@ package faultline.gui.instrument;
 
 import faultline.engine.record.RunEvent;
 import faultline.gui.panel.ReadingText;
+import faultline.gui.text.Refusals;
 import faultline.gui.text.Texts;
 import faultline.world.Command;
 import java.util.Locale;
@@ -47,7 +48,7 @@ final class EventText {
             return sentence(done.command());
         }
         if (event instanceof RunEvent.Refused refused) {
-            return Texts.text("event.why", sentence(refused.command()), refused.why());
+            return Texts.text("event.why", sentence(refused.command()), Refusals.text(refused.why()));
         }
         return event instanceof RunEvent.Collided collided ? collision(collided) : Texts.text("event.diverged");
     }

@@ -1,0 +1,19 @@
+package faultline.paint;
+
+import faultline.sensor.FaultKind;
+import java.util.function.Function;
+
+/**
+ * The few words that a picture has in it. Those in files are {@link #ENGLISH}, so that a file is the same whoever wrote it.
+ *
+ * @param collision before the place and the moment of the first collision
+ * @param faults before the faults that there were then
+ * @param off before the sensors that were switched off then
+ * @param switchedOff beside a sensor that is switched off
+ * @param fault what a kind of fault is called
+ */
+public record Words(String collision, String faults, String off, String switchedOff, Function<FaultKind, String> fault) {
+
+    /** For files. */
+    public static final Words ENGLISH = new Words("First collision", "Faults then", "Switched off then", "off", FaultKind::fileName);
+}
