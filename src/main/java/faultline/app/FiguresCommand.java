@@ -1,9 +1,14 @@
 package faultline.app;
 
 import faultline.app.figures.Figures;
+import faultline.paint.plot.Appearance;
+import faultline.scenario.Quoting;
+import faultline.scenario.Spelling;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 
 /** {@code figures}: makes the paper's figures and studies anew. */
 final class FiguresCommand {
@@ -17,14 +22,22 @@ final class FiguresCommand {
     }
 
     int run(List<String> arguments) throws UsageException, IOException {
-        Arguments sorted = new Arguments(arguments, List.of("--out"));
+        Arguments sorted = new Arguments(arguments, List.of("--out", "--theme"));
         if (!sorted.files().isEmpty()) {
-            throw new UsageException("figures takes no file, only --out DIR");
+            throw new UsageException("figures takes no file, only --out DIR and --theme light|dark|adaptive");
         }
         Path folder = sorted.file("--out").orElseThrow(() -> new UsageException("figures needs --out DIR, the folder that they go to"));
-        Figures.make(folder, this::show);
+        Figures.make(folder, appearance(sorted.value("--theme").orElse("adaptive")), this::show);
         console.tell("figures: " + folder);
         return ExitCode.DONE;
+    }
+
+    private static Appearance appearance(String text) throws UsageException {
+        List<String> allowed = Arrays.stream(Appearance.values()).map(value -> value.name().toLowerCase(Locale.ROOT)).toList();
+        if (!allowed.contains(text)) {
+            throw new UsageException("--theme is " + Quoting.quoted(text) + ", allowed is light, dark or adaptive" + Spelling.hint(text, allowed));
+        }
+        return Appearance.valueOf(text.toUpperCase(Locale.ROOT));
     }
 
     /** A bar that grows in its line. */

@@ -19,6 +19,7 @@ final class HelpText {
               --journal OUT.xml            write the scenario that replays this run
             faultline check FILE...        tell everything that is wrong with scenario files
             faultline figures --out DIR    make the paper's figures and the studies behind its claims
+              --theme light|dark|adaptive  their colours; adaptive follows the reader's screen (default: adaptive)
             faultline --startup-time [FILE] open the window, print how long that took, and close it
             faultline --help | --version
 

@@ -12,13 +12,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every file in the folder scenarios, run against what it expects. */
+/** Every file in the folder scenarios and below it, run against what it expects. */
 class ShippedScenariosTest {
 
     private static final Path FOLDER = Path.of("scenarios");
 
     static List<Path> files() throws IOException {
-        try (Stream<Path> files = Files.list(FOLDER)) {
+        try (Stream<Path> files = Files.walk(FOLDER)) {
             return files.filter(file -> file.toString().endsWith(".xml")).sorted().toList();
         }
     }
@@ -41,7 +41,7 @@ class ShippedScenariosTest {
     @ParameterizedTest
     @MethodSource("files")
     void everyShippedScenarioIsInTheProgramAsWell(Path file) throws ScenarioException {
-        assertEquals(Scenario.load(file), Scenario.shipped(file.getFileName().toString()));
+        assertEquals(Scenario.load(file), Scenario.shipped(FOLDER.relativize(file).toString()));
     }
 
     @Test

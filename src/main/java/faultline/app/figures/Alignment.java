@@ -2,53 +2,35 @@ package faultline.app.figures;
 
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.FollowerState;
-import faultline.control.Hand;
 import faultline.control.Telemetry;
 import faultline.control.Timing;
 import faultline.engine.ControllerMode;
 import faultline.engine.Setup;
 import faultline.engine.Simulation;
 import faultline.geometry.Angles;
-import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vec;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
-import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Optional;
 
 /**
  * One trial of eq. (4) in the whole simulator: the robot drives to a wall, spins, times the wall, turns back, and hands over to FOLLOW. The wall in question
- * lies on y = {@link #WALL}; parallel to it, with the wall on the left, is heading 0.
+ * lies on y = {@link #WALL}; parallel to it, with the wall on the left, is heading 0. Five ticks a control period: between two looks the robot moves as smoothly
+ * as a real one.
  *
- * @param robot as built
- * @param place where it starts and what stands there
- * @param distance that it is to hold, metres
- * @param period of its control, seconds
- * @param timing which moments are F3 and F4
- * @param seed of the noise
+ * @param setup what is run
  * @param handOver which alignment counts: 1 for the first
  */
-record Alignment(RobotSpec robot, Place place, double distance, double period, Timing timing, long seed, int handOver) {
+record Alignment(Setup setup, int handOver) {
 
-    /** Where the wall in question lies, metres. */
+    /** Where the wall in question lies in all files of the studies, metres. */
     static final double WALL = 10;
 
-    private static final double SIZE = 2 * WALL;
-    /** Five ticks a control period: between two looks the robot moves as smoothly as a real one. */
-    private static final double DT = 0.002;
-    private static final double MOST_SECONDS = 45;
-
-    /** What stands there and where the robot starts. */
-    record Place(WorldSpec world, Pose start) {
-
-        /** An obstacle list as a world without a fence. */
-        static Place of(List<faultline.world.Obstacle> obstacles, Pose start) {
-            return new Place(new WorldSpec(SIZE, SIZE, false, 0, obstacles), start);
-        }
-    }
+    /** The file that the trials start from. */
+    static final Setup BASE = Shipped.load("studies/eq4-wall.xml").setup();
 
     /**
      * What came of a trial.
@@ -60,48 +42,74 @@ record Alignment(RobotSpec robot, Place place, double distance, double period, T
     record Outcome(double error, Vec at, double tD) {
     }
 
-    /** The robot of the study: as shipped, its sensors of a range and cone. */
+    /** The file's robot, with sensors of a range and cone, a spin rate and motors of a time constant. */
     static RobotSpec robot(double range, double cone, double rate, double tau) {
-        RobotSpec usual = RobotSpec.DEFAULT;
+        RobotSpec usual = BASE.robot();
         List<SensorSpec> sensors = usual.sensors().stream().map(sensor -> sensor.withRange(range).withCone(cone)).toList();
-        return new RobotSpec(usual.length(), usual.width(), usual.track(), usual.speed(), rate, new MotorSpec(tau, 0.1, 6), sensors);
+        MotorSpec motor = new MotorSpec(tau, usual.motor().speedConstant(), usual.motor().maxVoltage());
+        return new RobotSpec(usual.length(), usual.width(), usual.track(), usual.speed(), rate, motor, sensors);
     }
 
-    /** The usual robot and control before a long wall. */
+    /** The file's robot and control before its long wall. */
     static Alignment usual(Timing timing, int variant) {
-        return new Alignment(robot(0.8, Degrees.toRadians(20), Degrees.toRadians(60), 0.05), Walls.endless(0.25, variant), 0.25, 0.01, timing, variant + 1, 1);
+        Setup before = Walls.endless(BASE, control(BASE).distance(), variant);
+        return new Alignment(before.withSeed(variant + 1L), 1).timed(timing);
     }
 
-    Alignment with(RobotSpec other) {
-        return new Alignment(other, place, distance, period, timing, seed, handOver);
+    private static WallFollowing control(Setup setup) {
+        return (WallFollowing) setup.controller();
     }
 
-    Alignment in(Place other) {
-        return new Alignment(robot, other, distance, period, timing, seed, handOver);
+    private Alignment controlled(double distance, double period, Timing timing) {
+        return new Alignment(Variation.of(setup, new WallFollowing(distance, control(setup).hand(), period, timing)), handOver);
     }
 
-    Alignment holding(double newDistance) {
-        return new Alignment(robot, place, newDistance, period, timing, seed, handOver);
+    private Alignment timed(Timing timing) {
+        return controlled(control(setup).distance(), period(), timing);
     }
 
-    Alignment deciding(double newPeriod) {
-        return new Alignment(robot, place, distance, newPeriod, timing, seed, handOver);
+    Alignment with(RobotSpec robot) {
+        return new Alignment(Variation.of(setup, robot), handOver);
+    }
+
+    /** The same robot, control and seed elsewhere. */
+    Alignment in(Setup place) {
+        Setup there = Variation.of(Variation.of(place, setup.robot()), setup.controller());
+        return new Alignment(there.withSeed(setup.seed()), handOver);
+    }
+
+    Alignment holding(double distance) {
+        return controlled(distance, period(), timing());
+    }
+
+    Alignment deciding(double period) {
+        return controlled(control(setup).distance(), period, timing());
     }
 
     Alignment counting(int newHandOver) {
-        return new Alignment(robot, place, distance, period, timing, seed, newHandOver);
+        return new Alignment(setup, newHandOver);
     }
 
-    Setup setup() {
-        return new Setup(place.world(), robot, place.start(), new WallFollowing(distance, Hand.LEFT, period, timing), List.of(), DT, seed, MOST_SECONDS);
+    RobotSpec robot() {
+        return setup.robot();
+    }
+
+    /** The period of its control, seconds. */
+    double period() {
+        return control(setup).period();
+    }
+
+    /** Which moments are F3 and F4. */
+    Timing timing() {
+        return control(setup).timing();
     }
 
     /** Runs the trial; empty where the robot never hands over. */
     Optional<Outcome> run() {
-        try (Simulation simulation = new Simulation(setup(), ControllerMode.DIRECT)) {
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
             int handOvers = 0;
             String before = "";
-            while (simulation.time() < MOST_SECONDS && simulation.collision().isEmpty()) {
+            while (simulation.time() < setup.duration() && simulation.collision().isEmpty()) {
                 simulation.tick();
                 Telemetry now = simulation.telemetry();
                 if (now.state().equals(FollowerState.FOLLOW.name()) && before.equals(FollowerState.ALIGN.name()) && ++handOvers == handOver) {

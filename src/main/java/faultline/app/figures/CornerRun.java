@@ -16,19 +16,17 @@ final class CornerRun {
 
     static final Set<String> FOUR = Set.of("left", "front", "front-right", "front-left");
 
-    private static final double SECONDS = 25;
-    private static final double TICK = 0.01;
+    private static final Setup BASE = Shipped.load("studies/corner.xml").setup();
 
     private CornerRun() {
     }
 
     static Journey of(double degrees, Set<String> sensors) {
-        Alignment.Place place = Walls.corner(Degrees.toRadians(degrees), WallFollowing.DEFAULT.distance(), 0);
-        RobotSpec robot = RobotSpec.DEFAULT;
+        RobotSpec robot = BASE.robot();
         for (SensorSpec sensor : robot.sensors()) {
             robot = robot.withSensor(sensor.withOn(sensors.contains(sensor.id())));
         }
-        return Journey.of(new Setup(place.world(), robot, place.start(), WallFollowing.DEFAULT, List.of(), TICK, 1, SECONDS));
+        return Journey.of(Variation.of(Walls.corner(BASE, Degrees.toRadians(degrees), WallFollowing.DEFAULT.distance(), 0), robot));
     }
 
     /** How far the second wall is from the wanted distance when the robot has been aligned with it, millimetres; not a number where it was not. */

@@ -1,6 +1,6 @@
 package faultline.app.figures;
 
-import faultline.control.Timing;
+import faultline.engine.Setup;
 import faultline.geometry.Degrees;
 import faultline.geometry.Vec;
 import faultline.robot.RobotSpec;
@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 /** The study of eq. (4), t_p = t_D / 2: which quantities are varied, and how far. */
 final class EquationFour {
 
+    private static final Setup CORNER = Shipped.load("studies/eq4-corner.xml").setup();
     private static final double RANGE = 0.8;
     private static final double CONE = Degrees.toRadians(20);
     private static final double RATE = Degrees.toRadians(60);
@@ -23,7 +24,7 @@ final class EquationFour {
     static List<Sweep> sweeps() {
         return List.of(
                 sweep("distance", "Wanted distance to the wall", "distance (m)", steps(0.08, 0.04, 19), (value, timing, variant) ->
-                        Alignment.usual(timing, variant).holding(value).in(Walls.endless(value, variant))),
+                        Alignment.usual(timing, variant).holding(value).in(Walls.endless(Alignment.BASE, value, variant))),
                 sweep("range", "Range of the sensor", "range (m)", steps(0.3, 0.1, 13), (value, timing, variant) ->
                         Alignment.usual(timing, variant).with(Alignment.robot(value, CONE, RATE, TAU))),
                 sweep("cone", "Cone of the sensor", "full cone angle (degrees)", steps(2, 4, 15), (value, timing, variant) ->
@@ -41,12 +42,12 @@ final class EquationFour {
                 sweep("noise", "Noise of the sensors", "standard deviation of the noise (mm)", steps(0, 1, 13), (value, timing, variant) ->
                         Alignment.usual(timing, variant).with(noisy(value / 1000))),
                 sweep("wall-length", "Wall that ends ahead", "wall ahead of the robot (m)", steps(0.12, 0.06, 16), (value, timing, variant) ->
-                        Alignment.usual(timing, variant).in(Walls.ending(value, 0.25, variant))),
+                        Alignment.usual(timing, variant).in(Walls.ending(Alignment.BASE, value, 0.25, variant))),
                 sweep("corner", "Inner corner", "angle between the walls (degrees)", steps(40, 5, 22), (value, timing, variant) ->
-                        Alignment.usual(timing, variant).in(Walls.corner(Degrees.toRadians(value), 0.25, variant)).counting(2)),
+                        Alignment.usual(timing, variant).in(Walls.corner(CORNER, Degrees.toRadians(value), 0.25, variant)).counting(2)),
                 sweep("corner-short-range", "Inner corner, sensors of 0.3 m", "angle between the walls (degrees)", steps(40, 5, 22), (value, timing, variant) ->
                         Alignment.usual(timing, variant).with(Alignment.robot(0.3, CONE, RATE, TAU))
-                                .in(Walls.corner(Degrees.toRadians(value), 0.25, variant)).counting(2)));
+                                .in(Walls.corner(CORNER, Degrees.toRadians(value), 0.25, variant)).counting(2)));
     }
 
     private static Sweep sweep(String name, String title, String label, List<Double> values, Sweep.Trials trials) {

@@ -1,5 +1,6 @@
 package faultline.app.figures;
 
+import faultline.paint.plot.Appearance;
 import faultline.paint.plot.SvgDrawing;
 import faultline.scenario.AtomicFile;
 import java.awt.image.BufferedImage;
@@ -13,17 +14,18 @@ import javax.imageio.ImageIO;
  * Where figures go.
  *
  * @param path an existing folder
+ * @param appearance of the pictures
  */
-record FigureFolder(Path path) {
+record FigureFolder(Path path, Appearance appearance) {
 
     /** The folder of a path, made where it is not there. */
-    static FigureFolder at(Path path) throws IOException {
-        return new FigureFolder(Files.createDirectories(path));
+    static FigureFolder at(Path path, Appearance appearance) throws IOException {
+        return new FigureFolder(Files.createDirectories(path), appearance);
     }
 
     /** Writes a picture. */
     void svg(String name, SvgDrawing drawing) throws IOException {
-        write(name + ".svg", drawing.toFile());
+        write(name + ".svg", drawing.toFile(appearance));
     }
 
     /** Writes a table. */

@@ -1,5 +1,6 @@
 package faultline.app.figures;
 
+import faultline.paint.plot.Appearance;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -60,11 +61,12 @@ public final class Figures {
      * Makes all figures.
      *
      * @param path the folder; made where it is not there
+     * @param appearance of the pictures
      * @param progress told of each figure
      * @throws IOException if a file cannot be written
      */
-    public static void make(Path path, Progress progress) throws IOException {
-        make(FigureFolder.at(path), all(), progress);
+    public static void make(Path path, Appearance appearance, Progress progress) throws IOException {
+        make(FigureFolder.at(path, appearance), all(), progress);
     }
 
     static void make(FigureFolder folder, List<Figure> figures, Progress progress) throws IOException {

@@ -5,6 +5,7 @@ import faultline.engine.Simulation;
 import faultline.gui.action.UiAction;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.theme.Theme;
+import faultline.paint.plot.Appearance;
 import faultline.world.Snapshot;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -22,7 +23,7 @@ final class PanelPicture implements Figure {
 
     @Override
     public void make(FigureFolder folder) throws IOException {
-        folder.png("fig1-panel", onEdt(world()));
+        folder.png("fig1-panel", onEdt(world(), folder.appearance() == Appearance.DARK ? Theme.DARK : Theme.LIGHT));
     }
 
     private static Snapshot world() {
@@ -34,10 +35,10 @@ final class PanelPicture implements Figure {
         }
     }
 
-    private static BufferedImage onEdt(Snapshot world) throws IOException {
+    private static BufferedImage onEdt(Snapshot world, Theme theme) throws IOException {
         BufferedImage[] painted = new BufferedImage[1];
         try {
-            EventQueue.invokeAndWait(() -> painted[0] = paint(world));
+            EventQueue.invokeAndWait(() -> painted[0] = paint(world, theme));
             return painted[0];
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -47,8 +48,8 @@ final class PanelPicture implements Figure {
         }
     }
 
-    private static BufferedImage paint(Snapshot world) {
-        Theme.LIGHT.install();
+    private static BufferedImage paint(Snapshot world, Theme theme) {
+        theme.install();
         ControlPanel panel = new ControlPanel(command -> { }, UiAction.toggle("path", true, on -> { }));
         panel.show(world);
         panel.addNotify();

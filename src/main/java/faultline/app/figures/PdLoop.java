@@ -1,13 +1,10 @@
 package faultline.app.figures;
 
 import faultline.control.PdGains;
+import faultline.engine.Setup;
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
 import faultline.robot.RobotSpec;
-import faultline.world.Obstacle;
-import faultline.world.ObstacleShape;
 import faultline.world.World;
-import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -20,9 +17,9 @@ import java.util.List;
  */
 record PdLoop(PdGains gains, double tooFar, double heading) {
 
-    static final double WANTED = 0.25;
-    static final double TICK = 0.01;
-    static final double SPEED = RobotSpec.DEFAULT.speed();
+    private static final Setup BASE = Shipped.load("studies/pd-law.xml").setup();
+    static final double TICK = BASE.dt();
+    static final double SPEED = BASE.robot().speed();
 
     /** What became of the loop, from the best to the worst. */
     enum Fate {
@@ -32,20 +29,18 @@ record PdLoop(PdGains gains, double tooFar, double heading) {
     private static final double SECONDS = 12;
     private static final double SETTLED = 0.001;
     private static final double LATE = 2;
-    private static final double SIZE = 100;
     private static final double SLOWEST = 0.3;
 
     /** The distance errors tick by tick, metres; they end where the robot touches the wall. */
     List<Double> errors() {
-        RobotSpec robot = RobotSpec.DEFAULT;
-        Obstacle wall = new Obstacle("wall", new ObstacleShape.Wall(List.of(new Vec(0, SIZE / 2), new Vec(SIZE, SIZE / 2))), Pose.ORIGIN);
-        Pose start = new Pose(SIZE / 2, SIZE / 2 - robot.width() / 2 - WANTED - tooFar, heading);
-        World world = new World(new WorldSpec(SIZE, SIZE, false, 0, List.of(wall)), robot, start, TICK, 1);
+        RobotSpec robot = BASE.robot();
+        double line = BASE.start().y();
+        World world = new World(BASE.world(), robot, new Pose(BASE.start().x(), line - tooFar, heading), TICK, BASE.seed());
         List<Double> errors = new ArrayList<>();
         double volts = robot.motor().voltageFor(SPEED);
         double half = 0;
         while (errors.size() * TICK < SECONDS && world.collision().isEmpty()) {
-            double error = SIZE / 2 - world.pose().y() - robot.width() / 2 - WANTED;
+            double error = line - world.pose().y();
             errors.add(error);
             double rate = gains.proportionalTerm(error) + gains.derivativeTerm(-SPEED * StrictMath.sin(world.pose().heading()));
             world.move(volts - half, volts + half);

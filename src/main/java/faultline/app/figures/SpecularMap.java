@@ -1,6 +1,5 @@
 package faultline.app.figures;
 
-import faultline.control.ControllerSpec.WallFollowing;
 import faultline.engine.Setup;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
@@ -8,15 +7,11 @@ import faultline.geometry.Vec;
 import faultline.paint.plot.Axis;
 import faultline.paint.plot.Chart;
 import faultline.paint.plot.Mark;
-import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Obstacle;
-import faultline.world.ObstacleShape;
-import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /** Specular reflection: which glossy walls, met at which slant, the robot finds in time. */
 final class SpecularMap implements Figure {
@@ -26,8 +21,7 @@ final class SpecularMap implements Figure {
     private static final Axis SLANT = Axis.linear("angle of approach from the wall's normal (degrees)", -64, 64);
     private static final Axis SPECULAR = Axis.linear("greatest angle of incidence sent back (degrees)", 0, 30);
     private static final List<String> NAMES = List.of("aligned with it", "neither", "runs into it");
-    private static final double SECONDS = 12;
-    private static final double AWAY = 0.9;
+    private static final Setup BASE = Shipped.load("studies/glossy-wall.xml").setup();
 
     @Override
     public void make(FigureFolder folder) throws IOException {
@@ -55,12 +49,10 @@ final class SpecularMap implements Figure {
     }
 
     private static int outcome(double slant, double specular) {
-        double middle = Alignment.WALL;
-        Obstacle wall = new Obstacle("wall", new ObstacleShape.Wall(List.of(new Vec(0, middle), new Vec(2 * middle, middle))), Pose.ORIGIN,
-                Optional.empty(), Degrees.toRadians(specular));
-        Pose start = new Pose(middle, middle - AWAY, StrictMath.PI / 2 + Degrees.toRadians(slant));
-        Journey journey = Journey.of(new Setup(new WorldSpec(2 * middle, 2 * middle, false, 0, List.of(wall)), RobotSpec.DEFAULT, start, WallFollowing.DEFAULT,
-                List.of(), 0.01, 1, SECONDS));
+        Obstacle wall = Variation.obstacle(BASE, "wall");
+        Pose start = new Pose(BASE.start().x(), BASE.start().y(), StrictMath.PI / 2 + Degrees.toRadians(slant));
+        Obstacle glossy = new Obstacle(wall.id(), wall.shape(), wall.pose(), wall.motion(), Degrees.toRadians(specular));
+        Journey journey = Journey.of(Variation.of(BASE, glossy).withStart(start));
         if (journey.result().collision().isPresent()) {
             return 2;
         }

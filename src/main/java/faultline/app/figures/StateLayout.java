@@ -11,17 +11,21 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * Where the states of a diagram stand: on a circle, in the order that makes the fewest arrows cross, and among those the shortest; arrows bend to their left, so
- * that two which lead to and fro lie apart.
+ * Where the states of a diagram stand: on a circle, in the order that makes the fewest arrows cross, and among those the shortest. Arrows are straight, but two which
+ * lead to and fro bend to their left, so that they lie apart.
  */
 final class StateLayout {
 
     private static final double BEND = 0.22;
     private static final int POINTS = 40;
+    /** For crossings, every so manieth point of a curve will do. */
+    private static final int COARSE = 5;
 
     private final Map<FollowerState, Vec> places = new EnumMap<>(FollowerState.class);
+    private final List<Arrow> arrows;
 
-    private StateLayout(List<FollowerState> order, Vec centre, double radius) {
+    private StateLayout(List<FollowerState> order, List<Arrow> arrows, Vec centre, double radius) {
+        this.arrows = arrows;
         for (int i = 0; i < order.size(); i++) {
             double bearing = StrictMath.PI * (-2.0 / 3 + 2.0 * i / order.size());
             places.put(order.get(i), centre.plus(Vec.direction(bearing).times(radius)));
@@ -39,7 +43,7 @@ final class StateLayout {
                 best = order;
             }
         }
-        return new StateLayout(best, centre, radius);
+        return new StateLayout(best, arrows, centre, radius);
     }
 
     /** All orders that begin with some states. */
@@ -59,24 +63,38 @@ final class StateLayout {
 
     /** A crossing counts more than any length. */
     private static double cost(List<FollowerState> order, List<Arrow> arrows) {
-        StateLayout layout = new StateLayout(order, Vec.ZERO, 1);
+        StateLayout layout = new StateLayout(order, arrows, Vec.ZERO, 1);
+        List<List<Vec>> curves = arrows.stream().map(layout::coarse).toList();
         double cost = 0;
-        for (Arrow one : arrows) {
-            cost += layout.place(one.from()).distanceTo(layout.place(one.to()));
-            cost += 100 * arrows.stream().filter(other -> layout.cross(one, other)).count();
+        for (int i = 0; i < arrows.size(); i++) {
+            cost += layout.place(arrows.get(i).from()).distanceTo(layout.place(arrows.get(i).to()));
+            for (int j = 0; j < i; j++) {
+                cost += cross(curves.get(i), curves.get(j)) ? 100 : 0;
+            }
         }
         return cost;
     }
 
-    private boolean cross(Arrow one, Arrow other) {
-        boolean touch = one.from() == other.from() || one.from() == other.to() || one.to() == other.from() || one.to() == other.to();
-        return !touch && apart(one, other) && apart(other, one);
+    private List<Vec> coarse(Arrow arrow) {
+        List<Vec> curve = curve(arrow, 0);
+        return IntStream.range(0, curve.size()).filter(i -> i % COARSE == COARSE / 2).mapToObj(curve::get).toList();
     }
 
-    /** Whether the second arrow's ends lie on either side of the first. */
-    private boolean apart(Arrow line, Arrow ends) {
-        Vec way = place(line.to()).minus(place(line.from()));
-        return way.cross(place(ends.from()).minus(place(line.from()))) * way.cross(place(ends.to()).minus(place(line.from()))) < 0;
+    private static boolean cross(List<Vec> one, List<Vec> other) {
+        for (int i = 1; i < one.size(); i++) {
+            for (int j = 1; j < other.size(); j++) {
+                if (apart(one.get(i - 1), one.get(i), other.get(j - 1), other.get(j)) && apart(other.get(j - 1), other.get(j), one.get(i - 1), one.get(i))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Whether two points lie on either side of a line. */
+    private static boolean apart(Vec from, Vec to, Vec one, Vec other) {
+        Vec way = to.minus(from);
+        return way.cross(one.minus(from)) * way.cross(other.minus(from)) < 0;
     }
 
     Vec place(FollowerState state) {
@@ -87,7 +105,8 @@ final class StateLayout {
     List<Vec> curve(Arrow arrow, double rim) {
         Vec from = place(arrow.from());
         Vec to = place(arrow.to());
-        Vec bend = from.plus(to).times(0.5).plus(to.minus(from).perpendicular().times(BEND));
+        boolean toAndFro = arrows.stream().anyMatch(other -> other.from() == arrow.to() && other.to() == arrow.from());
+        Vec bend = from.plus(to).times(0.5).plus(to.minus(from).perpendicular().times(toAndFro ? BEND : 0));
         return IntStream.rangeClosed(0, POINTS).mapToDouble(i -> (double) i / POINTS)
                 .mapToObj(t -> from.times((1 - t) * (1 - t)).plus(bend.times(2 * t * (1 - t))).plus(to.times(t * t)))
                 .filter(point -> point.distanceTo(from) > rim && point.distanceTo(to) > rim).toList();

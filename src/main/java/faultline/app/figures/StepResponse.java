@@ -21,7 +21,7 @@ final class StepResponse implements Figure {
 
     private static final List<Double> LENGTHS = List.of(0.06, 0.015, 0.12, 0.24);
     private static final double SECONDS = 5;
-    private static final double MOVED_AT = 10;
+    private static final Setup BASE = Shipped.load("studies/moved-wall.xml").setup();
     private static final double MOVED_BY = 0.055;
     private static final double TICK = 0.01;
 
@@ -58,11 +58,10 @@ final class StepResponse implements Figure {
     }
 
     private static List<Double> moved(double away) {
-        Alignment.Place place = Walls.endless(WallFollowing.DEFAULT.distance(), 0);
+        Setup.Timed jump = BASE.timeline().get(0);
         Command move = new Command.MoveObstacle("wall", new Pose(0, away, 0));
-        Journey journey = Journey.of(new Setup(place.world(), RobotSpec.DEFAULT, place.start(), WallFollowing.DEFAULT,
-                List.of(new Setup.Timed(MOVED_AT, move)), TICK, 1, MOVED_AT + SECONDS));
-        int from = (int) Math.round(MOVED_AT / TICK);
+        Journey journey = Journey.of(Variation.of(BASE, List.of(new Setup.Timed(jump.at(), move))));
+        int from = (int) Math.round(jump.at() / TICK);
         double line = Alignment.WALL + away - RobotSpec.DEFAULT.width() / 2 - WallFollowing.DEFAULT.distance();
         return journey.poses().subList(from, journey.poses().size()).stream().map(pose -> line - pose.y()).toList();
     }

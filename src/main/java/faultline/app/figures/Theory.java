@@ -26,7 +26,7 @@ record Theory(Alignment trial, List<Convex> walls, Vec at) {
     private static final int HALVINGS = 40;
 
     static Theory of(Alignment trial, Vec at) {
-        List<Convex> walls = trial.place().world().obstacles().stream().flatMap(obstacle -> Outline.of(obstacle).parts().stream()).toList();
+        List<Convex> walls = trial.setup().world().obstacles().stream().flatMap(obstacle -> Outline.of(obstacle).parts().stream()).toList();
         return new Theory(trial, walls, at);
     }
 

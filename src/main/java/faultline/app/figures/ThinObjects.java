@@ -1,6 +1,5 @@
 package faultline.app.figures;
 
-import faultline.control.ControllerSpec.WallFollowing;
 import faultline.engine.ControllerMode;
 import faultline.engine.HeadlessRun;
 import faultline.engine.RunResult;
@@ -12,9 +11,9 @@ import faultline.paint.plot.Axis;
 import faultline.paint.plot.Chart;
 import faultline.paint.plot.Mark;
 import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
-import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -27,7 +26,7 @@ final class ThinObjects implements Figure {
     private static final int PLACES = 25;
     private static final double NEAREST = 0.08;
     private static final double STEP = 0.02;
-    private static final double SECONDS = 18;
+    private static final Setup BASE = Shipped.load("studies/pole.xml").setup();
 
     @Override
     public void make(FigureFolder folder) throws IOException {
@@ -58,11 +57,13 @@ final class ThinObjects implements Figure {
 
     /** A long wall is followed to a pole at a distance from it. */
     private static RunResult run(double cone, double diameter, double away) {
-        double middle = Alignment.WALL;
-        Obstacle wall = new Obstacle("wall", new ObstacleShape.Wall(List.of(new Vec(middle - 4, middle), new Vec(middle + 4, middle))), Pose.ORIGIN);
-        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(diameter / 2), new Pose(middle + 2, middle - away - diameter / 2, 0));
-        RobotSpec robot = Alignment.robot(0.8, Degrees.toRadians(cone), RobotSpec.DEFAULT.turnRate(), RobotSpec.DEFAULT.motor().timeConstant());
-        return HeadlessRun.run(new Setup(new WorldSpec(2 * middle, 2 * middle, false, 0, List.of(wall, pole)), robot, new Pose(middle, middle - 0.6, 1.6),
-                WallFollowing.DEFAULT, List.of(), 0.01, 1, SECONDS), ControllerMode.DIRECT, List.of());
+        Obstacle pole = Variation.obstacle(BASE, "pole");
+        Pose place = new Pose(pole.pose().x(), Alignment.WALL - away - diameter / 2, 0);
+        Setup varied = Variation.of(BASE, pole.shaped(new ObstacleShape.Circle(diameter / 2)).at(place));
+        RobotSpec robot = BASE.robot();
+        for (SensorSpec sensor : robot.sensors()) {
+            robot = robot.withSensor(sensor.withCone(Degrees.toRadians(cone)));
+        }
+        return HeadlessRun.run(Variation.of(varied, robot), ControllerMode.DIRECT, List.of());
     }
 }

@@ -69,10 +69,11 @@ public final class SvgDrawing implements Drawing {
     /**
      * The picture so far as a file.
      *
+     * @param appearance of the picture, which was drawn in the light theme's colours
      * @return the text of an SVG file
      */
-    public String toFile() {
-        return out + "</svg>\n";
+    public String toFile(Appearance appearance) {
+        return appearance.of(out + "</svg>\n");
     }
 
     private static String circle(Vec centre, double radius) {
@@ -89,14 +90,15 @@ public final class SvgDrawing implements Drawing {
                 + (dashes.isEmpty() ? " stroke-linecap=\"round\"" : " stroke-dasharray=\"" + dashes + "\"");
     }
 
-    /** The stretches of a text; each is set off from where the one before it left the line. */
+    /** The stretches of a text; each is set off from where the one before it left the line. A space at a stretch's end must not be lost, so it is one that does not break. */
     private static String runs(String text, double size) {
         StringBuilder spans = new StringBuilder();
         boolean lowered = false;
         for (Subscripts.Run run : Subscripts.runs(text)) {
             String shift = run.lowered() == lowered ? "" : " dy=\"" + SvgText.number((run.lowered() ? 1 : -1) * Subscripts.DROP * size) + "\"";
             String small = run.lowered() ? " font-size=\"" + SvgText.number(Subscripts.SIZE * size) + "\"" : "";
-            spans.append(shift.isEmpty() ? SvgText.escaped(run.text()) : "<tspan" + shift + small + ">" + SvgText.escaped(run.text()) + "</tspan>");
+            String words = SvgText.escaped(run.text().replaceAll("^ | $", "\u00a0"));
+            spans.append(shift.isEmpty() ? words : "<tspan" + shift + small + ">" + words + "</tspan>");
             lowered = run.lowered();
         }
         return spans.toString();

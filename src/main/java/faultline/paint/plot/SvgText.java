@@ -20,8 +20,13 @@ public final class SvgText {
      * @return with a blank in front
      */
     public static String paint(String attribute, Color colour) {
-        String solid = String.format(Locale.ROOT, " %s=\"#%06x\"", attribute, colour.getRGB() & 0xFFFFFF);
+        String solid = " " + attribute + "=\"" + hex(colour) + "\"";
         return colour.getAlpha() == 255 ? solid : solid + " " + attribute + "-opacity=\"" + number(colour.getAlpha() / 255.0) + "\"";
+    }
+
+    /** A colour as {@code #rrggbb}. */
+    static String hex(Color colour) {
+        return String.format(Locale.ROOT, "#%06x", colour.getRGB() & 0xFFFFFF);
     }
 
     /**

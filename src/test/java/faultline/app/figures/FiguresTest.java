@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.StateDiagram;
+import faultline.paint.plot.Appearance;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -25,7 +26,7 @@ class FiguresTest {
 
     @BeforeAll
     static void makeAll() throws IOException {
-        Figures.make(fresh, (done, all) -> { });
+        Figures.make(fresh, Appearance.ADAPTIVE, (done, all) -> { });
     }
 
     private static List<String> names(Path folder) throws IOException {
@@ -65,6 +66,12 @@ class FiguresTest {
         for (StateDiagram.Arrow arrow : StateDiagram.ARROWS) {
             assertTrue(picture.contains(">" + arrow.from() + " \u2192 " + arrow.to() + "<"), arrow.toString());
         }
+    }
+
+    @Test
+    void everyScenarioFileOfTheStudiesIsNamedInTheResults() throws IOException {
+        String results = Files.readString(Path.of("docs/results.md"));
+        assertEquals(List.of(), names(Path.of("scenarios/studies")).stream().filter(name -> !results.contains("scenarios/studies/" + name)).toList());
     }
 
     @Test

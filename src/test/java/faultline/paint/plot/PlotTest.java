@@ -52,14 +52,14 @@ class PlotTest {
     void whatAFileMayNotHoldIsWrittenAsItMustBe() {
         SvgDrawing drawing = new SvgDrawing(10, 10, Color.WHITE);
         drawing.text("a < b & c > d", Vec.ZERO, TextStyle.plain(10, Color.BLACK));
-        assertTrue(drawing.toFile().contains(">a &lt; b &amp; c &gt; d</text>"), drawing.toFile());
+        assertTrue(drawing.toFile(Appearance.LIGHT).contains(">a &lt; b &amp; c &gt; d</text>"), drawing.toFile(Appearance.LIGHT));
     }
 
     @Test
     void anIndexIsSetLowerAndTheLineGoesOnAsBefore() {
         SvgDrawing drawing = new SvgDrawing(10, 10, Color.WHITE);
         drawing.text("t_D = 1", Vec.ZERO, TextStyle.plain(12, Color.BLACK));
-        assertTrue(drawing.toFile().contains(">t<tspan dy=\"3\" font-size=\"9\">D</tspan><tspan dy=\"-3\"> = 1</tspan></text>"), drawing.toFile());
+        assertTrue(drawing.toFile(Appearance.LIGHT).contains(">t<tspan dy=\"3\" font-size=\"9\">D</tspan><tspan dy=\"-3\"> = 1</tspan></text>"), drawing.toFile(Appearance.LIGHT));
     }
 
     @Test
@@ -78,7 +78,7 @@ class PlotTest {
     private static String file() {
         SvgDrawing drawing = new SvgDrawing(300, 200, Color.WHITE);
         ChartPainter.paint(drawing, chart(), new Area(0, 0, 300, 200), Theme.LIGHT);
-        return drawing.toFile();
+        return drawing.toFile(Appearance.LIGHT);
     }
 
     private static Chart chart() {
