@@ -33,6 +33,8 @@ public final class EventMeter implements AutoCloseable {
     private final Queue queue = new Queue();
     private long cpu;
     private int depth;
+    /** Whether the event that is being handled has let others be handled meanwhile. */
+    private boolean pumped;
 
     private EventMeter() {
         Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue);
@@ -64,11 +66,12 @@ public final class EventMeter implements AutoCloseable {
         protected void dispatchEvent(AWTEvent event) {
             add("around a dialog", false, 0);
             depth++;
+            pumped = false;
             long begun = System.nanoTime();
             super.dispatchEvent(event);
-            double wall = depth > 1 ? 0 : (System.nanoTime() - begun) / NANOS;
-            add(event.toString(), isPaint(event), wall);
+            add(event.toString(), isPaint(event), pumped ? 0 : (System.nanoTime() - begun) / NANOS);
             depth--;
+            pumped = depth > 0;
         }
 
         private void add(String event, boolean isPaint, double wall) {

@@ -45,12 +45,14 @@ class KeptPictureTest {
     private final SimulationCanvas canvas = onEdt(() -> new SimulationCanvas(command -> { }));
     private Palette palette = Palette.LIGHT;
     private boolean labels;
+    private int deviceScale;
     private Random random = new Random(0);
 
     @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4, 5})
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
     void afterAnythingWasDoneThePictureIsSoonAsIfPaintedAtOnce(long seed) {
         random = new Random(seed);
+        deviceScale = 1 + (int) (seed % 2);
         edt(() -> canvas.setSize(600, 440));
         IntStream.range(0, OBSTACLES).forEach(i -> obstacles.add(obstacle("o" + i)));
         show();
@@ -110,7 +112,7 @@ class KeptPictureTest {
     private void assertLooksPaintedAtOnce(String when) {
         edt(() -> canvas.tools().select(List.of()));
         BufferedImage shown = paint(FRAMES);
-        BufferedImage atOnce = onEdt(() -> canvas.shot(palette).map(shot -> shot.image(1)).orElseThrow());
+        BufferedImage atOnce = onEdt(() -> canvas.shot(palette).map(shot -> shot.image(deviceScale)).orElseThrow());
         int unlike = Pixels.unlike(atOnce, shown);
         assertTrue(unlike <= JOINTS, when + ": " + unlike + " pixels differ");
     }
@@ -118,9 +120,10 @@ class KeptPictureTest {
     /** The last of so many frames. */
     private BufferedImage paint(int frames) {
         return onEdt(() -> {
-            BufferedImage image = new BufferedImage(canvas.getWidth(), canvas.getHeight(), BufferedImage.TYPE_INT_RGB);
+            BufferedImage image = new BufferedImage(canvas.getWidth() * deviceScale, canvas.getHeight() * deviceScale, BufferedImage.TYPE_INT_RGB);
             for (int i = 0; i < frames; i++) {
                 Graphics2D graphics = image.createGraphics();
+                graphics.scale(deviceScale, deviceScale);
                 canvas.paint(graphics);
                 graphics.dispose();
             }
