@@ -6,6 +6,7 @@ import faultline.geometry.Sector;
 import faultline.geometry.Vec;
 import faultline.robot.RobotSpec;
 import faultline.world.Obstacle;
+import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
@@ -222,20 +223,36 @@ public final class SelectionPainter {
      * @param mouse pixels
      */
     public static void paintValues(Brush brush, String values, List<Obstacle> there, Vec mouse) {
+        paintPlate(brush, values, below(brush, there, mouse), brush.palette().accent());
+    }
+
+    /**
+     * Paints why a hand cannot have what it wants, where {@link #paintValues} paints values.
+     *
+     * @param brush where to
+     * @param reason one sentence
+     * @param there the obstacles as they are wanted
+     * @param mouse pixels
+     */
+    public static void paintRefusal(Brush brush, String reason, List<Obstacle> there, Vec mouse) {
+        paintPlate(brush, reason, below(brush, there, mouse), brush.palette().hit());
+    }
+
+    private static Vec below(Brush brush, List<Obstacle> there, Vec mouse) {
         Rectangle2D bounds = bounds(brush, there).orElse(new Rectangle2D.Double(mouse.x(), mouse.y(), 0, 0));
-        paintValues(brush, values, bounds.getCenterX(), bounds.getMaxY() + VALUES_GAP);
+        return new Vec(bounds.getCenterX(), bounds.getMaxY() + VALUES_GAP);
     }
 
     /** A plate about a place, moved into the picture where the place is not. */
-    private static void paintValues(Brush brush, String values, double x, double y) {
+    private static void paintPlate(Brush brush, String values, Vec place, Color edge) {
         Rectangle2D text = brush.measure(values);
         double halfWidth = text.getWidth() / 2 + VALUES_PADDING;
         double halfHeight = text.getHeight() / 2 + VALUES_PADDING / 2;
-        double inX = within(x, halfWidth, brush.camera().width() - halfWidth);
-        double inY = within(y, halfHeight, brush.camera().height() - halfHeight);
+        double inX = within(place.x(), halfWidth, brush.camera().width() - halfWidth);
+        double inY = within(place.y(), halfHeight, brush.camera().height() - halfHeight);
         Shape plate = new RoundRectangle2D.Double(inX - halfWidth, inY - halfHeight, 2 * halfWidth, 2 * halfHeight, 8, 8);
         brush.fill(plate, brush.palette().canvas());
-        brush.draw(plate, brush.palette().accent(), Brush.solid(1.4));
+        brush.draw(plate, edge, KNOB);
         brush.label(values, inX, inY, brush.palette().text());
     }
 

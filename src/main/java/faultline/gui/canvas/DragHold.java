@@ -69,8 +69,11 @@ final class DragHold implements Hold {
         wish.ifPresent(wanted -> {
             List<Obstacle> blocked = wanted.there().stream().filter(obstacle -> Room.isBlocked(scene, obstacle)).toList();
             paint(brush, wanted.there(), blocked);
-            String values = blocked.isEmpty() ? wanted.values() : Texts.text("refused.robot", blocked.get(0).id());
-            SelectionPainter.paintValues(brush, values, wanted.there(), last);
+            if (blocked.isEmpty()) {
+                SelectionPainter.paintValues(brush, wanted.values(), wanted.there(), last);
+            } else {
+                SelectionPainter.paintRefusal(brush, Texts.text("refused.robot", blocked.get(0).id()), wanted.there(), last);
+            }
         });
     }
 

@@ -64,9 +64,10 @@ final class PlaceTool implements Tool {
         planned.ifPresent(obstacle -> {
             boolean blocked = Room.isBlocked(desk.scene(), obstacle);
             SelectionPainter.paintWanted(brush, obstacle, blocked);
-            if (blocked || pressed.isPresent()) {
-                String values = blocked ? Texts.text("refused.robot", obstacle.id()) : ShapeHandles.values(obstacle, 0);
-                SelectionPainter.paintValues(brush, values, List.of(obstacle), Vec.ZERO);
+            if (blocked) {
+                SelectionPainter.paintRefusal(brush, Texts.text("refused.robot", obstacle.id()), List.of(obstacle), Vec.ZERO);
+            } else if (pressed.isPresent()) {
+                SelectionPainter.paintValues(brush, ShapeHandles.values(obstacle, 0), List.of(obstacle), Vec.ZERO);
             }
         });
     }

@@ -63,7 +63,8 @@ final class StartHold implements Hold {
         wanted.ifPresent(pose -> {
             Optional<String> obstructing = Room.obstructing(world, pose);
             SelectionPainter.paintRobot(brush, world.robot(), pose, obstructing.isPresent());
-            SelectionPainter.paintValues(brush, obstructing.map(id -> Texts.text("refused.start", id)).orElseGet(() -> values(pose)), List.of(), last);
+            obstructing.ifPresentOrElse(id -> SelectionPainter.paintRefusal(brush, Texts.text("refused.start", id), List.of(), last),
+                    () -> SelectionPainter.paintValues(brush, values(pose), List.of(), last));
         });
     }
 

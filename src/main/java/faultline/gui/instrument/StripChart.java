@@ -7,7 +7,9 @@ import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.BoxLayout;
@@ -39,7 +41,7 @@ public final class StripChart extends JPanel {
         JPanel bar = new JPanel();
         bar.setLayout(new BoxLayout(bar, BoxLayout.LINE_AXIS));
         bar.setBorder(BorderFactory.createEmptyBorder(4, 10, 4, 10));
-        choice.setPrototypeDisplayValue(new Signal(Texts.text("signal.sensor", "front-right") + "  ", "", List.of()));
+        choice.setPrototypeDisplayValue(widest());
         choice.setMaximumSize(choice.getPreferredSize());
         choice.setMinimumSize(new Dimension(LEAST_CHOICE, choice.getPreferredSize().height));
         hold.setMinimumSize(hold.getPreferredSize());
@@ -50,6 +52,14 @@ public final class StripChart extends JPanel {
         bar.add(legend);
         add(bar, BorderLayout.NORTH);
         add(view, BorderLayout.CENTER);
+    }
+
+    /** The longest name that a usual robot has to choose from. */
+    private Signal widest() {
+        Stream<String> names = Stream.of(Texts.text("signal.distance"), Texts.text("signal.terms"), Texts.text("signal.volts"),
+                Texts.text("signal.sensor", "front-right"));
+        String longest = names.max(Comparator.comparingInt(getFontMetrics(choice.getFont())::stringWidth)).orElseThrow();
+        return new Signal(longest + "  ", "", List.of());
     }
 
     private void hold(boolean on) {

@@ -89,7 +89,7 @@ final class StripView extends JComponent {
 
     private Optional<ReadOut> readOut(StripScale scale) {
         return pointer.isEmpty() ? Optional.empty()
-                : Optional.of(new ReadOut(scale, span.at(share(pointer.getAsDouble())))).filter(out -> !out.isEmpty());
+                : Optional.of(new ReadOut(scale, span.at(share(pointer.getAsDouble())))).filter(out -> !scale.isEmpty() && !out.isEmpty());
     }
 
     private double enlargement() {

@@ -28,6 +28,13 @@ public final class FlatComboBoxUI extends BasicComboBoxUI {
         return ArrowButton.down();
     }
 
+    /** Only the box itself takes the focus: the arrow would be a second stop on the way of the Tab key, without a name. */
+    @Override
+    public void configureArrowButton() {
+        super.configureArrowButton();
+        arrowButton.setFocusable(false);
+    }
+
     @Override
     public void paintCurrentValueBackground(Graphics graphics, Rectangle value, boolean focused) {
         graphics.setColor(Theme.now().field());

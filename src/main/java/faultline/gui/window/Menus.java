@@ -48,8 +48,8 @@ final class Menus {
     /** What can be done to what is selected, beside the mouse. */
     static JPopupMenu onCanvas(UiActions actions) {
         JPopupMenu popup = new JPopupMenu();
-        for (String key : List.of("drawWay", "waySpeed", "standStill", "duplicate", "cut", "copy", "paste", "delete")) {
-            popup.add(item(actions.get(key)));
+        for (String key : List.of("drawWay", "waySpeed", "standStill", RULE, "cut", "copy", "paste", "duplicate", "delete")) {
+            popup.add(key.equals(RULE) ? new JPopupMenu.Separator() : item(actions.get(key)));
         }
         return popup;
     }

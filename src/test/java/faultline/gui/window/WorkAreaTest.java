@@ -173,6 +173,13 @@ class WorkAreaTest {
     }
 
     @Test
+    void theArrowOfAChoiceIsNoStopForTheTabKey() {
+        List<AbstractButton> arrows = onEdt(() -> Components.all(area, AbstractButton.class).filter(button -> button.getParent() instanceof JComboBox).toList());
+        assertTrue(arrows.size() >= 3);
+        assertTrue(arrows.stream().noneMatch(AbstractButton::isFocusable));
+    }
+
+    @Test
     void theTipOfAToolNamesItsKey() {
         assertEquals("Make one tick and hold (.)",
                 onEdt(() -> Components.named(area, AbstractButton.class, "Step").getToolTipText()));
