@@ -20,7 +20,7 @@ import javax.swing.ScrollPaneConstants;
 public final class ControlPanel extends JPanel {
 
     private static final int WHEEL = 16;
-    private static final int WIDTH = 424;
+    private static final int WIDTH = 436;
 
     private final RobotPanel robot;
     private final SensorsPanel sensors;

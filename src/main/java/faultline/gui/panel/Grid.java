@@ -42,4 +42,11 @@ final class Grid {
         place.anchor = GridBagConstraints.CENTER;
         return place;
     }
+
+    /** A cell for something without a base line, at the left of its column and in the middle of its row. */
+    static GridBagConstraints leading(int column, int row) {
+        GridBagConstraints place = cell(column, row);
+        place.anchor = GridBagConstraints.LINE_START;
+        return place;
+    }
 }

@@ -95,8 +95,8 @@ final class SensorRow {
         grid.add(onOff, Grid.wide(1, row));
         grid.add(range, Grid.cell(2, row));
         grid.add(cone, Grid.cell(3, row));
-        grid.add(truth, Grid.centred(4, row));
-        grid.add(reported, Grid.centred(5, row));
+        grid.add(truth, Grid.leading(4, row));
+        grid.add(reported, Grid.leading(5, row));
     }
 
     private void switchTo(boolean on) {

@@ -6,11 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.StateDiagram;
 import faultline.paint.plot.Appearance;
+import java.awt.Image;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -43,11 +47,26 @@ class FiguresTest {
     @Test
     void everyPictureAndTableIsTheCheckedInOneByteForByte() throws IOException {
         for (String name : names(fresh)) {
-            // Pixels of letters hang on the machine's fonts; all that is drawn as lines does not.
+            // Pixels of letters hang on the machine's fonts; all that is drawn as lines does not. The picture of pixels has a test of its own.
             if (!name.endsWith(".png")) {
                 assertArrayEquals(Files.readAllBytes(CHECKED_IN.resolve(name)), Files.readAllBytes(fresh.resolve(name)), name);
             }
         }
+    }
+
+    @Test
+    void theControlPanelLooksLikeTheCheckedInOneFromAfar() throws IOException {
+        double[] now = greys(fresh.resolve("fig1-panel.png"));
+        double[] then = greys(CHECKED_IN.resolve("fig1-panel.png"));
+        double off = IntStream.range(0, now.length).mapToDouble(i -> Math.abs(now[i] - then[i])).average().orElseThrow();
+        assertTrue(off < 4, off + " of 255 greys");
+    }
+
+    /** The picture's greys on a coarse grid, on which one font is like another. */
+    private static double[] greys(Path file) throws IOException {
+        BufferedImage coarse = new BufferedImage(24, 48, BufferedImage.TYPE_INT_RGB);
+        coarse.createGraphics().drawImage(ImageIO.read(file.toFile()).getScaledInstance(24, 48, Image.SCALE_AREA_AVERAGING), 0, 0, null);
+        return IntStream.of(coarse.getRGB(0, 0, 24, 48, null, 0, 24)).mapToDouble(rgb -> ((rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255)) / 3.0).toArray();
     }
 
     @Test
