@@ -96,13 +96,23 @@ public final class PathPainter {
             long enough = (long) most * CHEAPER;
             while (next < end && cost < enough) {
                 int outside = path.outside(next, clipInWorld);
+                read(next);
                 next += Math.max(1, outside);
                 cost++;
-                read(next - 1);
                 if (outside > 0 || next == end || cost >= enough || isFarEnough()) {
-                    draw(outside > 0);
+                    draw();
+                }
+                if (outside > 0) {
+                    lift();
                 }
             }
+        }
+
+        /** Goes on from the last point that was passed, without drawing. */
+        private void lift() {
+            read(next - 1);
+            last();
+            down = false;
         }
 
         private void read(int index) {
@@ -122,8 +132,8 @@ public final class PathPainter {
             return dx * dx + dy * dy >= THINNING * THINNING;
         }
 
-        private void draw(boolean leftOut) {
-            boolean visible = !leftOut && clip.intersects(Math.min(lastX, point[0]), Math.min(lastY, point[1]),
+        private void draw() {
+            boolean visible = clip.intersects(Math.min(lastX, point[0]), Math.min(lastY, point[1]),
                     Math.abs(point[0] - lastX) + SLIGHT, Math.abs(point[1] - lastY) + SLIGHT);
             if (visible) {
                 join(point[0], point[1]);

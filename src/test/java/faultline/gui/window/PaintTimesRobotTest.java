@@ -80,6 +80,7 @@ class PaintTimesRobotTest {
         measure("path on and off", () -> repeat(4, turn -> driver.choose("path")));
         measure("dark and light", () -> repeat(2, turn -> driver.choose("dark")));
         measure("resizing", () -> repeat(8, turn -> driver.sizeCanvas(1200 - 20 * (turn % 3), 800 - 10 * (turn % 2))));
+        measure("with a ghost, panning", this::panBesideAGhost);
         measure("following the robot", this::follow);
         Times times = Times.of(all);
         System.out.println("painting, all:                    " + times);
@@ -90,6 +91,12 @@ class PaintTimesRobotTest {
         Obstacle obstacle = driver.frame().world().obstacles().get(30);
         Vec from = onEdt(() -> canvas().camera().toScreen(obstacle.pose().position()));
         drag(InputEvent.BUTTON1_DOWN_MASK, from.x(), from.y(), from.x() + 60, from.y() + 35);
+    }
+
+    private void panBesideAGhost() {
+        driver.choose("keepGhost");
+        driver.robot().waitFor("the ghost is there", () -> driver.isEnabled("removeGhost"));
+        repeat(2, turn -> drag(InputEvent.BUTTON2_DOWN_MASK, 20, 20, 320, 220));
     }
 
     private void follow() {
