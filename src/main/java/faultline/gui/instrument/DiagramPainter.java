@@ -8,6 +8,7 @@ import faultline.engine.record.EventLog;
 import faultline.engine.record.RunEvent;
 import faultline.engine.record.StateTally;
 import faultline.geometry.Vec;
+import faultline.gui.text.StateText;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Smooth;
 import faultline.gui.theme.Theme;

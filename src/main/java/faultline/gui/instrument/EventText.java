@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import faultline.engine.record.RunEvent;
 import faultline.gui.panel.ReadingText;
 import faultline.gui.text.Refusals;
+import faultline.gui.text.StateText;
 import faultline.gui.text.Texts;
 import faultline.world.Command;
 import java.util.Locale;

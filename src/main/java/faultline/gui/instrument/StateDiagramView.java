@@ -4,6 +4,7 @@ import faultline.control.FollowerState;
 import faultline.control.StateDiagram;
 import faultline.control.StateDiagram.Arrow;
 import faultline.engine.Frame;
+import faultline.gui.text.StateText;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Smooth;
 import faultline.gui.theme.TextSize;

@@ -40,7 +40,7 @@ public final class StripChart extends JPanel {
         new StripHand(view, this::hold).install();
         JPanel bar = new JPanel();
         bar.setLayout(new BoxLayout(bar, BoxLayout.LINE_AXIS));
-        bar.setBorder(BorderFactory.createEmptyBorder(4, 10, 4, 10));
+        bar.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 4));
         choice.setPrototypeDisplayValue(widest());
         choice.setMaximumSize(choice.getPreferredSize());
         choice.setMinimumSize(new Dimension(LEAST_CHOICE, choice.getPreferredSize().height));
@@ -48,7 +48,7 @@ public final class StripChart extends JPanel {
         bar.add(choice);
         bar.add(Box.createHorizontalStrut(6));
         bar.add(hold);
-        bar.add(Box.createHorizontalStrut(14));
+        bar.add(Box.createHorizontalStrut(10));
         bar.add(legend);
         add(bar, BorderLayout.NORTH);
         add(view, BorderLayout.CENTER);

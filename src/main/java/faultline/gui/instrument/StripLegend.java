@@ -33,18 +33,17 @@ final class StripLegend extends JComponent {
 
     @Override
     public Dimension getPreferredSize() {
-        int width = curves.stream().mapToInt(this::width).sum();
+        int width = curves.stream().mapToInt(this::width).sum() + Math.max(0, curves.size() - 1) * APART;
         return new Dimension(width, TextSize.scaled(HEIGHT));
     }
 
     private int width(Curve curve) {
-        return SAMPLE + GAP + getFontMetrics(getFont()).stringWidth(curve.name()) + APART;
+        return SAMPLE + GAP + getFontMetrics(getFont()).stringWidth(curve.name());
     }
 
-    /** Names that do not fit are left out. */
     @Override
     public Dimension getMinimumSize() {
-        return new Dimension(0, getPreferredSize().height);
+        return getPreferredSize();
     }
 
     @Override
@@ -56,8 +55,10 @@ final class StripLegend extends JComponent {
     protected void paintComponent(Graphics graphics) {
         Smooth.paint(graphics, g -> {
             g.setFont(getFont());
+            // Where the bar is too short, names that do not fit are left out.
+            int room = getParent().getWidth() - getX();
             double x = 0;
-            for (int i = curves.size() - 1; i >= 0 && x + width(curves.get(i)) <= getWidth(); i--) {
+            for (int i = curves.size() - 1; i >= 0 && x + width(curves.get(i)) <= room; i--) {
                 x = paint(g, curves.get(i), x) + APART;
             }
         });

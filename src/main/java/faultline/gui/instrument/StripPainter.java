@@ -1,5 +1,6 @@
 package faultline.gui.instrument;
 
+import faultline.gui.text.StateText;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Theme;
 import faultline.paint.plot.Axis;

@@ -1,10 +1,12 @@
 package faultline.gui.window;
 
+import faultline.control.FollowerState;
 import faultline.engine.Frame;
 import faultline.engine.Session;
 import faultline.geometry.Pose;
 import faultline.geometry.Vec;
 import faultline.gui.text.Refusals;
+import faultline.gui.text.StateText;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.RuleBorder;
 import faultline.gui.theme.TextSize;
@@ -12,6 +14,7 @@ import faultline.world.Snapshot;
 import java.awt.EventQueue;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
@@ -25,11 +28,11 @@ final class StatusBar extends JPanel {
     /** For how many snapshots a note stays; at sixty in a second, five seconds. */
     private static final int NOTE_STAYS = 300;
 
-    private final StatusCell running = cell("status.running", "Collision 0");
+    private final StatusCell running = cell("status.running", Stream.of("runs", "paused", "collided", "failed").map(state -> Texts.text("status." + state)).toArray(String[]::new));
     private final StatusCell time = cell("status.time", "t 00000.000 s");
     private final StatusCell tick = cell("status.tick", "tick 00000000");
     private final StatusCell pace = cell("status.pace", "00000.00× real time");
-    private final StatusCell state = cell("status.state", "MEASURE ");
+    private final StatusCell state = cell("status.state", Stream.of(FollowerState.values()).map(state -> StateText.name(state.name())).toArray(String[]::new));
     private final StatusCell pose = cell("status.pose", "x -00.000  y -00.000  θ -000.0°");
     private final StatusCell cursor = cell("status.cursor", "cursor -00.00, -00.00");
     private final StatusCell scale = cell("status.scale", "0000 px/m");
@@ -47,7 +50,7 @@ final class StatusBar extends JPanel {
         add(note);
     }
 
-    private static StatusCell cell(String key, String widest) {
+    private static StatusCell cell(String key, String... widest) {
         return new StatusCell(Texts.text(key), widest);
     }
 
@@ -60,7 +63,7 @@ final class StatusBar extends JPanel {
         time.show(format("t %.3f s", world.time()));
         tick.show(format("tick %d", world.tick()));
         pace.show(status.achieved() > 0 ? format("%.2f× ", status.achieved()) + Texts.text("status.realTime") : "–");
-        state.show(frame.control().state());
+        state.show(StateText.name(frame.control().state()));
         pose.show(text(world.pose()));
         showNote(status);
     }

@@ -2,15 +2,17 @@ package faultline.gui.window;
 
 import faultline.gui.theme.TextSize;
 import java.awt.Dimension;
+import java.util.stream.Stream;
 import javax.swing.JLabel;
 
-/** A place in the status bar that is as wide as the widest text it will hold, so that its neighbours stay where they are. */
+/** A place in the status bar that is as wide as the widest of the texts it will hold, so that its neighbours stay where they are. */
 final class StatusCell extends JLabel {
 
     private static final int HEIGHT = 20;
 
-    StatusCell(String name, String widest) {
-        Dimension size = new Dimension(getFontMetrics(getFont()).stringWidth(widest) + 2, TextSize.scaled(HEIGHT));
+    StatusCell(String name, String... texts) {
+        int widest = Stream.of(texts).mapToInt(getFontMetrics(getFont())::stringWidth).max().orElse(0);
+        Dimension size = new Dimension(widest + 2, TextSize.scaled(HEIGHT));
         setPreferredSize(size);
         setMinimumSize(size);
         setMaximumSize(size);

@@ -13,6 +13,7 @@ import faultline.control.StateDiagram;
 import faultline.control.StateDiagram.Arrow;
 import faultline.engine.Frame;
 import faultline.geometry.Vec;
+import faultline.gui.text.StateText;
 import faultline.gui.theme.Theme;
 import java.awt.Color;
 import java.awt.event.MouseEvent;

@@ -25,7 +25,7 @@ class StatusBarTest {
     @Test
     void aRunIsToldInOneLine() {
         show(SampleFrames.of(new Pose(1.5, 2, Degrees.toRadians(-90))), running(0.98));
-        assertEquals(List.of("Running", "t 0.010 s", "0.98× real time", "FOLLOW", "x 1.500  y 2.000  θ -90.0°"), texts().subList(0, 5));
+        assertEquals(List.of("Running", "t 0.010 s", "0.98× real time", "Follow", "x 1.500  y 2.000  θ -90.0°"), texts().subList(0, 5));
     }
 
     @Test
