@@ -1,11 +1,13 @@
 package faultline.gui.window;
 
+import static faultline.gui.GuiRobot.edt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.EdtChecker;
 import faultline.gui.EventMeter;
 import faultline.gui.Times;
+import faultline.gui.theme.Theme;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -47,6 +49,7 @@ class BusyMinuteRobotTest {
     void close() {
         meter.close();
         driver.close();
+        edt(Theme.LIGHT::install);
     }
 
     @Test
