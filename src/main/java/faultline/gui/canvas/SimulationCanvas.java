@@ -4,6 +4,7 @@ import faultline.engine.Frame;
 import faultline.geometry.Vec;
 import faultline.gui.edit.Editor;
 import faultline.gui.text.Texts;
+import faultline.gui.theme.FocusRing;
 import faultline.paint.Brush;
 import faultline.paint.Camera;
 import faultline.paint.Ghost;
@@ -37,6 +38,7 @@ public final class SimulationCanvas extends JComponent {
     private final Courier courier;
     private final Hand hand;
     private final CanvasTools tools;
+    private final FocusRing ring = new FocusRing(this);
     private Palette palette = Palette.LIGHT;
     private Optional<Runnable> painted = Optional.empty();
 
@@ -241,6 +243,7 @@ public final class SimulationCanvas extends JComponent {
         } finally {
             own.dispose();
         }
+        ring.paint(graphics);
     }
 
     private void paintScene(Graphics2D graphics) {

@@ -81,7 +81,8 @@ final class ReadOut {
         FontMetrics metrics = g.getFontMetrics();
         List<String> lines = lines();
         double width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0) + 2 * PADDING;
-        double left = x + AWAY + width < chart.plot().getMaxX() ? x + AWAY : x - AWAY - width;
+        double beside = x + AWAY + width < chart.plot().getMaxX() ? x + AWAY : x - AWAY - width;
+        double left = Math.max(beside, chart.plot().getX());
         Shape plate = new RoundRectangle2D.Double(left, chart.plot().getY() + 4, width, lines.size() * ROW + PADDING, 6, 6);
         g.setColor(theme.palette().canvas());
         g.fill(plate);

@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import faultline.engine.Frame;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
+import faultline.gui.theme.TextSize;
 import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -20,7 +21,7 @@ import javax.swing.JToggleButton;
 /** A chart of numbers over time, with a choice of what it shows and a button that holds it still. */
 public final class StripChart extends JPanel {
 
-    private static final int LEAST_CHOICE = 80;
+    private static final int LEAST_CHOICE = 100;
 
     private final StripView view = new StripView();
     private final JComboBox<Signal> choice = new JComboBox<>();
@@ -43,7 +44,7 @@ public final class StripChart extends JPanel {
         bar.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 4));
         choice.setPrototypeDisplayValue(widest());
         choice.setMaximumSize(choice.getPreferredSize());
-        choice.setMinimumSize(new Dimension(LEAST_CHOICE, choice.getPreferredSize().height));
+        choice.setMinimumSize(new Dimension(TextSize.scaled(LEAST_CHOICE), choice.getPreferredSize().height));
         hold.setMinimumSize(hold.getPreferredSize());
         bar.add(choice);
         bar.add(Box.createHorizontalStrut(6));

@@ -5,12 +5,13 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Image;
 import java.awt.geom.Arc2D;
+import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** The picture of the program in task bars: a robot and one cone. */
+/** The picture of the program in task bars: a robot and one cone, with a crack through it. */
 final class AppIcon {
 
     private AppIcon() {
@@ -31,10 +32,22 @@ final class AppIcon {
 
     private static void paint(Graphics2D g) {
         g.setColor(new Color(0xE69F00));
-        g.fill(new Arc2D.Double(-3.5, -7, 19, 19, 15, 60, Arc2D.PIE));
+        g.fill(new Arc2D.Double(-7.5, -0.5, 23, 23, 15, 60, Arc2D.PIE));
         g.setColor(new Color(0x0B4F79));
-        g.fill(new RoundRectangle2D.Double(1, 6, 10, 9, 3, 3));
+        g.setStroke(Smooth.line(0.9));
+        g.draw(crack());
+        g.fill(new RoundRectangle2D.Double(0.5, 7, 8.5, 8.5, 3, 3));
         g.setColor(new Color(0x56B4E9));
-        g.fill(new RoundRectangle2D.Double(2.2, 7.2, 7.6, 6.6, 2, 2));
+        g.fill(new RoundRectangle2D.Double(1.8, 8.3, 5.9, 5.9, 1.6, 1.6));
+    }
+
+    private static Path2D crack() {
+        Path2D crack = new Path2D.Double();
+        crack.moveTo(6, 3.2);
+        crack.lineTo(9, 4.6);
+        crack.lineTo(8.4, 6.8);
+        crack.lineTo(11.4, 7.4);
+        crack.lineTo(12.6, 10);
+        return crack;
     }
 }

@@ -1,0 +1,58 @@
+package faultline.gui.theme;
+
+import java.awt.Component;
+import java.awt.Graphics;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.util.EnumSet;
+import java.util.Set;
+
+/** A line round a component while it has the focus from the keyboard. Who has clicked on it knows where the focus is. */
+public final class FocusRing extends FocusAdapter {
+
+    private static final Set<FocusEvent.Cause> BY_KEYBOARD = EnumSet.of(FocusEvent.Cause.TRAVERSAL, FocusEvent.Cause.TRAVERSAL_FORWARD,
+            FocusEvent.Cause.TRAVERSAL_BACKWARD, FocusEvent.Cause.TRAVERSAL_UP, FocusEvent.Cause.TRAVERSAL_DOWN);
+
+    private final Component component;
+    private boolean shown;
+
+    /**
+     * A ring that knows the focus of a component from now on.
+     *
+     * @param component which is to call {@link #paint} after it has painted itself
+     */
+    public FocusRing(Component component) {
+        this.component = component;
+        component.addFocusListener(this);
+    }
+
+    @Override
+    public void focusGained(FocusEvent event) {
+        show(BY_KEYBOARD.contains(event.getCause()));
+    }
+
+    @Override
+    public void focusLost(FocusEvent event) {
+        show(false);
+    }
+
+    private void show(boolean show) {
+        shown = show;
+        component.repaint();
+    }
+
+    /**
+     * Paints the ring where there is one.
+     *
+     * @param graphics of the component
+     */
+    public void paint(Graphics graphics) {
+        if (shown) {
+            Smooth.paint(graphics, g -> {
+                g.setColor(Theme.now().accent());
+                g.setStroke(Smooth.line(2));
+                g.draw(Smooth.box(1, 1, component.getWidth() - 2, component.getHeight() - 2));
+            });
+        }
+    }
+}

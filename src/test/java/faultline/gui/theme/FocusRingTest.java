@@ -1,0 +1,55 @@
+package faultline.gui.theme;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.Graphics2D;
+import java.awt.event.FocusEvent;
+import java.awt.image.BufferedImage;
+import javax.swing.JPanel;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The ring shows whom the keyboard serves, and only those who came by it. */
+class FocusRingTest {
+
+    private static final int BARE = 0xFF000000;
+
+    private final JPanel panel = onEdt(() -> {
+        Theme.LIGHT.install();
+        JPanel made = new JPanel();
+        made.setSize(40, 30);
+        return made;
+    });
+    private final FocusRing ring = onEdt(() -> new FocusRing(panel));
+
+    @ParameterizedTest
+    @CsvSource({"TRAVERSAL_FORWARD, true", "TRAVERSAL_BACKWARD, true", "MOUSE_EVENT, false", "ACTIVATION, false"})
+    void whoComesByTheKeyboardIsRinged(FocusEvent.Cause cause, boolean ringed) {
+        edt(() -> ring.focusGained(event(FocusEvent.FOCUS_GAINED, cause)));
+        assertEquals(ringed ? Theme.LIGHT.colours().accent().getRGB() : BARE, edge());
+    }
+
+    @Test
+    void theRingGoesWithTheFocus() {
+        edt(() -> ring.focusGained(event(FocusEvent.FOCUS_GAINED, FocusEvent.Cause.TRAVERSAL_FORWARD)));
+        edt(() -> ring.focusLost(event(FocusEvent.FOCUS_LOST, FocusEvent.Cause.UNKNOWN)));
+        assertEquals(BARE, edge());
+    }
+
+    private FocusEvent event(int id, FocusEvent.Cause cause) {
+        return new FocusEvent(panel, id, false, null, cause);
+    }
+
+    private int edge() {
+        return onEdt(() -> {
+            BufferedImage image = new BufferedImage(40, 30, BufferedImage.TYPE_INT_RGB);
+            Graphics2D graphics = image.createGraphics();
+            ring.paint(graphics);
+            graphics.dispose();
+            return image.getRGB(20, 1);
+        });
+    }
+}
