@@ -13,7 +13,6 @@ import faultline.gui.document.RunDesk;
 import faultline.gui.edit.EditDesk;
 import faultline.gui.export.ExportDesk;
 import faultline.gui.gallery.Gallery;
-import faultline.gui.panel.NumberQuestion;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.Theme;
@@ -38,8 +37,6 @@ import javax.swing.WindowConstants;
 public final class SimulatorFrame extends JFrame {
 
     private static final int POLL_MILLIS = 16;
-    /** How fast an obstacle may be told to move, metres per second: as fast as people run. */
-    private static final double MOST_WAY_SPEED = 5;
     private static final Dimension USUAL = new Dimension(1360, 880);
     private static final Dimension LEAST = new Dimension(1024, 600);
 
@@ -94,8 +91,7 @@ public final class SimulatorFrame extends JFrame {
         actions.add(UiAction.of("examples", this::showExamples).on(Keystrokes.menuShift(KeyEvent.VK_O)));
         editActions.addTo(actions);
         editActions.bindTo(getRootPane());
-        NumberQuestion speed = new NumberQuestion(Texts.text("waySpeed.title"), Texts.text("waySpeed"), "m/s", 0, MOST_WAY_SPEED, 0.05);
-        new ObstacleActions(canvas.tools(), edits, this::note, now -> speed.ask(this, now), memory).addTo(actions);
+        new ObstacleActions(canvas.tools(), edits, this::note, now -> WaySpeed.ask(this, now), memory).addTo(actions);
         new SensorActions(bench, run, edits).addTo(actions);
         new ExportDesk(this, bench, canvas, files::fileFor).actions().forEach(actions::add);
         ViewActions.addTo(actions, canvas, this::setTheme);
