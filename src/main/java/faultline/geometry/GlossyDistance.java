@@ -6,8 +6,9 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * What a cone sensor reads of a glossy flat surface, and what is circled there: its light comes back only from where it meets the surface at no more than some angle of
- * incidence, measured from the surface's normal. Those points are the segment's stretch about the foot of the apex.
+ * What a cone sensor reads of a glossy flat surface, and what is circled there: its light comes back only from where it meets the surface
+ * at no more than some angle of incidence, measured from the surface's normal. Those points are the segment's stretch about the foot of
+ * the apex.
  */
 public final class GlossyDistance {
 
@@ -27,8 +28,8 @@ public final class GlossyDistance {
     }
 
     /**
-     * The points where a sector's outline meets the part of a segment that sends light back, and where that part ends inside the sector because the light
-     * comes in too flat beyond. Like {@link SectorOutline#hits} for the eye only.
+     * The points where a sector's outline meets the part of a segment that sends light back, and where that part ends inside the sector
+     * because the light comes in too flat beyond. Like {@link SectorOutline#hits} for the eye only.
      *
      * @param sector the sector
      * @param segment the surface

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 
-/** Paints the way-points of a moving obstacle: a broken line through dots, with an arrow in the middle of each leg, and the speed beside the longest. */
+/** Paints the way-points of a moving obstacle: a broken line through dots with an arrow on each leg, and the speed beside the longest. */
 final class RoutePainter {
 
     private static final Stroke LINE = Brush.dashed(1.4, 7, 5);

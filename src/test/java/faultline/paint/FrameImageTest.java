@@ -107,7 +107,8 @@ class FrameImageTest {
 
     @Test
     void aGlossyWallIsABrightLineBetweenTwoDarkOnes() {
-        Obstacle mirror = new Obstacle("mirror", new ObstacleShape.Wall(List.of(new Vec(0, -1), new Vec(0, 1))), new Pose(4, 2, 0), Optional.empty(), 0.2);
+        ObstacleShape wall = new ObstacleShape.Wall(List.of(new Vec(0, -1), new Vec(0, 1)));
+        Obstacle mirror = new Obstacle("mirror", wall, new Pose(4, 2, 0), Optional.empty(), 0.2);
         Pixels pixels = Pixels.of(SampleFrames.of(AT_2_1, mirror), LIGHT);
         Vec place = new Vec(4, 2.6);
         assertTrue(pixels.hasNear(LIGHT.obstacleOutline(), place, 3), "its edge");

@@ -48,8 +48,8 @@ public final class Keystrokes {
     }
 
     /**
-     * A sign with the platform's menu key, for people to read. Which keys make the sign differs from keyboard to keyboard, and none types it while the menu key
-     * is down: the keys have to be bound besides.
+     * A sign with the platform's menu key, for people to read. Which keys make the sign differs from keyboard to keyboard, and none types
+     * it while the menu key is down: the keys have to be bound besides.
      *
      * @param sign the sign
      * @return the stroke

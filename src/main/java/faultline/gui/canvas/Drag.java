@@ -83,7 +83,8 @@ sealed interface Drag {
             Vec middle = ObstacleOutlines.middle(obstacles);
             double before = obstacles.size() == 1 ? obstacles.get(0).pose().heading() : 0;
             double after = snap.angle(before + mouse.minus(middle).angle() - grip.minus(middle).angle());
-            List<Obstacle> there = obstacles.stream().map(obstacle -> obstacle.at(ObstacleOutlines.turned(obstacle, middle, after - before))).toList();
+            List<Obstacle> there = obstacles.stream()
+                    .map(obstacle -> obstacle.at(ObstacleOutlines.turned(obstacle, middle, after - before))).toList();
             String degrees = String.format(Locale.ROOT, "%.1f", Math.toDegrees(Math.IEEEremainder(after, 2 * Math.PI)));
             return new Wish(moves(there), there, Texts.text(obstacles.size() == 1 ? "value.heading" : "value.turn", degrees));
         }

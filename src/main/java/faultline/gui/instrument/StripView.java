@@ -97,7 +97,9 @@ final class StripView extends JComponent {
     }
 
     private Optional<StripScale> scale() {
-        return frame.flatMap(shown -> signal.map(chosen -> StripScale.of(shown, chosen, span, (int) (getWidth() / enlargement()), (int) (getHeight() / enlargement()))));
+        int width = (int) (getWidth() / enlargement());
+        int height = (int) (getHeight() / enlargement());
+        return frame.flatMap(shown -> signal.map(chosen -> StripScale.of(shown, chosen, span, width, height)));
     }
 
     private void paint(Graphics2D g, StripScale scale) {

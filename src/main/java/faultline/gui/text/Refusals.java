@@ -5,8 +5,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Why the world refused something, in the user's language. The world gives its reasons in English, as a journal and a report keep them; here each of them is known
- * by its wording.
+ * Why the world refused something, in the user's language. The world gives its reasons in English, as a journal and a report keep them;
+ * here each of them is known by its wording.
  */
 public final class Refusals {
 

@@ -19,8 +19,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 
 /**
- * One line about the run: whether it runs, its time and pace, the controller's state, the robot's pose, and where the mouse is; at its end what was refused
- * and why. Where the line is short, the cells at its end give way, to the sentence too.
+ * One line about the run: whether it runs, its time and pace, the controller's state, the robot's pose, and where the mouse is; at its
+ * end what was refused and why. Where the line is short, the cells at its end give way, to the sentence too.
  */
 final class StatusBar extends JPanel {
 
@@ -28,11 +28,13 @@ final class StatusBar extends JPanel {
     /** For how many snapshots a note stays; at sixty in a second, five seconds. */
     private static final int NOTE_STAYS = 300;
 
-    private final StatusCell running = cell("status.running", Stream.of("runs", "paused", "collided", "failed").map(state -> Texts.text("status." + state)).toArray(String[]::new));
+    private final StatusCell running = cell("status.running",
+            Stream.of("runs", "paused", "collided", "failed").map(state -> Texts.text("status." + state)).toArray(String[]::new));
     private final StatusCell time = cell("status.time", "t 00000.000 s");
     private final StatusCell tick = cell("status.tick", "tick 00000000");
     private final StatusCell pace = cell("status.pace", "00000.00× real time");
-    private final StatusCell state = cell("status.state", Stream.of(FollowerState.values()).map(state -> StateText.name(state.name())).toArray(String[]::new));
+    private final StatusCell state = cell("status.state",
+            Stream.of(FollowerState.values()).map(state -> StateText.name(state.name())).toArray(String[]::new));
     private final StatusCell pose = cell("status.pose", "x -00.000  y -00.000  θ -000.0°");
     private final StatusCell cursor = cell("status.cursor", "cursor -00.00, -00.00");
     private final StatusCell scale = cell("status.scale", "0000 px/m");

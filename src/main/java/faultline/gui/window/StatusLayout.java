@@ -10,8 +10,8 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
- * Parts side by side, each as wide as it wants to be. Some may be left out: the last of them that do not fit, so that those before them never move. The rest
- * of the width goes to the parts that must stay.
+ * Parts side by side, each as wide as it wants to be. Some may be left out: the last of them that do not fit, so that those before them
+ * never move. The rest of the width goes to the parts that must stay.
  */
 final class StatusLayout implements LayoutManager {
 

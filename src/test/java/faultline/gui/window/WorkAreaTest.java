@@ -175,7 +175,8 @@ class WorkAreaTest {
 
     @Test
     void theArrowOfAChoiceIsNoStopForTheTabKey() {
-        List<AbstractButton> arrows = onEdt(() -> Components.all(area, AbstractButton.class).filter(button -> button.getParent() instanceof JComboBox).toList());
+        List<AbstractButton> arrows = onEdt(() -> Components.all(area, AbstractButton.class)
+                .filter(button -> button.getParent() instanceof JComboBox).toList());
         assertTrue(arrows.size() >= 3);
         assertTrue(arrows.stream().noneMatch(AbstractButton::isFocusable));
     }
@@ -248,7 +249,8 @@ class WorkAreaTest {
     /** Whether a part has the room that it wants, and lies within its parent; what scrolls may be higher than what shows. */
     private static boolean fits(Component part) {
         Component parent = part.getParent();
-        boolean roomy = part.getWidth() >= (part instanceof JSlider ? LEAST_SLIDER : part.getPreferredSize().width) || part instanceof JSpinner || parent instanceof JSpinner;
+        int wanted = part instanceof JSlider ? LEAST_SLIDER : part.getPreferredSize().width;
+        boolean roomy = part.getWidth() >= wanted || part instanceof JSpinner || parent instanceof JSpinner;
         boolean inside = parent instanceof JViewport || part.getX() >= 0 && part.getX() + part.getWidth() <= parent.getWidth()
                 && part.getY() >= 0 && part.getY() + part.getHeight() <= parent.getHeight();
         return roomy && inside;
