@@ -13,6 +13,7 @@ import java.awt.BasicStroke;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import java.util.Arrays;
 import java.util.Locale;
@@ -24,6 +25,7 @@ import javax.swing.ToolTipManager;
 /** The six-state diagram as it runs. What is under the mouse explains itself. */
 public final class StateDiagramView extends JComponent {
 
+    private static final int NONE_AT = 14;
     private static final Dimension LEAST = new Dimension(330, 150);
     private static final int NEAR = 10;
 
@@ -80,10 +82,18 @@ public final class StateDiagramView extends JComponent {
             if (isFollower(shown)) {
                 new DiagramPainter(g, layoutNow(), Theme.current(), shown).paint(getWidth() / scale(), getHeight() / scale());
             } else {
-                g.setColor(Theme.now().muted());
-                g.drawString(Texts.text("diagram.other", StateText.name(shown.control().state())), 16, 28);
+                paintNone(g, Texts.text("diagram.other", StateText.name(shown.control().state())));
             }
         }));
+    }
+
+    /** The parts of a sentence, one below the other: it is longer than a narrow window is wide. */
+    private static void paintNone(Graphics2D g, String sentence) {
+        String[] parts = sentence.split("(?<=;) ");
+        g.setColor(Theme.now().muted());
+        for (int i = 0; i < parts.length; i++) {
+            g.drawString(parts[i], NONE_AT, NONE_AT + (i + 1) * g.getFontMetrics().getHeight());
+        }
     }
 
     @Override
