@@ -19,7 +19,10 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Ticks per second of the shipped office room, followed by the wall follower called directly: 100 ticks are one second, so 200 000 are 2000 times real time. */
+/**
+ * Ticks per second of the shipped office room, followed by the wall follower called directly: 100 ticks are one second, so 200 000 are 2000
+ * times real time.
+ */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)

@@ -36,7 +36,9 @@ final class ProcessAge {
         return Duration.between(start, Instant.now()).toNanos() / 1e9;
     }
 
-    /** From when it began and what time it is now, both counted from the machine's start. The process's name may hold blanks and brackets. */
+    /**
+     * From when it began and what time it is now, both counted from the machine's start. The process's name may hold blanks and brackets.
+     */
     static double exact(String stat, String uptime) {
         String[] words = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
         return Double.parseDouble(uptime.split(" ")[0]) - Long.parseLong(words[START]) / TICKS;

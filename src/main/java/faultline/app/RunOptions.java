@@ -47,14 +47,16 @@ record RunOptions(Path file, OptionalDouble until, OptionalLong seed, Controller
         }
         Optional<BigDecimal> seconds = Numbers.parse(text.get()).filter(value -> value.signum() >= 0 && value.compareTo(LONGEST) <= 0);
         return OptionalDouble.of(seconds.orElseThrow(
-                () -> new UsageException("--until is " + Quoting.quoted(text.get()) + ", allowed is a number from 0 to " + LONGEST + " seconds")).doubleValue());
+                () -> new UsageException("--until is " + Quoting.quoted(text.get()) + ", allowed is a number from 0 to " + LONGEST
+                + " seconds")).doubleValue());
     }
 
     private static OptionalLong seed(Optional<String> text) throws UsageException {
         try {
             return text.isEmpty() ? OptionalLong.empty() : OptionalLong.of(Long.parseLong(text.get()));
         } catch (NumberFormatException e) {
-            throw new UsageException("--seed is " + Quoting.quoted(text.get()) + ", allowed is a whole number from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE);
+            throw new UsageException("--seed is " + Quoting.quoted(text.get()) + ", allowed is a whole number from " + Long.MIN_VALUE
+                    + " to " + Long.MAX_VALUE);
         }
     }
 

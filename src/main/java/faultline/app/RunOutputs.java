@@ -23,7 +23,8 @@ import java.util.Optional;
 import javax.imageio.ImageIO;
 
 /**
- * The files that a run writes. They are opened before the run, so that one that cannot be written is told at once, and put in place after it, all
+ * The files that a run writes. They are opened before the run, so that one that cannot be written is told at once, and put in place after
+ * it, all
  * whole; a run that breaks leaves none.
  */
 final class RunOutputs implements AutoCloseable {

@@ -4,7 +4,8 @@ import faultline.geometry.Vec;
 import faultline.sensor.Reading;
 
 /**
- * One sensor as the follower sees through it, in a frame in which the wall is kept on the left: where its cone sits, and what it reports now.
+ * One sensor as the follower sees through it, in a frame in which the wall is kept on the left: where its cone sits, and what it reports
+ * now.
  *
  * @param seat the apex, metres ahead and to the left of the robot's centre
  * @param bearing of the axis, radians, counter-clockwise from straight ahead

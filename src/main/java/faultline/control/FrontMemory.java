@@ -3,7 +3,8 @@ package faultline.control;
 import faultline.sensor.Reading;
 
 /**
- * Remembers what the front sensor saw last. A thin thing slips out of the cone at its edge when it is near, though it still stands in the body's way; for a while dead reckoning stands in
+ * Remembers what the front sensor saw last. A thin thing slips out of the cone at its edge when it is near, though it still stands in the
+ * body's way; for a while dead reckoning stands in
  * for the reading.
  */
 final class FrontMemory {
@@ -57,7 +58,10 @@ final class FrontMemory {
         nearest.see(Reading.NOTHING);
     }
 
-    /** How far ahead of the sensor the nearest thing in the way is, metres, though the tip of it may have slipped out of the cone and more of it be seen behind. */
+    /**
+     * How far ahead of the sensor the nearest thing in the way is, metres, though the tip of it may have slipped out of the cone and more
+     * of it be seen behind.
+     */
     double nearest() {
         return nearest.distance;
     }

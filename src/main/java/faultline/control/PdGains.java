@@ -1,7 +1,8 @@
 package faultline.control;
 
 /**
- * What the PD distance controller multiplies with. The gains follow from one length l, the way on which an error dies out: with e'' = -v omega, kp = v / l^2 and
+ * What the PD distance controller multiplies with. The gains follow from one length l, the way on which an error dies out: with e'' = -v
+ * omega, kp = v / l^2 and
  * kd = 2 / l make the loop critically damped at any speed.
  *
  * @param proportional kp, radians per second for each metre that the wall is too far

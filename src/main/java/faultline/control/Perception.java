@@ -2,7 +2,10 @@ package faultline.control;
 
 import faultline.robot.RobotSpec;
 
-/** What the follower knows at a decision: its sensors with what they remember, its own motion by dead reckoning, and how far its readings can be trusted. */
+/**
+ * What the follower knows at a decision: its sensors with what they remember, its own motion by dead reckoning, and how far its readings
+ * can be trusted.
+ */
 final class Perception {
 
     private static final double QUARTER = StrictMath.PI / 2;
@@ -60,11 +63,13 @@ final class Perception {
     }
 
     /**
-     * Whether something that was seen on a straight way, though it may be between the cones now, will be within a distance of the robot's centre when it has rolled out. The
+     * Whether something that was seen on a straight way, though it may be between the cones now, will be within a distance of the robot's
+     * centre when it has rolled out. The
      * nearest of many noisy readings is too near by some deviations.
      */
     boolean glimpsedWithin(double distance) {
-        double nearest = Math.min(ahead.distanceAfter(stopping()), Math.min(aheadLeft.distanceAfter(stopping()), aheadRight.distanceAfter(stopping())));
+        double nearest = Math.min(ahead.distanceAfter(stopping()),
+                Math.min(aheadLeft.distanceAfter(stopping()), aheadRight.distanceAfter(stopping())));
         return nearest + NEAREST_OF_MANY * noise() <= distance;
     }
 

@@ -7,7 +7,8 @@ import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 
 /**
- * The sensors that the follower uses, found by their bearing and not by their name, in a frame in which the wall is kept on the left. A right-handed follower
+ * The sensors that the follower uses, found by their bearing and not by their name, in a frame in which the wall is kept on the left. A
+ * right-handed follower
  * is a left-handed one in a mirror.
  *
  * @param left faces the wall; two sensors, this and {@code front}, follow most walls

@@ -83,7 +83,8 @@ final class SpinManoeuvre {
     // ALIGN: turn back for t_p, and let the spin die out.
 
     /**
-     * Plans the turn back: for t_p = t_D / 2 from F4 on, eq. (4). F4 was noticed a little late, and until the motors have reversed the spin goes on for their lag; all
+     * Plans the turn back: for t_p = t_D / 2 from F4 on, eq. (4). F4 was noticed a little late, and until the motors have reversed the spin
+     * goes on for their lag; all
      * that is turned back as well, unless the paper is to be taken to the letter.
      */
     void turnBack() {
@@ -104,7 +105,10 @@ final class SpinManoeuvre {
         return remaining <= 0 && Math.abs(perception.omega()) < STILL;
     }
 
-    /** The left reading; nothing where that is of something else than the wall that was met. By the paper's rule all that is in range counts. */
+    /**
+     * The left reading; nothing where that is of something else than the wall that was met. By the paper's rule all that is in range
+     * counts.
+     */
     private double reading() {
         boolean counts = rule == Timing.RANGE || left().seesWithin(perception.wantedRadius() + ELSEWHERE);
         return counts ? left().reading() : Reading.NOTHING;

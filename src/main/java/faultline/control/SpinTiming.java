@@ -5,11 +5,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Times a spin past a wall: when the left sensor came to it (frame F3), when it left it (F4), and how far to turn back, t_p = t_D / 2 (eq. (4) of the paper).
+ * Times a spin past a wall: when the left sensor came to it (frame F3), when it left it (F4), and how far to turn back, t_p = t_D / 2 (eq.
+ * (4) of the paper).
  *
- * <p>Both moments are taken at one and the same reading, on either side of the nearest one. Where the wall enters from nowhere and leaves to nowhere that reading is the
+ * <p>Both moments are taken at one and the same reading, on either side of the nearest one. Where the wall enters from nowhere and leaves
+ * to nowhere that reading is the
  * range, which is the paper's rule exactly; a level nearer to the wall keeps the walls of a corner apart. Between two samples the moment is
- * interpolated. Time is the spin clock's: it runs as fast as the robot turns, in units of the constant rate, so that spinning up costs nothing.
+ * interpolated. Time is the spin clock's: it runs as fast as the robot turns, in units of the constant rate, so that spinning up costs
+ * nothing.
  */
 final class SpinTiming {
 
@@ -18,7 +21,8 @@ final class SpinTiming {
     private static final double NOISE_FACTOR = 4;
 
     /**
-     * Noisy readings are averaged over no more than this turn, radians. Between the walls of a corner of 150 degrees the reading rises by 4 mm over 10 degrees; a longer
+     * Noisy readings are averaged over no more than this turn, radians. Between the walls of a corner of 150 degrees the reading rises by 4
+     * mm over 10 degrees; a longer
      * mean would flatten that, a shorter one would leave it in the noise.
      */
     private static final double MOST_AVERAGED = StrictMath.toRadians(5);
@@ -41,7 +45,10 @@ final class SpinTiming {
         this.rule = rule;
     }
 
-    /** Starts a new spin; readings are known up to some noise, metres, and come once a step of the turn, radians. By the paper's rule every sample counts by itself. */
+    /**
+     * Starts a new spin; readings are known up to some noise, metres, and come once a step of the turn, radians. By the paper's rule every
+     * sample counts by itself.
+     */
     void start(double noise, double step) {
         int averaged = rule == Timing.RANGE ? 1 : averaged(noise, step);
         mean.start(averaged);
@@ -60,7 +67,10 @@ final class SpinTiming {
         return (int) Math.max(1, Math.min(MOST_AVERAGED / step, Math.ceil(wanted * wanted)));
     }
 
-    /** While the sensor has not come to the wall: keeps the falling side's beginning. What the robot still rolls may bring a wall nearer by as much; that is no fall. */
+    /**
+     * While the sensor has not come to the wall: keeps the falling side's beginning. What the robot still rolls may bring a wall nearer by
+     * as much; that is no fall.
+     */
     void approach(double clock, double reading, double rolled) {
         top -= rolled;
         if (mean.completes(clock, reading)) {

@@ -9,12 +9,16 @@ public enum Timing {
     EQUAL_READINGS,
 
     /**
-     * The paper to the letter: the samples at which the wall was first seen and first no longer seen, and a turn back for t_p = t_D / 2 and nothing more. Only a
+     * The paper to the letter: the samples at which the wall was first seen and first no longer seen, and a turn back for t_p = t_D / 2 and
+     * nothing more. Only a
      * wall that stands alone can be timed so.
      */
     RANGE;
 
-    /** How far above the nearest reading equal readings are taken, as a share of that reading: by then the foot has left the cone and readings rise fast. */
+    /**
+     * How far above the nearest reading equal readings are taken, as a share of that reading: by then the foot has left the cone and
+     * readings rise fast.
+     */
     public static final double MARGIN = 0.08;
 
     /**

@@ -12,10 +12,12 @@ import faultline.robot.MotorSpec;
 import java.util.List;
 
 /**
- * The paper's six-state wall follower with PD distance control and the t_p = t_D / 2 orientation rule. It works in a frame in which the wall is kept on the
+ * The paper's six-state wall follower with PD distance control and the t_p = t_D / 2 orientation rule. It works in a frame in which the
+ * wall is kept on the
  * left; the other hand is its mirror image.
  *
- * <p>The state diagram is the table {@link #TRANSITIONS}: of the arrows that leave a state, the first whose condition holds is taken, at most one a decision.
+ * <p>The state diagram is the table {@link #TRANSITIONS}: of the arrows that leave a state, the first whose condition holds is taken, at
+ * most one a decision.
  */
 final class WallFollower implements Controller {
 
@@ -36,11 +38,15 @@ final class WallFollower implements Controller {
     /** More than a whole turn: what has not been seen by then is not there. */
     private static final double ALL_ROUND = StrictMath.toRadians(400);
 
-    /** What is at the far front corner, or slipped out of the front cone, is turned from when it is this near to the circle that the platform turns in, metres. */
+    /**
+     * What is at the far front corner, or slipped out of the front cone, is turned from when it is this near to the circle that the
+     * platform turns in, metres.
+     */
     private static final double GUARD = 0.06;
 
     /**
-     * A spin that ends within this of the heading at which it began has found the same wall again: the slight corner ahead does not show apart from it, so the robot steers
+     * A spin that ends within this of the heading at which it began has found the same wall again: the slight corner ahead does not show
+     * apart from it, so the robot steers
      * through by the left sensor, and looks out for walls ahead only after this way.
      */
     private static final double SAME_HEADING = StrictMath.toRadians(15);

@@ -81,7 +81,10 @@ final class WallSteering {
         return tracker.innovation() < -bendInnovation() || tracker.drift() < -bendDrift();
     }
 
-    /** A straight wall that is taken for a corner gives all of the corner's innovation for as long as it lasts, so there is time to average the noise away. */
+    /**
+     * A straight wall that is taken for a corner gives all of the corner's innovation for as long as it lasts, so there is time to average
+     * the noise away.
+     */
     private double bendDrift() {
         return Math.max(bendWithoutNoise(), DRIFT_NOISE_FACTOR * perception.leftNoise() * WallTracker.driftNoise(perception.rolled()));
     }
@@ -94,7 +97,10 @@ final class WallSteering {
         return BEND * WallTracker.cornerInnovation(radius());
     }
 
-    /** How far the robot has gone round a corner by the time that it shows: an innovation e takes a way of sqrt(2 e r) on a circle of radius r. */
+    /**
+     * How far the robot has gone round a corner by the time that it shows: an innovation e takes a way of sqrt(2 e r) on a circle of radius
+     * r.
+     */
     private double bendAngle() {
         return Math.sqrt(2 * Math.abs(tracker.innovation()) / radius());
     }

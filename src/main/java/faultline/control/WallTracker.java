@@ -1,10 +1,12 @@
 package faultline.control;
 
 /**
- * Tracks the wall on the left through one sensor's readings and dead reckoning: its distance r and the robot's heading gamma relative to it, positive towards the wall. A steady-state Kalman
+ * Tracks the wall on the left through one sensor's readings and dead reckoning: its distance r and the robot's heading gamma relative to
+ * it, positive towards the wall. A steady-state Kalman
  * filter of second order (an alpha-beta filter), whose bandwidth goes with the way rolled and not with time.
  *
- * <p>Along a wall r' = -v sin gamma and gamma' = omega - v k, where k is the curvature of the way that keeps the distance: 0 along a straight wall, 1 / radius around a
+ * <p>Along a wall r' = -v sin gamma and gamma' = omega - v k, where k is the curvature of the way that keeps the distance: 0 along a
+ * straight wall, 1 / radius around a
  * corner. A wall that bends otherwise than assumed shows as an innovation, that is, a reading that is not as predicted.
  */
 final class WallTracker {
@@ -78,7 +80,10 @@ final class WallTracker {
         return innovation;
     }
 
-    /** How much farther than predicted the readings were on the whole of late, metres: a small bend shows here that is below the noise of a single reading. */
+    /**
+     * How much farther than predicted the readings were on the whole of late, metres: a small bend shows here that is below the noise of a
+     * single reading.
+     */
     double drift() {
         return drift;
     }
@@ -89,7 +94,8 @@ final class WallTracker {
     }
 
     /**
-     * The innovation that a corner gives in the end if the tracker takes its two sides for one straight wall, metres: (MEMORY radius)^2 / radius.
+     * The innovation that a corner gives in the end if the tracker takes its two sides for one straight wall, metres: (MEMORY radius)^2 /
+     * radius.
      *
      * @param radius from the corner to the robot's centre, metres
      */

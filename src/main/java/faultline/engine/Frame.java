@@ -4,7 +4,8 @@ import faultline.control.Telemetry;
 import faultline.world.Snapshot;
 
 /**
- * What is published for painting: the world at the end of a tick, what its controller showed, the path so far, and what is remembered. Immutable.
+ * What is published for painting: the world at the end of a tick, what its controller showed, the path so far, and what is remembered.
+ * Immutable.
  *
  * @param world the world
  * @param control what the controller showed with the decision that acted in this tick

@@ -6,7 +6,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** What is done to the world between two ticks: first what the timeline holds for the coming one, then what comes from outside, which is journaled. */
+/**
+ * What is done to the world between two ticks: first what the timeline holds for the coming one, then what comes from outside, which is
+ * journaled.
+ */
 final class Interventions {
 
     private final Setup setup;

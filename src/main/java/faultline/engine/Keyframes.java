@@ -2,7 +2,9 @@ package faultline.engine;
 
 import java.util.Optional;
 
-/** Frames at evenly spaced ticks from the start of a run on, as a view on a recording that goes on. They have no recordings of their own. */
+/**
+ * Frames at evenly spaced ticks from the start of a run on, as a view on a recording that goes on. They have no recordings of their own.
+ */
 public final class Keyframes {
 
     /** Of a run that is not recorded. */

@@ -10,7 +10,10 @@ import faultline.engine.record.TraceRecorder;
 import faultline.world.Command;
 import java.util.Optional;
 
-/** Remembers a run as it goes on, on its own thread: frames are looked at some sixty times a second, and what happens between two of them must not be lost. */
+/**
+ * Remembers a run as it goes on, on its own thread: frames are looked at some sixty times a second, and what happens between two of them
+ * must not be lost.
+ */
 final class Recorder implements TickObserver, CommandListener {
 
     private final double dt;

@@ -9,8 +9,10 @@ import java.util.function.Function;
 import java.util.function.LongPredicate;
 
 /**
- * An interactive run: has a world thread and a controller's, takes commands and orders from any thread without ever blocking the caller, and
- * publishes frames. It starts paused. A restart is a new session from the same setup; a step back is a new session that replays the journal of the old one.
+ * An interactive run: has a world thread and a controller's, takes commands and orders from any thread without ever blocking the caller,
+ * and
+ * publishes frames. It starts paused. A restart is a new session from the same setup; a step back is a new session that replays the journal
+ * of the old one.
  */
 public final class Session implements AutoCloseable {
 
@@ -31,8 +33,10 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Starts a session where an earlier run was at the end of a tick, paused, with all that is remembered of the way there. It takes as long as the run needs to
-     * come there, at full speed. What the journal has for later ticks is done when they come, until a new command is carried out: from then on this is another run.
+     * Starts a session where an earlier run was at the end of a tick, paused, with all that is remembered of the way there. It takes as
+     * long as the run needs to
+     * come there, at full speed. What the journal has for later ticks is done when they come, until a new command is carried out: from then
+     * on this is another run.
      *
      * @param journal of the earlier run, as {@link #wholeJournal} gives it
      * @param tick not negative
@@ -57,7 +61,8 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Gives a command, which is applied and journaled at the start of the next tick; while paused, its effect shows in the next frame at once.
+     * Gives a command, which is applied and journaled at the start of the next tick; while paused, its effect shows in the next frame at
+     * once.
      *
      * @param command what is to be done
      */

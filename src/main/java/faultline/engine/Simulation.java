@@ -16,7 +16,8 @@ import java.util.Optional;
 /**
  * One run, tick by tick. It belongs to one thread, and holds no clock, sleep or thread of its own making but the controller's link.
  *
- * <p>The decision on observation k-1 acts at tick k, by rule, wherever the controller runs; that, and nothing else, is why both modes give the same bits.
+ * <p>The decision on observation k-1 acts at tick k, by rule, wherever the controller runs; that, and nothing else, is why both modes give
+ * the same bits.
  */
 public final class Simulation implements AutoCloseable {
 
@@ -86,7 +87,9 @@ public final class Simulation implements AutoCloseable {
         return interventions.undoing(command);
     }
 
-    /** Reads the sensors again, so that a frame taken between two ticks shows what commands have changed. The run itself does not notice. */
+    /**
+     * Reads the sensors again, so that a frame taken between two ticks shows what commands have changed. The run itself does not notice.
+     */
     void look() {
         world.sense();
     }

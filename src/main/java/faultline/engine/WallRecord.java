@@ -7,7 +7,8 @@ import faultline.world.WallMap;
 import java.util.OptionalDouble;
 
 /**
- * Judges a wall follower from ground truth: how much of the wall it could follow it did follow, and how well it kept the distance. Of other controllers it says nothing.
+ * Judges a wall follower from ground truth: how much of the wall it could follow it did follow, and how well it kept the distance. Of other
+ * controllers it says nothing.
  */
 final class WallRecord implements TickObserver {
 

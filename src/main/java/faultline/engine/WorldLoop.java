@@ -12,7 +12,8 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 
 /**
- * The life of a session's world thread: it obeys orders, makes ticks at the pace that is wanted, publishes what others look at, and rests. Other threads may
+ * The life of a session's world thread: it obeys orders, makes ticks at the pace that is wanted, publishes what others look at, and rests.
+ * Other threads may
  * only order, look and close.
  */
 final class WorldLoop implements Runnable {

@@ -82,7 +82,10 @@ public final class BoxGap {
         return new Gap(distance - disc.radius(), onBox, disc.nearestTo(onBox));
     }
 
-    /** The nearest points of box and ellipse are a corner and its foot, or a point within a side and the ellipse's farthest point towards it. */
+    /**
+     * The nearest points of box and ellipse are a corner and its foot, or a point within a side and the ellipse's farthest point towards
+     * it.
+     */
     private static Gap toOval(Box box, Oval oval) {
         Vec centre = box.toLocal(oval.centre());
         if (box.clamped(centre).equals(centre)) {
@@ -106,7 +109,8 @@ public final class BoxGap {
     }
 
     /**
-     * The point of the box's sides that lies deepest in the ellipse, with the axes scaled until the ellipse is the unit circle: where the box does not
+     * The point of the box's sides that lies deepest in the ellipse, with the axes scaled until the ellipse is the unit circle: where the
+     * box does not
      * contain the ellipse's centre, the two overlap if that point comes within 1 of the origin.
      */
     private static Vec deepestSidePoint(Box box, Oval oval) {

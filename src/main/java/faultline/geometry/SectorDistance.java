@@ -1,7 +1,8 @@
 package faultline.geometry;
 
 /**
- * The distance from a sector's apex to the nearest point of a figure inside the sector: what an infrared cone sensor reads. In closed form, up to
+ * The distance from a sector's apex to the nearest point of a figure inside the sector: what an infrared cone sensor reads. In closed form,
+ * up to
  * the rounding of the last digits; only the foot on an ellipse is iterated, to the last bit.
  *
  * <p>All figures are convex, so seen from an apex outside them the distance along their near side falls to the foot of the apex and rises

@@ -4,7 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Where a sector's outline (two edges and an arc) meets the outline of a figure: the intersection points that the paper circles. They are for the eye
+ * Where a sector's outline (two edges and an arc) meets the outline of a figure: the intersection points that the paper circles. They are
+ * for the eye
  * only; no reading is taken from them.
  */
 public final class SectorOutline {
@@ -50,7 +51,8 @@ public final class SectorOutline {
         if (across == 0) {
             return;
         }
-        // The point is taken along the segment and then measured along the edge, so that it lies on both even where they are all but parallel.
+        // The point is taken along the segment and then measured along the edge, so that it lies on both even where they are all but
+        // parallel.
         double share = start.cross(edge) / across;
         Vec point = segment.at(share);
         double distance = point.minus(sector.apex()).dot(edge);
@@ -100,7 +102,8 @@ public final class SectorOutline {
     }
 
     /**
-     * With z = tan(angle / 2), where the angle is from the axis, the arc's point is apex + range ((1 - z^2) axis + 2 z aside) / (1 + z^2), and the ellipse's
+     * With z = tan(angle / 2), where the angle is from the axis, the arc's point is apex + range ((1 - z^2) axis + 2 z aside) / (1 + z^2),
+     * and the ellipse's
      * equation becomes a quartic in z; |z| stays below tan 45 degrees.
      */
     private static void arcWithOval(Sector sector, Oval oval, List<Vec> hits) {

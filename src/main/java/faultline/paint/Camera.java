@@ -121,16 +121,6 @@ public record Camera(double x, double y, double scale, int width, int height) {
     }
 
     /**
-     * This camera looking elsewhere.
-     *
-     * @param world what is to be in the middle, metres
-     * @return the moved camera
-     */
-    public Camera centredOn(Vec world) {
-        return new Camera(world.x(), world.y(), scale, width, height);
-    }
-
-    /**
      * This camera for a picture of another size; the middle and the scale stay.
      *
      * @param newWidth pixels, positive

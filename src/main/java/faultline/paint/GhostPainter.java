@@ -43,7 +43,8 @@ public final class GhostPainter {
         RobotSpec robot = world.robot();
         AffineTransform frame = RigidMotion.to(ghost.at(world.time()));
         Color colour = brush.palette().ghost();
-        brush.draw(brush.onScreen(new Rectangle2D.Double(-robot.length() / 2, -robot.width() / 2, robot.length(), robot.width()), frame), colour, DASHED);
+        brush.draw(brush.onScreen(new Rectangle2D.Double(-robot.length() / 2, -robot.width() / 2, robot.length(), robot.width()), frame),
+                colour, DASHED);
         brush.draw(brush.onScreen(arrow(robot), frame), colour, SOLID);
     }
 

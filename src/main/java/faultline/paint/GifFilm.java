@@ -62,7 +62,9 @@ public final class GifFilm implements AutoCloseable {
         last = Optional.of(few);
     }
 
-    /** The smallest rectangle outside of which two pictures agree; a pixel where they agree everywhere, because a part must not be empty. */
+    /**
+     * The smallest rectangle outside of which two pictures agree; a pixel where they agree everywhere, because a part must not be empty.
+     */
     static Rectangle changed(BufferedImage before, BufferedImage after) {
         byte[] old = ((DataBufferByte) before.getRaster().getDataBuffer()).getData();
         byte[] now = ((DataBufferByte) after.getRaster().getDataBuffer()).getData();

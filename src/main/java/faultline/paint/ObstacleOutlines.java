@@ -79,7 +79,8 @@ public final class ObstacleOutlines {
     }
 
     /**
-     * The common middle of obstacles, which they are turned about together: the mean of their middles, because that stays where it is when they turn.
+     * The common middle of obstacles, which they are turned about together: the mean of their middles, because that stays where it is when
+     * they turn.
      *
      * @param obstacles the obstacles, at least one
      * @return metres, in the world

@@ -5,7 +5,10 @@ import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.font.FontRenderContext;
 
-/** Where a brush leaves its marks: a grid of pixels, or a file of lines. All places are in pixels of the picture, y down; what comes later lies on top. */
+/**
+ * Where a brush leaves its marks: a grid of pixels, or a file of lines. All places are in pixels of the picture, y down; what comes later
+ * lies on top.
+ */
 public interface Surface {
 
     /**

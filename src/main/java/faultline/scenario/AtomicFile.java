@@ -10,7 +10,8 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
 /**
- * A file that is there whole or not at all: written under another name in the same folder, and moved into place by {@link #commit()}. One that is
+ * A file that is there whole or not at all: written under another name in the same folder, and moved into place by {@link #commit()}. One
+ * that is
  * closed without that leaves no trace. A device such as {@code /dev/stdout} is written directly.
  */
 public final class AtomicFile implements AutoCloseable {
@@ -53,7 +54,8 @@ public final class AtomicFile implements AutoCloseable {
 
     private static AtomicFile besides(Path target) throws IOException {
         Path written = target.resolveSibling("." + target.getFileName() + "." + ProcessHandle.current().pid() + ".tmp");
-        OutputStream stream = Files.newOutputStream(written, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING, StandardOpenOption.WRITE);
+        OutputStream stream = Files.newOutputStream(written, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING,
+                StandardOpenOption.WRITE);
         return new AtomicFile(target, written, new BufferedOutputStream(stream));
     }
 

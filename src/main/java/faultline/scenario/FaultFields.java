@@ -31,7 +31,8 @@ final class FaultFields {
         if (kind.takesValue()) {
             return fields.number("value", range(kind), kind.usual());
         }
-        fields.text("value").ifPresent(text -> fields.complain("value", text, "none, because a fault of kind " + kind.fileName() + " takes no value"));
+        fields.text("value").ifPresent(text -> fields.complain("value", text, "none, because a fault of kind " + kind.fileName()
+                + " takes no value"));
         return kind.usual();
     }
 

@@ -7,7 +7,8 @@ import java.util.List;
 /** Obstacles as text: the elements that a scenario file has for them, ready to be put into one by hand. */
 public final class ObstacleText {
 
-    private static final String BEFORE = "<scenario xmlns=\"" + ScenarioSchema.NAMESPACE + "\" name=\"\"><world width=\"1\" height=\"1\" enclosed=\"false\""
+    private static final String BEFORE = "<scenario xmlns=\"" + ScenarioSchema.NAMESPACE
+            + "\" name=\"\"><world width=\"1\" height=\"1\" enclosed=\"false\""
             + " maxMoving=\"" + Limits.MOST_PARTS + "\">";
     /** The robot that a scenario must have, out of the way. */
     private static final String AFTER = "</world><robot x=\"-100000\" y=\"-100000\"/></scenario>";

@@ -5,7 +5,10 @@ import java.math.BigDecimal;
 import java.util.Optional;
 import java.util.StringTokenizer;
 
-/** Points as files write them: x,y pairs with blanks between the pairs. They are taken one at a time, because a hostile file may have millions. */
+/**
+ * Points as files write them: x,y pairs with blanks between the pairs. They are taken one at a time, because a hostile file may have
+ * millions.
+ */
 final class PointText {
 
     private final StringTokenizer pairs;

@@ -58,7 +58,8 @@ final class RobotReader {
             complaints.add(node.first("motor").orElse(node), "<motor> drives its wheels at up to " + Numbers.toRoughText(motor.maxSpeed())
                     + " m/s (speedConstant times maxVoltage), allowed is " + Numbers.toText(Limits.FASTEST_WHEEL) + " m/s or less");
         } else if (spin > Limits.FASTEST_SPIN) {
-            complaints.add(node, "<robot> could spin at " + Numbers.toRoughText(spin) + " rad/s (twice its wheels' top speed by its track), allowed is "
+            complaints.add(node, "<robot> could spin at " + Numbers.toRoughText(spin)
+                    + " rad/s (twice its wheels' top speed by its track), allowed is "
                     + Numbers.toText(Limits.FASTEST_SPIN) + " rad/s or less");
         }
     }

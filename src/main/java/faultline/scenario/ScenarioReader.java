@@ -78,7 +78,8 @@ final class ScenarioReader {
     private Head head(Node root) {
         Fields fields = new Fields(root, complaints);
         Head head = new Head(fields.text("name").orElse(""), root.first("description").map(node -> Content.text(node, complaints)).orElse(""),
-                fields.flag("recorded", false), fields.number("duration", Range.TIME, Scenario.DEFAULT_DURATION), fields.number("tick", Range.TICK, Scenario.DEFAULT_TICK),
+                fields.flag("recorded", false), fields.number("duration", Range.TIME, Scenario.DEFAULT_DURATION),
+                fields.number("tick", Range.TICK, Scenario.DEFAULT_TICK),
                 fields.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, Scenario.DEFAULT_SEED));
         fields.done();
         return head;

@@ -20,7 +20,8 @@ final class StartCheck {
             return;
         }
         Clearance.obstructing(world, setup.robot(), setup.start()).ifPresent(obstacle -> complaints.add(robot,
-                where(start) + " where it touches or overlaps " + Quoting.quoted(obstacle) + ", allowed is a place with room for the whole platform"));
+                where(start) + " where it touches or overlaps " + Quoting.quoted(obstacle)
+                + ", allowed is a place with room for the whole platform"));
     }
 
     private static String where(Vec start) {

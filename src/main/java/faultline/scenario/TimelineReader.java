@@ -143,7 +143,8 @@ final class TimelineReader {
     private static String known(Fields fields, String attribute, Set<String> ids, String what) {
         String id = fields.id(attribute);
         if (fields.has(attribute) && !ids.contains(id) && !id.equals("?")) {
-            fields.complain(attribute, id, (ids.isEmpty() ? "none: there are none" : "one of " + what + ": " + Quoting.list(ids)) + Spelling.hint(id, ids));
+            fields.complain(attribute, id, (ids.isEmpty() ? "none: there are none" : "one of " + what + ": " + Quoting.list(ids))
+                    + Spelling.hint(id, ids));
         }
         return id;
     }

@@ -22,7 +22,8 @@ final class Verdict {
         expect.maxDistanceRms().ifPresent(this::distance);
         expect.states().stream().filter(state -> !result.states().contains(state))
                 .forEach(state -> miss("the state " + state, "it was never reached; passed: " + String.join(" ", result.states())));
-        expect.finalState().filter(state -> !state.equals(result.state())).ifPresent(state -> miss("the final state " + state, "it is " + result.state()));
+        expect.finalState().filter(state -> !state.equals(result.state())).ifPresent(state ->
+                miss("the final state " + state, "it is " + result.state()));
         return List.copyOf(unmet);
     }
 

@@ -66,7 +66,8 @@ public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault
     }
 
     /**
-     * The sensor adds an error to every distance: file kind {@code bias}. The sum is held at 0 below, and reads as nothing beyond the range.
+     * The sensor adds an error to every distance: file kind {@code bias}. The sum is held at 0 below, and reads as nothing beyond the
+     * range.
      *
      * @param value the error, metres, positive for too far
      */

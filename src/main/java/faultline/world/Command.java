@@ -7,7 +7,8 @@ import faultline.sensor.SensorSpec;
 
 /**
  * Everything that can be done to a running world from outside: by a window, a scenario's timeline or a test. A command is applied at the
- * start of a tick and journaled with it. One that names something unknown, or would put an obstacle or a larger platform where the robot and
+ * start of a tick and journaled with it. One that names something unknown, or would put an obstacle or a larger platform where the robot
+ * and
  * an obstacle overlap, is refused: it changes nothing, and says why (see {@link World#apply}).
  */
 public sealed interface Command {
@@ -56,7 +57,8 @@ public sealed interface Command {
     }
 
     /**
-     * Puts an obstacle somewhere else. One that would land on the robot is slid there along a straight line and stops at first contact, which
+     * Puts an obstacle somewhere else. One that would land on the robot is slid there along a straight line and stops at first contact,
+     * which
      * counts as a collision.
      *
      * @param obstacle the obstacle's id

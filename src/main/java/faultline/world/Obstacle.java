@@ -11,7 +11,8 @@ import java.util.Optional;
  * @param shape in its own frame
  * @param pose of that frame in the world
  * @param motion its way-points, empty for a static obstacle
- * @param specular the greatest angle of incidence that its surface sends light back from, radians from the normal, in (0, pi / 2]; {@link #MATT} for all
+ * @param specular the greatest angle of incidence that its surface sends light back from, radians from the normal, in (0, pi / 2]; {@link
+ *         #MATT} for all
  */
 public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motion> motion, double specular) {
 

@@ -8,7 +8,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Moves obstacles and robot through one tick together, exactly: everything goes on until the robot first touches something, where the robot stops for
+ * Moves obstacles and robot through one tick together, exactly: everything goes on until the robot first touches something, where the robot
+ * stops for
  * good; a moving obstacle waits wherever going on would run into the robot.
  */
 final class Traffic {

@@ -10,7 +10,10 @@ import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A robot under a follower in the lower half plane, above which one wall runs for ever along the x axis; its readings are written down in closed form. */
+/**
+ * A robot under a follower in the lower half plane, above which one wall runs for ever along the x axis; its readings are written down in
+ * closed form.
+ */
 final class BesideAWall {
 
     private final RobotSpec robot;

@@ -6,7 +6,10 @@ import faultline.geometry.Vec;
 import faultline.sensor.Reading;
 import org.junit.jupiter.api.Test;
 
-/** A sensor in the robot's middle that looks ahead, with a cone of twice the angle whose sine is 0.6: a thing at its edge is 4 parts ahead and 3 aside. */
+/**
+ * A sensor in the robot's middle that looks ahead, with a cone of twice the angle whose sine is 0.6: a thing at its edge is 4 parts ahead
+ * and 3 aside.
+ */
 class GlimpseTest {
 
     private final Glimpse glimpse = new Glimpse();

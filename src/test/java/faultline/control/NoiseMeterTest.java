@@ -42,7 +42,8 @@ class NoiseMeterTest {
         SplittableRandom random = new SplittableRandom(1);
         double[] mean = {0};
         for (int run = 0; run < 50; run++) {
-            mean[0] += deviation(DoubleStream.iterate(0.8, reading -> reading - 0.001).limit(300).map(reading -> reading + 0.002 * gaussian(random))) / 50;
+            mean[0] += deviation(DoubleStream.iterate(0.8, reading -> reading - 0.001).limit(300).map(reading -> reading
+                    + 0.002 * gaussian(random))) / 50;
         }
         assertEquals(0.002, mean[0], 0.0001);
     }

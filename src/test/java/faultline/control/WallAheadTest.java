@@ -10,7 +10,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Walls ahead as seen by eyes at the robot's centre with all but no cone, so that a reading is the distance of the wall over the cosine of its slant. */
+/**
+ * Walls ahead as seen by eyes at the robot's centre with all but no cone, so that a reading is the distance of the wall over the cosine of
+ * its slant.
+ */
 class WallAheadTest {
 
     private static final double DIAGONAL = Math.PI / 4;

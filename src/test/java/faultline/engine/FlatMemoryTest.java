@@ -20,7 +20,9 @@ import java.util.TreeMap;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
-/** What a run in the window remembers is bounded: an hour of simulated time at full speed needs hardly more memory than its first minutes. */
+/**
+ * What a run in the window remembers is bounded: an hour of simulated time at full speed needs hardly more memory than its first minutes.
+ */
 class FlatMemoryTest {
 
     private static final long TICKS_PER_MINUTE = 6000;
@@ -29,7 +31,8 @@ class FlatMemoryTest {
     private static final long SETTLED = 20;
 
     /**
-     * The path grows by 2.3 MB still, to end at 4.2, the hashes by 1.9, to end at 8, and the coarser traces by 2.3: each of their levels reaches back four times as far as the one
+     * The path grows by 2.3 MB still, to end at 4.2, the hashes by 1.9, to end at 8, and the coarser traces by 2.3: each of their levels
+     * reaches back four times as far as the one
      * before and is full so much later. Bytes.
      */
     private static final long MOST_GROWTH = 8_000_000;
@@ -52,7 +55,8 @@ class FlatMemoryTest {
             assertEquals(HOUR * TICKS_PER_MINUTE, newest.world().tick());
             assertTrue(newest.world().collision().isEmpty());
         }
-        live.forEach((minute, bytes) -> System.out.println(String.format(Locale.ROOT, "memory after %d simulated minutes: %.1f MB", minute, bytes / 1e6)));
+        live.forEach((minute, bytes) -> System.out.println(String.format(Locale.ROOT, "memory after %d simulated minutes: %.1f MB",
+                minute, bytes / 1e6)));
         long growth = live.entrySet().stream().filter(e -> e.getKey() > SETTLED).mapToLong(Map.Entry::getValue).max().orElseThrow() - live.get(SETTLED);
         assertTrue(growth < MOST_GROWTH, "grown by " + growth + " bytes");
     }
@@ -61,7 +65,8 @@ class FlatMemoryTest {
         Obstacle desk = new Obstacle("desk", new ObstacleShape.Rectangle(0.8, 0.4), new Pose(2.4, 2.5, 0.4));
         Obstacle visitor = new Obstacle("visitor", new ObstacleShape.Circle(0.1), new Pose(3.6, 2, 0),
                 Optional.of(new Motion(0.2, true, List.of(new Vec(3.6, 2), new Vec(3.6, 3)))));
-        return new Setup(new WorldSpec(6, 5, true, 3, List.of(desk, visitor)), RobotSpec.DEFAULT, new Pose(0.6, 0.6, 0.3), ControllerSpec.WallFollowing.DEFAULT,
+        return new Setup(new WorldSpec(6, 5, true, 3, List.of(desk, visitor)), RobotSpec.DEFAULT, new Pose(0.6, 0.6, 0.3),
+                ControllerSpec.WallFollowing.DEFAULT,
                 List.of(), 0.01, 1, 60);
     }
 

@@ -74,7 +74,8 @@ record RandomRooms(double offset, double leastStraight, double leastInner, doubl
         double from = random.nextDouble(-half + 0.9, 0);
         double to = random.nextDouble(0, half - 0.9);
         double step = random.nextDouble(0.6, 0.9) * (random.nextBoolean() ? 1 : -1);
-        for (Vec point : List.of(new Vec(-half, -out), new Vec(from, -out), new Vec(from, -out + step), new Vec(to, -out + step), new Vec(to, -out))) {
+        for (Vec point : List.of(new Vec(-half, -out), new Vec(from, -out), new Vec(from, -out + step), new Vec(to, -out + step),
+                new Vec(to, -out))) {
             ring.add(MIDDLE.plus(quarterTurns(point, side)));
         }
     }

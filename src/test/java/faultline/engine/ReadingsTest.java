@@ -18,7 +18,8 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /**
- * What whole simulated scenes give every sensor, against the {@link SectorOracle} over every piece of every outline. The oracle knows where movers are only until
+ * What whole simulated scenes give every sensor, against the {@link SectorOracle} over every piece of every outline. The oracle knows where
+ * movers are only until
  * one of them has to wait for the robot, so that a yard is left at the first contact.
  */
 class ReadingsTest {
@@ -77,7 +78,8 @@ class ReadingsTest {
         List<SensorSpec> sensors = new ArrayList<>();
         for (SensorSpec sensor : usual.sensors()) {
             Vec seat = sensor.seat().times(random.nextInt(4) == 0 ? 3 : 1);
-            sensors.add(new SensorSpec(sensor.id(), seat, random.nextDouble(-7, 7), random.nextDouble(0.1, 2), Math.toRadians(random.nextDouble(1, 150)),
+            sensors.add(new SensorSpec(sensor.id(), seat, random.nextDouble(-7, 7), random.nextDouble(0.1, 2),
+                    Math.toRadians(random.nextDouble(1, 150)),
                     true, 0));
         }
         return new RobotSpec(usual.length(), usual.width(), usual.track(), usual.speed(), usual.turnRate(), usual.motor(), sensors);

@@ -39,7 +39,8 @@ class RecorderTest {
 
     private static Setup setup(List<Setup.Timed> timeline) {
         Obstacle desk = new Obstacle("desk", new ObstacleShape.Rectangle(0.6, 0.4), new Pose(2, 1.5, 0.4));
-        return new Setup(new WorldSpec(4, 3, true, 3, List.of(desk)), RobotSpec.DEFAULT, new Pose(0.6, 0.6, 0.3), ControllerSpec.WallFollowing.DEFAULT,
+        return new Setup(new WorldSpec(4, 3, true, 3, List.of(desk)), RobotSpec.DEFAULT, new Pose(0.6, 0.6, 0.3),
+                ControllerSpec.WallFollowing.DEFAULT,
                 timeline, 0.01, 1, 60);
     }
 
@@ -49,7 +50,8 @@ class RecorderTest {
 
     private static List<Moment> moments(Setup setup, int ticks) {
         List<Moment> moments = new ArrayList<>();
-        HeadlessRun.run(setup.withDuration(ticks * setup.dt()), ControllerMode.DIRECT, List.of(s -> moments.add(new Moment(s.ticks(), s.telemetry().state(),
+        HeadlessRun.run(setup.withDuration(ticks * setup.dt()), ControllerMode.DIRECT,
+                List.of(s -> moments.add(new Moment(s.ticks(), s.telemetry().state(),
                 s.telemetry().transitions(), s.telemetry().measured(), s.leftVolts(), s.trueReading(2), s.reportedReading(2), s.trajectoryHash()))));
         return moments;
     }

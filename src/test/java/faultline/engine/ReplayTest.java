@@ -99,7 +99,8 @@ class ReplayTest {
 
     @Test
     void steppingBackTwiceLosesNothing() throws Exception {
-        try (Session once = Session.replay(JOURNAL, 999, onward -> true); Session twice = Session.replay(once.wholeJournal().get(), 398, onward -> true)) {
+        try (Session once = Session.replay(JOURNAL, 999, onward -> true); Session twice = Session.replay(once.wholeJournal().get(), 398,
+                onward -> true)) {
             assertEquals(ORIGINAL.hashes().at(398), twice.frame().trajectoryHash());
             assertEquals(JOURNAL, twice.wholeJournal().get());
         }
@@ -132,7 +133,8 @@ class ReplayTest {
         Journal without = new Journal(ROOM, JOURNAL.entries().subList(0, 1), 1000);
         assertEquals(OptionalLong.of(400), ORIGINAL.hashes().firstDifference(RecordedRun.of(without).hashes(), 0));
         assertEquals(OptionalLong.empty(), ORIGINAL.hashes().firstDifference(RecordedRun.of(JOURNAL).hashes(), 0));
-        assertEquals(OptionalLong.empty(), ORIGINAL.hashes().firstDifference(RecordedRun.of(new Journal(ROOM, JOURNAL.entries().subList(0, 1), 399)).hashes(), 0));
+        assertEquals(OptionalLong.empty(), ORIGINAL.hashes().firstDifference(RecordedRun.of(new Journal(ROOM,
+                JOURNAL.entries().subList(0, 1), 399)).hashes(), 0));
         assertNotEquals(ORIGINAL.hashes().at(400), RecordedRun.of(without).hashes().at(400));
     }
 }

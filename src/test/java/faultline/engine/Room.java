@@ -11,7 +11,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A ring of straight walls to walk along on its left side: counter-clockwise the inside of a room, clockwise the outside of a free-standing thing.
+ * A ring of straight walls to walk along on its left side: counter-clockwise the inside of a room, clockwise the outside of a free-standing
+ * thing.
  *
  * @param name says where it comes from, such as the seed
  * @param ring its corners in order, the last joined to the first
@@ -54,7 +55,10 @@ record Room(String name, List<Vec> ring, Pose start) {
         return Angles.difference(corner(i).minus(corner(i - 1)).angle(), corner(i + 1).minus(corner(i)).angle());
     }
 
-    /** The straight piece of way beside the wall from corner i, at a distance from it, metres; less than 0 where it is too short for its inner corners. */
+    /**
+     * The straight piece of way beside the wall from corner i, at a distance from it, metres; less than 0 where it is too short for its
+     * inner corners.
+     */
     double straight(int i, double offset) {
         return corner(i).distanceTo(corner(i + 1)) - cutOff(turn(i), offset) - cutOff(turn(i + 1), offset);
     }
@@ -72,7 +76,10 @@ record Room(String name, List<Vec> ring, Pose start) {
         return way;
     }
 
-    /** The time of a perfect lap, seconds: straights at the speed, inner corners at the turn rate, arcs about outer corners at what allows both. */
+    /**
+     * The time of a perfect lap, seconds: straights at the speed, inner corners at the turn rate, arcs about outer corners at what allows
+     * both.
+     */
     double lapTime(RobotSpec robot, double offset) {
         double time = 0;
         for (int i = 0; i < ring.size(); i++) {

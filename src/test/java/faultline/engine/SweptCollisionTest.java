@@ -27,7 +27,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Collisions of whole simulated ticks against an oracle that looks at every moment: the exact arc is bisected for as long as the speeds allow that
+ * Collisions of whole simulated ticks against an oracle that looks at every moment: the exact arc is bisected for as long as the speeds
+ * allow that
  * body and obstacles could have met in between.
  */
 class SweptCollisionTest {
@@ -193,7 +194,8 @@ class SweptCollisionTest {
                 List.of(), 0.1, 1, 1);
         try (Simulation simulation = new Simulation(dash, ControllerMode.DIRECT)) {
             simulation.tick();
-            // Flush against the front, which is 0.125 ahead of the centre: 1.875 m at 50 m/s, and the middle of the front is the contact point.
+            // Flush against the front, which is 0.125 ahead of the centre: 1.875 m at 50 m/s, and the middle of the front is the contact
+            // point.
             Collision collision = simulation.collision().orElseThrow();
             assertEquals(2.875, simulation.pose().x(), NO_DEEPER);
             assertEquals(1.875 / 50, collision.time(), 1e-10);

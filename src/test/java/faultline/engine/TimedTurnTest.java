@@ -45,7 +45,8 @@ class TimedTurnTest {
             assertTrue(error <= EXACT && error >= -RATE * period - EXACT, "up to omega T too far to the right, not " + error);
             sum += error;
         }
-        // Each edge is seen between 0 and T late; over all phases of one edge alone the mean need not be T/2, so a quarter of it is granted.
+        // Each edge is seen between 0 and T late; over all phases of one edge alone the mean need not be T/2, so a quarter of it is
+        // granted.
         assertEquals(-RATE * period / 2, sum / phases, RATE * period / 4);
     }
 

@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 
-/** The judge judged: no point of a figure that lies in a sector is nearer than the oracle says, and one is as near up to the sampling's step. */
+/**
+ * The judge judged: no point of a figure that lies in a sector is nearer than the oracle says, and one is as near up to the sampling's
+ * step.
+ */
 class SectorOracleTest {
 
     private static final int SAMPLES = 20_000;
@@ -48,7 +51,8 @@ class SectorOracleTest {
         if (figure instanceof Segment segment) {
             return i -> segment.at(i / (double) SAMPLES);
         }
-        Oval oval = figure instanceof Oval given ? given : Oval.at(new Pose(figure.centre().x(), figure.centre().y(), 0), figure.reach(), figure.reach());
+        Oval oval = figure instanceof Oval given ? given : Oval.at(new Pose(figure.centre().x(), figure.centre().y(), 0), figure.reach(),
+                figure.reach());
         return i -> oval.toWorld(new Vec(oval.rx() * Math.cos(2 * Math.PI * i / SAMPLES), oval.ry() * Math.sin(2 * Math.PI * i / SAMPLES)));
     }
 }

@@ -2,7 +2,9 @@ package faultline.geometry;
 
 import java.util.SplittableRandom;
 
-/** Random sectors and figures for the judges, the same on every run: the ordinary and, more often than chance would have it, the awkward. */
+/**
+ * Random sectors and figures for the judges, the same on every run: the ordinary and, more often than chance would have it, the awkward.
+ */
 final class SectorScenes {
 
     private final SplittableRandom random;

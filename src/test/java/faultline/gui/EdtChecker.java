@@ -11,7 +11,10 @@ import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 
-/** Fails a test in which a component was changed on another thread than the event dispatch thread, or in which anything was thrown and not caught. */
+/**
+ * Fails a test in which a component was changed on another thread than the event dispatch thread, or in which anything was thrown and not
+ * caught.
+ */
 public final class EdtChecker implements BeforeEachCallback, AfterEachCallback {
 
     private final List<String> offences = new CopyOnWriteArrayList<>();

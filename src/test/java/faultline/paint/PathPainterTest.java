@@ -12,7 +12,10 @@ import org.junit.jupiter.api.Test;
 
 class PathPainterTest {
 
-    /** From above the middle of the world far away to the right, and back to below the middle; all stretches of points out there are left out at once. */
+    /**
+     * From above the middle of the world far away to the right, and back to below the middle; all stretches of points out there are left
+     * out at once.
+     */
     @Test
     void linesThatLeaveTheViewAndComeBackAreDrawnToItsEdge() {
         List<Vec> points = new ArrayList<>();

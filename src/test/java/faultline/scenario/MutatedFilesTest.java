@@ -15,7 +15,8 @@ import org.junit.jupiter.api.Test;
 /** Files damaged at random: each is refused in lines of the promised form, or is a good scenario that runs and reads back equal. */
 class MutatedFilesTest {
 
-    private static final List<String> PIECES = List.of("\"", "<", ">", "/", "&", "&#0;", "]]>", "<!--", "-->", "\0", "\n", "é", "-", "e9", ".", "1e308", "NaN",
+    private static final List<String> PIECES = List.of("\"", "<", ">", "/", "&", "&#0;", "]]>", "<!--", "-->", "\0", "\n", "é", "-", "e9",
+            ".", "1e308", "NaN",
             "id", " x=\"1\"", "<robot x=\"1\" y=\"1\"/>", "<world/>", "<?x?>", "xmlns=\"a\"", "'", " ");
 
     private final Random random = new Random(7);

@@ -12,7 +12,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class NumbersTest {
 
     @ParameterizedTest
-    @CsvSource({"0, 0", "-0.0, -0", "1, 1", "100, 100", "0.25, 0.25", "-3.5, -3.5", "1e-6, 0.000001", "100000, 100000", "1e-20, 1E-20", "1e20, 1E+20"})
+    @CsvSource({"0, 0", "-0.0, -0", "1, 1", "100, 100", "0.25, 0.25", "-3.5, -3.5", "1e-6, 0.000001", "100000, 100000", "1e-20, 1E-20",
+            "1e20, 1E+20"})
     void numbersAreWrittenPlainlyUnlessThatIsAbsurdlyLong(double value, String text) {
         assertEquals(text, Numbers.toText(value));
     }

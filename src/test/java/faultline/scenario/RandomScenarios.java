@@ -29,7 +29,8 @@ import java.util.stream.IntStream;
 /** Makes random scenarios with everything in them that a file can hold, and with numbers and names that are hard on writers. */
 final class RandomScenarios {
 
-    private static final double[] AWKWARD = {0.1 + 0.2, 1.0 / 3, 1e-6, 2.2250738585072014E-308, 1e-300, Double.MIN_VALUE, 5e-5, 12345.678901234567, 1e5 - 1e-11};
+    private static final double[] AWKWARD = {0.1 + 0.2, 1.0 / 3, 1e-6, 2.2250738585072014E-308, 1e-300, Double.MIN_VALUE, 5e-5,
+            12345.678901234567, 1e5 - 1e-11};
     private static final String[] NAMES = {"a", "<&>'", "ø ż 漢", "two words", "x--y", "]]>", "&amp;", "#1;", "😀", " edge "};
 
     private final Random random;
@@ -56,7 +57,8 @@ final class RandomScenarios {
         sensors.replaceAll(sensor -> random.nextInt(4) == 0 ? sensor(sensor.id()) : sensor);
         IntStream.range(0, 1 + random.nextInt(3)).forEach(i -> sensors.add(sensor(name() + i)));
         MotorSpec motor = new MotorSpec(awkward(0, 1000), positive(10), positive(100));
-        return new RobotSpec(length, width, Math.max(0.1, size()), positive(1000), Degrees.toRadians(0.001 + 1000 * random.nextDouble()), motor, sensors);
+        return new RobotSpec(length, width, Math.max(0.1, size()), positive(1000), Degrees.toRadians(0.001 + 1000 * random.nextDouble()),
+                motor, sensors);
     }
 
     private SensorSpec sensor(String id) {

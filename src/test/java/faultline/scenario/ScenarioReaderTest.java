@@ -132,7 +132,8 @@ class ScenarioReaderTest {
         String plain = "<controller type=\"wall-follower\" distance=\"0.25\"/>";
         assertEquals(new ControllerSpec.WallFollowing(0.3, Hand.RIGHT, 0.02, Timing.RANGE),
                 controller(ScenarioText.with(plain, "<controller distance=\"0.3\" hand=\"right\" period=\"0.02\" timing=\"range\"/>")));
-        assertEquals(new ControllerSpec.Drive(2, -1.5), controller(ScenarioText.with(plain, "<controller type=\"drive\" left=\"2\" right=\"-1.5\"/>")));
+        assertEquals(new ControllerSpec.Drive(2, -1.5), controller(ScenarioText.with(plain,
+                "<controller type=\"drive\" left=\"2\" right=\"-1.5\"/>")));
         assertEquals(new ControllerSpec.None(), controller(ScenarioText.with(plain, "<controller type=\"none\"/>")));
     }
 

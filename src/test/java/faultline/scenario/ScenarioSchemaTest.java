@@ -44,7 +44,8 @@ class ScenarioSchemaTest {
 
     @Test
     void theRangesOfTheReaderAreThoseOfTheSchema() throws Exception {
-        Map<String, Range> ranges = Map.ofEntries(entry("size", Range.SIZE), entry("coordinate", Range.COORDINATE), entry("noise", Range.NOISE), entry("incidence", Range.INCIDENCE),
+        Map<String, Range> ranges = Map.ofEntries(entry("size", Range.SIZE), entry("coordinate", Range.COORDINATE),
+                entry("noise", Range.NOISE), entry("incidence", Range.INCIDENCE),
                 entry("angle", Range.ANGLE), entry("cone", Range.CONE), entry("turnRate", Range.TURN_RATE), entry("speed", Range.SPEED),
                 entry("positiveSpeed", Range.POSITIVE_SPEED), entry("time", Range.TIME), entry("tick", Range.TICK),
                 entry("timeConstant", Range.TIME_CONSTANT), entry("voltage", Range.VOLTAGE), entry("positiveVoltage", Range.POSITIVE_VOLTAGE),
@@ -88,7 +89,8 @@ class ScenarioSchemaTest {
 
     @Test
     void whateverTheSchemaRefusesIsToldInOurOwnWords() throws Exception {
-        List<String> values = List.of("", "x", "-1", "0", "1e3", "1e9", "-1e9", "NaN", "INF", "true", "1,1 2,2", "none", "180", "1e-9", "0.5", "left");
+        List<String> values = List.of("", "x", "-1", "0", "1e3", "1e9", "-1e9", "NaN", "INF", "true", "1,1 2,2", "none", "180", "1e-9",
+                "0.5", "left");
         int refused = 0;
         for (String text : mutations(values)) {
             boolean valid = isValid(text);

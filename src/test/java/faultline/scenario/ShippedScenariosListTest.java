@@ -31,7 +31,8 @@ class ShippedScenariosListTest {
     void aJarIsLookedInto() throws IOException {
         Path jar = folder.resolve("program.jar");
         try (OutputStream out = Files.newOutputStream(jar); JarOutputStream entries = new JarOutputStream(out)) {
-            for (String name : List.of("scenarios/yard.xml", "scenarios/", "other/office.xml", "scenarios/a.xml", "scenarios/notes.txt", "scenarios/studies/b.xml")) {
+            for (String name : List.of("scenarios/yard.xml", "scenarios/", "other/office.xml", "scenarios/a.xml", "scenarios/notes.txt",
+                    "scenarios/studies/b.xml")) {
                 entries.putNextEntry(new JarEntry(name));
                 entries.closeEntry();
             }

@@ -7,7 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 
-/** The first draws of many ticks, which is how the dice are used, are as good as one long stream. Seeds are fixed, so nothing here is chance. */
+/**
+ * The first draws of many ticks, which is how the dice are used, are as good as one long stream. Seeds are fixed, so nothing here is
+ * chance.
+ */
 class DiceTest {
 
     private static final int DRAWS = 100_000;

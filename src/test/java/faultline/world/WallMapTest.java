@@ -76,7 +76,8 @@ class WallMapTest {
     @Test
     void aThinPartitionHasTwoSidesAndTwoEndsWithoutLength() {
         Obstacle partition = inTheMiddle(new ObstacleShape.Wall(List.of(new Vec(0, -0.5), new Vec(0, 0.5))));
-        List<WallMap.Place> around = room(partition).places(WANTED, 0.01).stream().filter(place -> place.at().distanceTo(new Vec(2, 2)) < 0.9).toList();
+        List<WallMap.Place> around = room(partition).places(WANTED, 0.01).stream().filter(place ->
+                place.at().distanceTo(new Vec(2, 2)) < 0.9).toList();
         assertEquals(2, around.stream().mapToDouble(WallMap.Place::length).sum(), 1e-9);
         assertTrue(around.stream().anyMatch(place -> place.length() == 0 && place.at().y() > 2.84), "places above its upper end");
     }

@@ -17,7 +17,10 @@ import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** What commands do to the world, and what they are refused for. The robot stands at (2, 2) and looks along x; a desk stands 1 m ahead of its front. */
+/**
+ * What commands do to the world, and what they are refused for. The robot stands at (2, 2) and looks along x; a desk stands 1 m ahead of
+ * its front.
+ */
 class WorldCommandsTest {
 
     private static final int FRONT = 0;

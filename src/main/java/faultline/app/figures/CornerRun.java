@@ -29,7 +29,10 @@ final class CornerRun {
         return Journey.of(Variation.of(Walls.corner(BASE, Degrees.toRadians(degrees), WallFollowing.DEFAULT.distance(), 0), robot));
     }
 
-    /** How far the second wall is from the wanted distance when the robot has been aligned with it, millimetres; not a number where it was not. */
+    /**
+     * How far the second wall is from the wanted distance when the robot has been aligned with it, millimetres; not a number where it was
+     * not.
+     */
     static double error(Journey journey) {
         List<Integer> handOvers = journey.handOvers();
         return handOvers.size() < 2 ? Double.NaN : 1000 * (journey.distances().get(handOvers.get(1)) - WallFollowing.DEFAULT.distance());

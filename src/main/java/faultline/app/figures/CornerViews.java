@@ -34,7 +34,8 @@ final class CornerViews implements Figure {
     private static void draw(Sheet sheet, double degrees, Set<String> sensors, double x, double y) {
         Journey journey = CornerRun.of(degrees, sensors);
         Vec first = Vec.direction(-Degrees.toRadians(degrees)).times(SHOWN);
-        Rectangle2D bounds = new Rectangle2D.Double(CORNER.x() + Math.min(0, first.x()), CORNER.y() + first.y(), SHOWN - Math.min(0, first.x()), -first.y());
+        Rectangle2D bounds = new Rectangle2D.Double(CORNER.x() + Math.min(0, first.x()), CORNER.y() + first.y(),
+                SHOWN - Math.min(0, first.x()), -first.y());
         Plan plan = sheet.plan(new Area(x + 14, y + 32, COLUMN - 28, 168), bounds);
         plan.line(List.of(CORNER.plus(first), CORNER, CORNER.plus(new Vec(SHOWN, 0))), Pen.solid(Sheet.THEME.palette().obstacleOutline(), 3));
         List<Pose> shown = shown(journey);

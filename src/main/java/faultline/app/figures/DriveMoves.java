@@ -79,6 +79,7 @@ final class DriveMoves implements Figure {
     private static List<String> numbers(Move move) {
         double omega = DifferentialDrive.angularVelocity(move.left(), move.right(), ROBOT.track());
         return List.of("left " + Numbers.text(move.left(), 2) + ", right " + Numbers.text(move.right(), 2) + " m/s",
-                "v " + Numbers.text(DifferentialDrive.linearVelocity(move.left(), move.right()), 2) + " m/s, \u03c9 " + Numbers.text(omega, 2) + " rad/s");
+                "v " + Numbers.text(DifferentialDrive.linearVelocity(move.left(), move.right()), 2) + " m/s, \u03c9 "
+                + Numbers.text(omega, 2) + " rad/s");
     }
 }

@@ -43,7 +43,8 @@ record Environment(String name, String scenario, Rectangle2D bounds) implements 
     }
 
     private static String numbers(Journey journey) {
-        return journey.result().collision().map(Environment::end).orElseGet(() -> Numbers.text(journey.result().simulatedSeconds(), 0) + " s; coverage of the wall "
+        return journey.result().collision().map(Environment::end).orElseGet(() -> Numbers.text(journey.result().simulatedSeconds(), 0)
+                + " s; coverage of the wall "
                 + Numbers.text(100 * journey.result().coverage().orElse(0), 1) + " %; distance error "
                 + Numbers.text(1000 * journey.result().distanceRms().orElse(Double.NaN), 2) + " mm RMS");
     }

@@ -35,8 +35,8 @@ final class EquationFour {
                         Alignment.usual(timing, variant).deciding(value / 1000)),
                 sweep("motor", "Time constant of the motors", "time constant (ms)", steps(0, 20, 11), (value, timing, variant) ->
                         Alignment.usual(timing, variant).with(Alignment.robot(RANGE, CONE, RATE, value / 1000))),
-                sweep("seat-along", "Seat of the sensor along its axis", "seat to the left of the centre (mm)", steps(0, 10, 11), (value, timing, variant) ->
-                        Alignment.usual(timing, variant).with(seated(0, value / 1000))),
+                sweep("seat-along", "Seat of the sensor along its axis", "seat to the left of the centre (mm)", steps(0, 10, 11),
+                        (value, timing, variant) -> Alignment.usual(timing, variant).with(seated(0, value / 1000))),
                 sweep("seat-ahead", "Axis that misses the centre", "seat ahead of the centre (mm)", steps(-60, 10, 13), (value, timing, variant) ->
                         Alignment.usual(timing, variant).with(seated(value / 1000, 0.1))),
                 sweep("noise", "Noise of the sensors", "standard deviation of the noise (mm)", steps(0, 1, 13), (value, timing, variant) ->
@@ -45,8 +45,8 @@ final class EquationFour {
                         Alignment.usual(timing, variant).in(Walls.ending(Alignment.BASE, value, 0.25, variant))),
                 sweep("corner", "Inner corner", "angle between the walls (degrees)", steps(40, 5, 22), (value, timing, variant) ->
                         Alignment.usual(timing, variant).in(Walls.corner(CORNER, Degrees.toRadians(value), 0.25, variant)).counting(2)),
-                sweep("corner-short-range", "Inner corner, sensors of 0.3 m", "angle between the walls (degrees)", steps(40, 5, 22), (value, timing, variant) ->
-                        Alignment.usual(timing, variant).with(Alignment.robot(0.3, CONE, RATE, TAU))
+                sweep("corner-short-range", "Inner corner, sensors of 0.3 m", "angle between the walls (degrees)", steps(40, 5, 22),
+                        (value, timing, variant) -> Alignment.usual(timing, variant).with(Alignment.robot(0.3, CONE, RATE, TAU))
                                 .in(Walls.corner(CORNER, Degrees.toRadians(value), 0.25, variant)).counting(2)));
     }
 

@@ -41,7 +41,8 @@ record Journey(Setup setup, List<Pose> poses, List<String> states, List<Double> 
 
     /** The ticks at which ALIGN has handed over to FOLLOW. */
     List<Integer> handOvers() {
-        return IntStream.range(1, states.size()).filter(tick -> states.get(tick).equals("FOLLOW") && states.get(tick - 1).equals("ALIGN")).boxed().toList();
+        return IntStream.range(1, states.size()).filter(tick -> states.get(tick).equals("FOLLOW")
+                && states.get(tick - 1).equals("ALIGN")).boxed().toList();
     }
 
     Pose last() {

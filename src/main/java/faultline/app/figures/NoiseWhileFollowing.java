@@ -36,7 +36,8 @@ final class NoiseWhileFollowing implements Figure {
         }
         Axis y = Axis.covering("distance error, RMS (mm)", DoubleStream.concat(DoubleStream.of(0), errors.stream().mapToDouble(Vec::y)));
         Chart chart = new Chart("Following with noisy sensors", Axis.linear("standard deviation of the noise (mm)", 0, STEPS - 1), y,
-                List.of(new Mark.Line("error as large as the noise", List.of(Vec.ZERO, new Vec(STEPS, STEPS)), 1), new Mark.Points("runs", errors, 0)));
+                List.of(new Mark.Line("error as large as the noise", List.of(Vec.ZERO, new Vec(STEPS, STEPS)), 1),
+                        new Mark.Points("runs", errors, 0)));
         folder.csv("noise-following", table);
         folder.svg("noise-following", Sheet.of(chart, 480, 360));
     }
@@ -45,7 +46,8 @@ final class NoiseWhileFollowing implements Figure {
         Setup setup = Shipped.load(SCENARIO).setup();
         RobotSpec robot = setup.robot();
         for (SensorSpec sensor : robot.sensors()) {
-            robot = robot.withSensor(new SensorSpec(sensor.id(), sensor.seat(), sensor.bearing(), sensor.range(), sensor.cone(), sensor.on(), deviation));
+            robot = robot.withSensor(new SensorSpec(sensor.id(), sensor.seat(), sensor.bearing(), sensor.range(), sensor.cone(),
+                    sensor.on(), deviation));
         }
         return new Setup(setup.world(), robot, setup.start(), setup.controller(), setup.timeline(), setup.dt(), setup.seed(), setup.duration());
     }

@@ -13,7 +13,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * The paper's claim that t_D does not depend on other sensors: every other sensor failed in every way, once from the moment that the spin begins, and once from the
+ * The paper's claim that t_D does not depend on other sensors: every other sensor failed in every way, once from the moment that the spin
+ * begins, and once from the
  * start of the run, when the robot may come to stand elsewhere.
  */
 final class OtherSensors implements Figure {
@@ -36,7 +37,8 @@ final class OtherSensors implements Figure {
             Command fault = new Command.InjectFault(sensor.id(), kind.fault(kind.usual()));
             OptionalDouble late = tD(failing(trial.setup(), spin, fault));
             OptionalDouble early = tD(failing(trial.setup(), 0, fault));
-            table.row(trial.timing().fileName(), sensor.id(), kind.fileName(), late.orElse(Double.NaN), same(late, sound), early.orElse(Double.NaN), same(early, sound));
+            table.row(trial.timing().fileName(), sensor.id(), kind.fileName(), late.orElse(Double.NaN), same(late, sound),
+                    early.orElse(Double.NaN), same(early, sound));
         }
     }
 
@@ -45,7 +47,8 @@ final class OtherSensors implements Figure {
     }
 
     private static Setup failing(Setup setup, double at, Command fault) {
-        return new Setup(setup.world(), setup.robot(), setup.start(), setup.controller(), List.of(new Setup.Timed(at, fault)), setup.dt(), setup.seed(), setup.duration());
+        return new Setup(setup.world(), setup.robot(), setup.start(), setup.controller(), List.of(new Setup.Timed(at, fault)), setup.dt(),
+                setup.seed(), setup.duration());
     }
 
     private static double spinBegins(Setup setup) {

@@ -9,7 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The PD law and the motors beside a long straight wall, and nothing else: distance and heading are known, a decision acts at the next tick.
+ * The PD law and the motors beside a long straight wall, and nothing else: distance and heading are known, a decision acts at the next
+ * tick.
  *
  * @param gains of the law
  * @param tooFar how much too far from the wall the robot starts, metres

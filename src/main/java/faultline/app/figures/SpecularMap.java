@@ -37,7 +37,8 @@ final class SpecularMap implements Figure {
             }
             rows.add(outcomes);
         }
-        List<Mark> marks = List.of(new Mark.Cells(NAMES, rows), seen("front sensor sees it", 0, 1), seen("a corner sensor sees it", 45, 0), seen("", -45, 0));
+        List<Mark> marks = List.of(new Mark.Cells(NAMES, rows), seen("front sensor sees it", 0, 1),
+                seen("a corner sensor sees it", 45, 0), seen("", -45, 0));
         folder.csv("specular-map", table);
         folder.svg("specular-map", Sheet.of(new Chart("Glossy walls", SLANT, SPECULAR, marks), 520, 420));
     }
@@ -45,7 +46,8 @@ final class SpecularMap implements Figure {
     /** Where a sensor of a bearing sees the wall: its cone reaches to within the angle of the normal. */
     private static Mark seen(String name, double bearing, int style) {
         double half = StrictMath.toDegrees(SensorSpec.DEFAULT_CONE) / 2;
-        return new Mark.Line(name, List.of(new Vec(bearing - half - 90, 90), new Vec(bearing - half, 0), new Vec(bearing + half, 0), new Vec(bearing + half + 90, 90)), style);
+        return new Mark.Line(name, List.of(new Vec(bearing - half - 90, 90), new Vec(bearing - half, 0), new Vec(bearing + half, 0),
+                new Vec(bearing + half + 90, 90)), style);
     }
 
     private static int outcome(double slant, double specular) {

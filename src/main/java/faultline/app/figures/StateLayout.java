@@ -11,7 +11,8 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * Where the states of a diagram stand: on a circle, in the order that makes the fewest arrows cross, and among those the shortest. Arrows are straight, but two which
+ * Where the states of a diagram stand: on a circle, in the order that makes the fewest arrows cross, and among those the shortest. Arrows
+ * are straight, but two which
  * lead to and fro bend to their left, so that they lie apart.
  */
 final class StateLayout {
@@ -83,7 +84,8 @@ final class StateLayout {
     private static boolean cross(List<Vec> one, List<Vec> other) {
         for (int i = 1; i < one.size(); i++) {
             for (int j = 1; j < other.size(); j++) {
-                if (apart(one.get(i - 1), one.get(i), other.get(j - 1), other.get(j)) && apart(other.get(j - 1), other.get(j), one.get(i - 1), one.get(i))) {
+                if (apart(one.get(i - 1), one.get(i), other.get(j - 1), other.get(j))
+                        && apart(other.get(j - 1), other.get(j), one.get(i - 1), one.get(i))) {
                     return true;
                 }
             }

@@ -40,7 +40,8 @@ final class StepResponse implements Figure {
         for (double length : LENGTHS) {
             List<Double> errors = new PdLoop(PdGains.dyingOutOn(length, PdLoop.SPEED), MOVED_BY, 0).errors();
             String name = "l = " + Numbers.text(1000 * length, 0) + " mm";
-            marks.add(line(name + (marks.isEmpty() ? " (chosen)" : ""), errors.subList(0, (int) Math.min(errors.size(), SECONDS / TICK)), marks.size(), table));
+            marks.add(line(name + (marks.isEmpty() ? " (chosen)" : ""), errors.subList(0, (int) Math.min(errors.size(), SECONDS / TICK)),
+                    marks.size(), table));
         }
         return new Chart("PD law and motors alone", Axis.linear("time (s)", 0, SECONDS), Axis.linear("distance error (m)", -0.02, 0.06), marks);
     }
@@ -49,7 +50,8 @@ final class StepResponse implements Figure {
         List<Mark> marks = List.of(
                 line("wall moved away: taken for its end, ROUND", moved(MOVED_BY), 0, table),
                 line("wall moved nearer", moved(-MOVED_BY), 1, table));
-        return new Chart("The whole follower, its wall moved by 55 mm", Axis.linear("time (s)", 0, SECONDS), Axis.linear("distance error (m)", -0.06, 0.14), marks);
+        return new Chart("The whole follower, its wall moved by 55 mm", Axis.linear("time (s)", 0, SECONDS),
+                Axis.linear("distance error (m)", -0.06, 0.14), marks);
     }
 
     private static Mark line(String name, List<Double> errors, int style, Table table) {

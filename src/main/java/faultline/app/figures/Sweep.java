@@ -13,7 +13,8 @@ import java.util.Optional;
 import java.util.stream.DoubleStream;
 
 /**
- * The heading error of eq. (4) against one quantity, all others as usual: every trial as a point, theory as a line through them, for both timings.
+ * The heading error of eq. (4) against one quantity, all others as usual: every trial as a point, theory as a line through them, for both
+ * timings.
  *
  * @param name of the files
  * @param title of the chart
@@ -85,7 +86,8 @@ record Sweep(String name, String title, String label, List<Double> values, int v
                 new Mark.Points("equal readings", equal.stream().map(Point::measured).toList(), 0));
         DoubleStream errors = DoubleStream.concat(DoubleStream.of(0.5, -1), points.stream().flatMapToDouble(
                 point -> DoubleStream.of(point.error(), point.expected(0).y())));
-        Chart chart = new Chart(title, Axis.covering(label, values.stream().mapToDouble(value -> value)), Axis.covering("heading error (degrees)", errors), marks);
+        Chart chart = new Chart(title, Axis.covering(label, values.stream().mapToDouble(value -> value)),
+                Axis.covering("heading error (degrees)", errors), marks);
         return Sheet.of(chart, WIDTH, HEIGHT);
     }
 

@@ -32,7 +32,8 @@ final class Variation {
     static Setup of(Setup base, Obstacle changed) {
         WorldSpec world = base.world();
         List<Obstacle> obstacles = world.obstacles().stream().map(obstacle -> obstacle.id().equals(changed.id()) ? changed : obstacle).toList();
-        return new Setup(new WorldSpec(world.width(), world.height(), world.enclosed(), world.maxMoving(), obstacles), base.robot(), base.start(), base.controller(),
+        return new Setup(new WorldSpec(world.width(), world.height(), world.enclosed(), world.maxMoving(), obstacles), base.robot(),
+                base.start(), base.controller(),
                 base.timeline(), base.dt(), base.seed(), base.duration());
     }
 

@@ -21,7 +21,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Fig. 4: the positioning beside a wall, in frames at their measured times. The paper names F3 and F4; F1 is taken as the moment when the front sensor first sees the
+ * Fig. 4: the positioning beside a wall, in frames at their measured times. The paper names F3 and F4; F1 is taken as the moment when the
+ * front sensor first sees the
  * wall, F2 as the one when the robot begins to spin.
  */
 final class WallFrames implements Figure {
@@ -51,10 +52,12 @@ final class WallFrames implements Figure {
 
     private static List<Moment> moments(Journey journey, ScenarioRun run) {
         double dt = journey.setup().dt();
-        int sees = IntStream.range(0, journey.poses().size()).filter(tick -> run.reading("front", tick * dt).distance().isPresent()).findFirst().orElseThrow();
+        int sees = IntStream.range(0, journey.poses().size()).filter(tick ->
+                run.reading("front", tick * dt).distance().isPresent()).findFirst().orElseThrow();
         List<String> states = journey.states();
         return List.of(new Moment("F1", "front sees the wall", sees), new Moment("F2", "spin begins", states.indexOf("TURN")),
-                new Moment("F3", "left comes to the wall", states.indexOf("MEASURE") - 1), new Moment("F4", "left leaves the wall", states.indexOf("ALIGN") - 1),
+                new Moment("F3", "left comes to the wall", states.indexOf("MEASURE") - 1),
+                new Moment("F4", "left leaves the wall", states.indexOf("ALIGN") - 1),
                 new Moment("P", "turned back", states.indexOf("FOLLOW")));
     }
 
@@ -68,7 +71,8 @@ final class WallFrames implements Figure {
         plan.robot(journey.setup().robot(), pose, 1);
         double middle = x + COLUMN / 2.0;
         sheet.text(moment.name(), middle, 18, Sheet.TEXT.inBold().anchored(Anchor.MIDDLE));
-        sheet.lines(List.of(moment.what(), "t = " + Numbers.text(moment.tick() * journey.setup().dt(), 2) + " s, heading " + heading(pose)), middle, 240);
+        sheet.lines(List.of(moment.what(), "t = " + Numbers.text(moment.tick() * journey.setup().dt(), 2) + " s, heading "
+                + heading(pose)), middle, 240);
     }
 
     private static String heading(Pose pose) {

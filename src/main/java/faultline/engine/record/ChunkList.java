@@ -4,7 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The newest chunks of something that grows for ever. The list is exchanged whenever a chunk is added, never changed, so that a view that holds
+ * The newest chunks of something that grows for ever. The list is exchanged whenever a chunk is added, never changed, so that a view that
+ * holds
  * the old one is good for ever.
  *
  * @param <C> a chunk, filled by its writer entry by entry

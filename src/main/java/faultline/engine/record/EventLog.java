@@ -2,7 +2,10 @@ package faultline.engine.record;
 
 import java.util.List;
 
-/** The events of a run in their order, as a view on a recording that goes on. They are counted from the run's first; the oldest may be forgotten. */
+/**
+ * The events of a run in their order, as a view on a recording that goes on. They are counted from the run's first; the oldest may be
+ * forgotten.
+ */
 public final class EventLog {
 
     /** Of a run that is not recorded. */

@@ -3,7 +3,8 @@ package faultline.engine.record;
 import java.util.Arrays;
 
 /**
- * Records the trajectory's hash after every tick, so that two runs can be compared tick by tick. Written by one thread; the views that it gives are for all, because a
+ * Records the trajectory's hash after every tick, so that two runs can be compared tick by tick. Written by one thread; the views that it
+ * gives are for all, because a
  * hash once written is never changed.
  */
 public final class HashRecorder {

@@ -2,7 +2,9 @@ package faultline.engine.record;
 
 import java.util.List;
 
-/** All channels at one resolution, as a view on a recording that goes on. Buckets are counted from tick 0 on; the oldest may be forgotten. */
+/**
+ * All channels at one resolution, as a view on a recording that goes on. Buckets are counted from tick 0 on; the oldest may be forgotten.
+ */
 public final class Level {
 
     private final List<LevelRecorder.Chunk> chunks;

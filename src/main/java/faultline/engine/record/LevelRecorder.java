@@ -41,7 +41,10 @@ final class LevelRecorder {
         high = new float[channels];
     }
 
-    /** Takes a bucket of the next finer level; true where a bucket of this level is complete with it, which is {@link #low} and {@link #high} then. */
+    /**
+     * Takes a bucket of the next finer level; true where a bucket of this level is complete with it, which is {@link #low} and {@link
+     * #high} then.
+     */
     boolean add(float[] least, float[] greatest) {
         if (gathered == 0) {
             System.arraycopy(least, 0, low, 0, channels);

@@ -19,7 +19,9 @@ import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 
-/** What the hand does with a canvas beyond looking: its tools, its snapping, what is selected, and who is told. Event dispatch thread only. */
+/**
+ * What the hand does with a canvas beyond looking: its tools, its snapping, what is selected, and who is told. Event dispatch thread only.
+ */
 public final class CanvasTools {
 
     /** How fast an obstacle moves that is given way-points, metres per second. */

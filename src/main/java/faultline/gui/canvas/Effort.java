@@ -1,6 +1,9 @@
 package faultline.gui.canvas;
 
-/** How much painting on kept images a frame has time for. It is counted and not measured, so that the same things are always painted in the same frame. */
+/**
+ * How much painting on kept images a frame has time for. It is counted and not measured, so that the same things are always painted in the
+ * same frame.
+ */
 final class Effort {
 
     private double left = 1;

@@ -56,7 +56,8 @@ final class Grips {
         }
         Optional<Obstacle> single = scene.single();
         OptionalInt handle = single.map(obstacle -> resizer(obstacle, at)).orElse(OptionalInt.empty());
-        return handle.isPresent() ? Optional.of(new Drag.Resize(single.orElseThrow(), handle.getAsInt())) : scene.selectedSensor().flatMap(s -> cone(s, at));
+        return handle.isPresent() ? Optional.of(new Drag.Resize(single.orElseThrow(), handle.getAsInt()))
+                : scene.selectedSensor().flatMap(s -> cone(s, at));
     }
 
     /** Where the handle is that turns what is selected. */

@@ -16,7 +16,10 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** What the keyboard does while the canvas has the focus: arrows nudge the selected obstacles, Q and E turn them, Enter ends a tool, Esc lets go. */
+/**
+ * What the keyboard does while the canvas has the focus: arrows nudge the selected obstacles, Q and E turn them, Enter ends a tool, Esc
+ * lets go.
+ */
 final class Keys {
 
     private static final double NUDGE = 0.01;

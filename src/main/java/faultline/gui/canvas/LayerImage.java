@@ -43,9 +43,11 @@ record LayerImage(BufferedImage image, View view) {
             Camera to = other.camera;
             double dx = (camera.x() - to.x()) * camera.scale();
             double dy = (to.y() - camera.y()) * camera.scale();
-            boolean whole = Math.abs(dx - Math.rint(dx)) < ROUNDING && Math.abs(dy - Math.rint(dy)) < ROUNDING && deviceScale == Math.rint(deviceScale);
+            boolean whole = Math.abs(dx - Math.rint(dx)) < ROUNDING && Math.abs(dy - Math.rint(dy)) < ROUNDING
+                    && deviceScale == Math.rint(deviceScale);
             boolean near = Math.abs(dx) < camera.width() && Math.abs(dy) < camera.height();
-            boolean alike = camera.scale() == to.scale() && bounds().equals(other.bounds()) && deviceScale == other.deviceScale && palette.equals(other.palette);
+            boolean alike = camera.scale() == to.scale() && bounds().equals(other.bounds()) && deviceScale == other.deviceScale
+                    && palette.equals(other.palette);
             return alike && near && whole ? Optional.of(new Point((int) Math.rint(dx), (int) Math.rint(dy))) : Optional.empty();
         }
     }

@@ -8,7 +8,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Measures from where the button went down to where it is, as often as the user likes; the last measure stays until the tool is put away. */
+/**
+ * Measures from where the button went down to where it is, as often as the user likes; the last measure stays until the tool is put away.
+ */
 final class MeasureTool implements Tool {
 
     private Optional<Vec> from = Optional.empty();

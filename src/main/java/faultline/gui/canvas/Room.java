@@ -17,7 +17,8 @@ final class Room {
 
     /** Whether an obstacle would overlap the robot. */
     static boolean isBlocked(Scene scene, Obstacle obstacle) {
-        return scene.frame().filter(frame -> obstructing(frame.world().robot(), frame.world().pose(), false, frame.world(), List.of(obstacle)).isPresent())
+        return scene.frame().filter(frame -> obstructing(frame.world().robot(), frame.world().pose(), false, frame.world(),
+                List.of(obstacle)).isPresent())
                 .isPresent();
     }
 

@@ -12,7 +12,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.UnaryOperator;
 
 /**
- * Holds the open scenario and its run. A new file, a restart or another moment of the run is a new session; the old one is closed when the new one is there.
+ * Holds the open scenario and its run. A new file, a restart or another moment of the run is a new session; the old one is closed when the
+ * new one is there.
  * What is done with files is {@link Filing}'s, what is done to the run {@link RunDesk}'s.
  */
 public final class Bench implements AutoCloseable {
@@ -129,7 +130,10 @@ public final class Bench implements AutoCloseable {
         desks.add(desk);
     }
 
-    /** Makes something off the event dispatch thread and puts it in the place of what is here, unless something else is asked for in between. */
+    /**
+     * Makes something off the event dispatch thread and puts it in the place of what is here, unless something else is asked for in
+     * between.
+     */
     void begin(Task task, Path name, Maker maker) {
         UnderWay way = new UnderWay(task, name);
         underWay.ifPresent(UnderWay::cancel);

@@ -14,7 +14,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What a scenario becomes by what was done to its run. Obstacles, platform, and the sensors' range and cone are the scenario's, and a change of
+ * What a scenario becomes by what was done to its run. Obstacles, platform, and the sensors' range and cone are the scenario's, and a
+ * change of
  * them is kept; switching a sensor and breaking it is what happens in one run, and is not.
  */
 final class EditedSetup {
@@ -88,7 +89,8 @@ final class EditedSetup {
 
     private WorldSpec world() {
         WorldSpec world = base.world();
-        return new WorldSpec(world.width(), world.height(), world.enclosed(), world.maxMoving(), obstacles.values().stream().flatMap(Optional::stream).toList());
+        return new WorldSpec(world.width(), world.height(), world.enclosed(), world.maxMoving(),
+                obstacles.values().stream().flatMap(Optional::stream).toList());
     }
 
     private Setup setup() {

@@ -109,7 +109,10 @@ public final class GhostDesk {
         return divergence.equals(last.divergence()) ? last : new Haunting(last.ghost(), divergence, last.otherSeed());
     }
 
-    /** Whether a divergence that was found stands: it lies behind what is new, or ahead of a run that was taken back to an earlier moment and will come there again. */
+    /**
+     * Whether a divergence that was found stands: it lies behind what is new, or ahead of a run that was taken back to an earlier moment
+     * and will come there again.
+     */
     private boolean isSettled(long divergence, Hashes now, int from) {
         return divergence < from || divergence >= now.size() && divergence <= travel.furthest();
     }

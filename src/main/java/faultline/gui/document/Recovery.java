@@ -11,7 +11,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * A folder where each running window keeps its unsaved scenario under its process's number; what is there of a process that is gone was left by a
+ * A folder where each running window keeps its unsaved scenario under its process's number; what is there of a process that is gone was
+ * left by a
  * crash. All of it is slow, and for other threads than the event dispatch thread.
  */
 public final class Recovery {

@@ -20,7 +20,8 @@ public final class TimeTravel {
     }
 
     /**
-     * Goes to another moment of the run, soon, and holds there. What was done later is done again when its tick comes, unless something else is done before.
+     * Goes to another moment of the run, soon, and holds there. What was done later is done again when its tick comes, unless something
+     * else is done before.
      *
      * @param tick not negative
      */

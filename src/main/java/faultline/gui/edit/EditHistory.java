@@ -5,7 +5,8 @@ import javax.swing.undo.UndoManager;
 import javax.swing.undo.UndoableEdit;
 
 /**
- * The edits so far. One that came to nothing is not kept. A new edit drops what was undone, as everywhere; but not what is undone only because the run was taken
+ * The edits so far. One that came to nothing is not kept. A new edit drops what was undone, as everywhere; but not what is undone only
+ * because the run was taken
  * back to a moment before it: that can still be redone.
  */
 final class EditHistory extends UndoManager {
@@ -57,7 +58,9 @@ final class EditHistory extends UndoManager {
         }
     }
 
-    /** The run has come past the moment when an edit was undone, or, which is later then, was taken back before the moment when it was done. */
+    /**
+     * The run has come past the moment when an edit was undone, or, which is later then, was taken back before the moment when it was done.
+     */
     void undoQuietly(CommandEdit edit, boolean later) {
         if (editToBeUndone() == edit) {
             quietly(this::undo);

@@ -32,7 +32,8 @@ public final class SensorPresets {
             robot.sensors().forEach(sensor -> wanted.add(sensor.id()));
         } else {
             BEARINGS.subList(0, count).forEach(bearing -> robot.sensors().stream()
-                    .min(Comparator.comparingDouble(sensor -> off(sensor, wallOnLeft ? bearing : -bearing))).ifPresent(sensor -> wanted.add(sensor.id())));
+                    .min(Comparator.comparingDouble(sensor -> off(sensor, wallOnLeft ? bearing : -bearing))).ifPresent(sensor ->
+                            wanted.add(sensor.id())));
         }
         return robot.sensors().stream().filter(sensor -> sensor.on() != wanted.contains(sensor.id()))
                 .<Command>map(sensor -> new Command.SwitchSensor(sensor.id(), !sensor.on())).toList();

@@ -9,7 +9,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** The points by which a hand takes a shape to change its size: a rectangle's corners and sides, a curve's axes, all corners of what has points. */
+/**
+ * The points by which a hand takes a shape to change its size: a rectangle's corners and sides, a curve's axes, all corners of what has
+ * points.
+ */
 public final class ShapeHandles {
 
     private static final double LEAST = 0.01;
@@ -49,7 +52,8 @@ public final class ShapeHandles {
     }
 
     /**
-     * An obstacle after one of its handles was dragged. Of a rectangle the opposite corner or side stays, of a circle or an ellipse the middle, of all
+     * An obstacle after one of its handles was dragged. Of a rectangle the opposite corner or side stays, of a circle or an ellipse the
+     * middle, of all
      * others every other corner.
      *
      * @param obstacle as it was

@@ -19,7 +19,9 @@ import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import javax.swing.JOptionPane;
 
-/** Gives out what the canvas shows and what the run has come to. Pictures are light, on a dark window too, unless dark ones are asked for. */
+/**
+ * Gives out what the canvas shows and what the run has come to. Pictures are light, on a dark window too, unless dark ones are asked for.
+ */
 public final class ExportDesk {
 
     /** Pictures have so many pixels on each side of one of the window's. */

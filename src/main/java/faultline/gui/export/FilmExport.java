@@ -10,7 +10,8 @@ import java.io.OutputStream;
 import java.util.concurrent.CompletableFuture;
 
 /**
- * A film of a stretch of the run so far, as fast as real time. It is made of the run's own ticks, so no picture is lost however fast the run was.
+ * A film of a stretch of the run so far, as fast as real time. It is made of the run's own ticks, so no picture is lost however fast the
+ * run was.
  *
  * @param shot how each picture is taken; its own frame does not matter
  * @param run completed with the scenario that replays it

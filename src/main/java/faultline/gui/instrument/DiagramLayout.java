@@ -14,7 +14,9 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 
-/** Where the boxes and arrows of the state diagram are, pixels: two rows of three, so that the usual course of things goes round clockwise. */
+/**
+ * Where the boxes and arrows of the state diagram are, pixels: two rows of three, so that the usual course of things goes round clockwise.
+ */
 final class DiagramLayout {
 
     private static final List<List<FollowerState>> ROWS = List.of(List.of(SEARCH, TURN, MEASURE), List.of(ROUND, FOLLOW, ALIGN));

@@ -24,7 +24,10 @@ import javax.swing.ListSelectionModel;
 import javax.swing.SwingConstants;
 import javax.swing.table.TableColumn;
 
-/** The list of what happened in a run. A double click or Enter on an event jumps to its moment. The newest stays in view unless a row is chosen. */
+/**
+ * The list of what happened in a run. A double click or Enter on an event jumps to its moment. The newest stays in view unless a row is
+ * chosen.
+ */
 public final class EventLogView extends JPanel {
 
     private static final int[] WIDTHS = {100, 130, 700};

@@ -72,7 +72,8 @@ final class EventText {
             return Texts.text("command.remove", remove.obstacle());
         }
         if (command instanceof Command.SetPlatform platform) {
-            return Texts.text("command.platform", number("%.3f", platform.length()), number("%.3f", platform.width()), number("%.2f", platform.speed()));
+            return Texts.text("command.platform", number("%.3f", platform.length()), number("%.3f", platform.width()),
+                    number("%.2f", platform.speed()));
         }
         return sensorSentence(command);
     }

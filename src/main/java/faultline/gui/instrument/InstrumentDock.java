@@ -12,7 +12,10 @@ import javax.swing.JComponent;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 
-/** All instruments, on tabs. Only those on the chosen tab are kept up to date, and those some twenty times a second, which eyes take for steady. */
+/**
+ * All instruments, on tabs. Only those on the chosen tab are kept up to date, and those some twenty times a second, which eyes take for
+ * steady.
+ */
 public final class InstrumentDock extends JTabbedPane {
 
     private static final int EVERY = 3;

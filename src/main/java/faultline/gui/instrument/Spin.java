@@ -14,7 +14,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * The newest t_D/2 manoeuvre of a run, as its recording and telemetry have it. Times are the spin clock's: what the robot has turned from where TURN began, at the
+ * The newest t_D/2 manoeuvre of a run, as its recording and telemetry have it. Times are the spin clock's: what the robot has turned from
+ * where TURN began, at the
  * constant rate.
  *
  * @param samples the left reading over the spin, up to frame F4
@@ -53,7 +54,8 @@ record Spin(List<Sample> samples, double start, double rate, double now, double 
                         return Optional.of(new Ticks(transition.tick(), Math.min(align, follow), follow, follow < end));
                     }
                     align = leads(transition, FollowerState.ALIGN) ? transition.tick() : align;
-                    follow = leads(transition, FollowerState.FOLLOW) && transition.from().equals(FollowerState.ALIGN.name()) ? transition.tick() : follow;
+                    follow = leads(transition, FollowerState.FOLLOW) && transition.from().equals(FollowerState.ALIGN.name())
+                            ? transition.tick() : follow;
                 }
             }
             return Optional.empty();
@@ -82,7 +84,8 @@ record Spin(List<Sample> samples, double start, double rate, double now, double 
         }
         Telemetry shown = frame.control();
         double now = heading(level, ticks.follow() - 1);
-        return new Spin(samples, start, rate, now, shown.tF3(), shown.tF4(), shown.tP(), ticks.done() ? OptionalDouble.of(now) : OptionalDouble.empty());
+        return new Spin(samples, start, rate, now, shown.tF3(), shown.tF4(), shown.tP(), ticks.done() ? OptionalDouble.of(now)
+                : OptionalDouble.empty());
     }
 
     private static double heading(Level level, long tick) {

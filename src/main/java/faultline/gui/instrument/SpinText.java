@@ -37,6 +37,7 @@ final class SpinText {
     }
 
     private static String degrees(OptionalDouble radians, String format) {
-        return radians.isEmpty() ? "–" : String.format(Locale.ROOT, format, Math.toDegrees(Angles.normalize(radians.getAsDouble()))).replace('-', '\u2212');
+        return radians.isEmpty() ? "–" : String.format(Locale.ROOT, format,
+                Math.toDegrees(Angles.normalize(radians.getAsDouble()))).replace('-', '\u2212');
     }
 }

@@ -12,7 +12,9 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** What mouse and keys do to a strip chart: the wheel zooms on the pointer, a drag or the arrows go through time, and pointing reads out. */
+/**
+ * What mouse and keys do to a strip chart: the wheel zooms on the pointer, a drag or the arrows go through time, and pointing reads out.
+ */
 final class StripHand extends MouseAdapter implements FocusListener {
 
     private static final double ZOOM = 1.25;

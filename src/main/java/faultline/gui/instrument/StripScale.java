@@ -32,7 +32,8 @@ record StripScale(Signal signal, TimeSpan span, Rectangle2D plot, StripData data
     private static Axis axis(Signal signal, StripData data) {
         double[] values = values(signal, data).toArray();
         boolean flat = DoubleStream.of(values).allMatch(value -> value == 0);
-        return flat ? Axis.linear(signal.unit(), 0, 1) : Axis.covering(signal.unit(), DoubleStream.concat(DoubleStream.of(0), DoubleStream.of(values)));
+        return flat ? Axis.linear(signal.unit(), 0, 1) : Axis.covering(signal.unit(),
+                DoubleStream.concat(DoubleStream.of(0), DoubleStream.of(values)));
     }
 
     private static DoubleStream values(Signal signal, StripData data) {

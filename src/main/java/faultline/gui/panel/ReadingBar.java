@@ -20,7 +20,10 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import javax.swing.UIManager;
 
-/** What a sensor should read or what it reports: as a number on a bar that is its share of the range, and with a sign where the sensor is faulty. */
+/**
+ * What a sensor should read or what it reports: as a number on a bar that is its share of the range, and with a sign where the sensor is
+ * faulty.
+ */
 final class ReadingBar extends JComponent {
 
     private static final int HEIGHT = 20;

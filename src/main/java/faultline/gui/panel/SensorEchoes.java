@@ -6,7 +6,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What the user last asked of each sensor, shared by all controls that set a part of it, so that none takes back what another has just set. */
+/**
+ * What the user last asked of each sensor, shared by all controls that set a part of it, so that none takes back what another has just set.
+ */
 final class SensorEchoes {
 
     private final Map<String, Echo<SensorSpec>> echoes = new HashMap<>();

@@ -60,7 +60,8 @@ public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
     }
 
     @Override
-    protected void paintText(Graphics graphics, int placement, Font font, FontMetrics metrics, int index, String title, Rectangle place, boolean selected) {
+    protected void paintText(Graphics graphics, int placement, Font font, FontMetrics metrics, int index, String title, Rectangle place,
+            boolean selected) {
         Font shown = selected ? font.deriveFont(Font.BOLD) : font;
         FontMetrics measure = tabPane.getFontMetrics(shown);
         Rectangle middle = new Rectangle(place.x + (place.width - measure.stringWidth(title)) / 2, place.y, place.width, place.height);
@@ -68,7 +69,8 @@ public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
     }
 
     @Override
-    protected void paintFocusIndicator(Graphics graphics, int placement, Rectangle[] tabs, int index, Rectangle icon, Rectangle text, boolean selected) {
+    protected void paintFocusIndicator(Graphics graphics, int placement, Rectangle[] tabs, int index, Rectangle icon, Rectangle text,
+            boolean selected) {
         if (selected && tabPane.hasFocus()) {
             Rectangle tab = tabs[index];
             Smooth.paint(graphics, g -> {

@@ -6,7 +6,8 @@ import java.awt.geom.Path2D;
 import java.util.Optional;
 
 /**
- * The drawings of icons, on a square of 18 by 18. A drawing is written as strokes and as filled areas, in {@code M x y} move, {@code L x y} line,
+ * The drawings of icons, on a square of 18 by 18. A drawing is written as strokes and as filled areas, in {@code M x y} move, {@code L x y}
+ * line,
  * {@code C x y x y x y} curve, {@code O x y r} circle and {@code Z} close.
  */
 public enum Glyph {

@@ -60,7 +60,8 @@ final class Dialogs {
                 .map(complaint -> List.of(number(complaint.place().line()), number(complaint.place().column()), complaint.text())).toList();
         List<String> columns = List.of(Texts.text("badFile.line"), Texts.text("badFile.column"), Texts.text("badFile.what"));
         String heading = Texts.text("badFile.heading", String.valueOf(file.getFileName()));
-        return new TableDialog(owner, Texts.text("badFile.title"), heading, UIManager.getIcon("OptionPane.errorIcon"), columns, COMPLAINT_WIDTHS, rows);
+        return new TableDialog(owner, Texts.text("badFile.title"), heading, UIManager.getIcon("OptionPane.errorIcon"), columns,
+                COMPLAINT_WIDTHS, rows);
     }
 
     private static String number(int number) {
@@ -75,7 +76,8 @@ final class Dialogs {
             rows.add(List.of(hand.split(":")));
         }
         List<String> columns = List.of(Texts.text("shortcuts.key"), Texts.text("shortcuts.what"));
-        return new TableDialog(owner, Texts.text("shortcuts.title"), Texts.text("shortcuts.heading"), Glyph.NOTE.icon(), columns, SHORTCUT_WIDTHS, rows);
+        return new TableDialog(owner, Texts.text("shortcuts.title"), Texts.text("shortcuts.heading"), Glyph.NOTE.icon(), columns,
+                SHORTCUT_WIDTHS, rows);
     }
 
     private void about() {

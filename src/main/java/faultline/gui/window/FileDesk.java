@@ -81,7 +81,8 @@ final class FileDesk {
     /** Somebody else has changed the open file: it is read again only if the user wants it. */
     void changedOnDisk(Path file) {
         String name = String.valueOf(file.getFileName());
-        boolean reload = bench.isChanged() ? questions.choose("changed", Texts.text("changed.questionUnsaved", name), "changed.keep", "changed.reload") == 1
+        boolean reload = bench.isChanged() ? questions.choose("changed", Texts.text("changed.questionUnsaved", name), "changed.keep",
+                "changed.reload") == 1
                 : questions.choose("changed", Texts.text("changed.question", name), "changed.reload", "changed.keep") == 0;
         if (reload) {
             filing.open(file);

@@ -60,10 +60,14 @@ final class FileQuestions {
         return name.contains(".") ? file : file.resolveSibling(name + "." + extension);
     }
 
-    /** Asks a question; says which of the answers, given by their keys, was chosen, the first being what Enter chooses: negative where the question was closed. */
+    /**
+     * Asks a question; says which of the answers, given by their keys, was chosen, the first being what Enter chooses: negative where the
+     * question was closed.
+     */
     int choose(String key, String question, String... answerKeys) {
         String[] answers = Stream.of(answerKeys).map(Texts::text).toArray(String[]::new);
-        return JOptionPane.showOptionDialog(parent, Lines.broken(question), Texts.text(key + ".title"), JOptionPane.DEFAULT_OPTION, JOptionPane.QUESTION_MESSAGE,
+        return JOptionPane.showOptionDialog(parent, Lines.broken(question), Texts.text(key + ".title"), JOptionPane.DEFAULT_OPTION,
+                JOptionPane.QUESTION_MESSAGE,
                 null, answers, answers[0]);
     }
 

@@ -42,9 +42,11 @@ record GuidePage(HTMLEditorKit kit, Document document) {
         StyleSheet styles = new StyleSheet();
         styles.addStyleSheet(kit.getStyleSheet());
         int size = TextSize.scaled(13);
-        styles.addRule("body { font-family: SansSerif; font-size: " + size + "px; color: " + hex(Theme.now().text()) + "; margin: 12px 18px 12px 18px }");
+        styles.addRule("body { font-family: SansSerif; font-size: " + size + "px; color: " + hex(Theme.now().text())
+                + "; margin: 12px 18px 12px 18px }");
         styles.addRule("h1 { font-size: " + TextSize.scaled(19) + "px; margin-bottom: 4px }");
-        styles.addRule("h2 { font-size: " + TextSize.scaled(15) + "px; margin-top: 14px; margin-bottom: 2px; color: " + hex(Theme.now().accent()) + " }");
+        styles.addRule("h2 { font-size: " + TextSize.scaled(15) + "px; margin-top: 14px; margin-bottom: 2px; color: "
+                + hex(Theme.now().accent()) + " }");
         styles.addRule("p, li { margin-top: 4px; margin-bottom: 4px }");
         return styles;
     }

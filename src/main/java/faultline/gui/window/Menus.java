@@ -30,7 +30,8 @@ final class Menus {
         view.add(menus.menu("language", "languageEnglish", "languagePolish"));
         view.add(menus.menu("textSize", "textSizeNormal", "textSizeLarge", "textSizeLargest"));
         bar.add(view);
-        JMenu simulation = menus.menu("simulation", "run", "step", "stepBack", "restart", RULE, "keepGhost", "openGhost", "removeGhost", RULE, "record", RULE, "slower", "faster", "realTime", RULE);
+        JMenu simulation = menus.menu("simulation", "run", "step", "stepBack", "restart", RULE, "keepGhost", "openGhost", "removeGhost",
+                RULE, "record", RULE, "slower", "faster", "realTime", RULE);
         simulation.add(menus.menu("sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8"));
         simulation.add(menus.menu("presets", "sensorsTwo", "sensorsThree", "sensorsAll"));
         bar.add(simulation);

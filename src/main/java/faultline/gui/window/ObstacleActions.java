@@ -38,7 +38,8 @@ final class ObstacleActions {
     static final List<String> PALETTE = List.of("placeRectangle", "placeSquare", "placeCircle", "placeEllipse", "placeTriangle", "placeHexagon",
             "placeAngle", "drawWall", "drawPolygon");
 
-    private static final Map<ReadyShape, Glyph> GLYPHS = Map.of(ReadyShape.RECTANGLE, Glyph.RECTANGLE, ReadyShape.SQUARE, Glyph.SQUARE, ReadyShape.CIRCLE,
+    private static final Map<ReadyShape, Glyph> GLYPHS = Map.of(ReadyShape.RECTANGLE, Glyph.RECTANGLE, ReadyShape.SQUARE, Glyph.SQUARE,
+            ReadyShape.CIRCLE,
             Glyph.CIRCLE, ReadyShape.ELLIPSE, Glyph.ELLIPSE, ReadyShape.TRIANGLE, Glyph.TRIANGLE, ReadyShape.HEXAGON, Glyph.HEXAGON, ReadyShape.ANGLE,
             Glyph.ANGLE);
     private static final double GRID = 0.05;

@@ -5,7 +5,8 @@ import java.text.DecimalFormatSymbols;
 import java.util.Locale;
 
 /**
- * The positions of the speed slider, ten to a decade from a tenth to a hundred times real time, and as fast as possible above. Real time has three
+ * The positions of the speed slider, ten to a decade from a tenth to a hundred times real time, and as fast as possible above. Real time
+ * has three
  * positions, so that a hand finds it.
  */
 final class SpeedScale {

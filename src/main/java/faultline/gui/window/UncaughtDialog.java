@@ -8,7 +8,10 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 import javax.swing.JOptionPane;
 
-/** Tells the user of a fault of the program itself in one sentence; the details go to the log. One dialog at a time, or a fault in painting would fill the screen. */
+/**
+ * Tells the user of a fault of the program itself in one sentence; the details go to the log. One dialog at a time, or a fault in painting
+ * would fill the screen.
+ */
 public final class UncaughtDialog implements Thread.UncaughtExceptionHandler {
 
     private static final Logger LOG = Logger.getLogger(UncaughtDialog.class.getName());

@@ -10,7 +10,9 @@ import java.util.logging.Logger;
 import java.util.prefs.Preferences;
 import java.util.stream.Stream;
 
-/** What is remembered of the window from one day to the next. Where the machine keeps no preferences, nothing is, and nothing else changes. */
+/**
+ * What is remembered of the window from one day to the next. Where the machine keeps no preferences, nothing is, and nothing else changes.
+ */
 public final class WindowMemory {
 
     /** The platform's own messages about preferences are of no use to a user; held here, or the level would be forgotten. */

@@ -36,8 +36,10 @@ public enum Appearance {
     }
 
     private static List<Color> others(Theme theme) {
-        return List.of(theme.grid(), theme.palette().canvas(), theme.palette().grid(), theme.palette().gridMajor(), theme.palette().text(), theme.palette().muted(),
-                theme.palette().accent(), theme.palette().obstacle(), theme.palette().obstacleOutline(), theme.palette().moving(), theme.palette().movingOutline(),
+        return List.of(theme.grid(), theme.palette().canvas(), theme.palette().grid(), theme.palette().gridMajor(),
+                theme.palette().text(), theme.palette().muted(),
+                theme.palette().accent(), theme.palette().obstacle(), theme.palette().obstacleOutline(), theme.palette().moving(),
+                theme.palette().movingOutline(),
                 theme.palette().robot(), theme.palette().robotOutline(), theme.palette().path(), theme.palette().hit());
     }
 

@@ -81,7 +81,8 @@ public final class Plan {
      * @param height of the world, metres
      */
     public void enclosure(double width, double height) {
-        line(List.of(Vec.ZERO, new Vec(width, 0), new Vec(width, height), new Vec(0, height), Vec.ZERO), Pen.solid(theme.palette().obstacleOutline(), 2.5));
+        line(List.of(Vec.ZERO, new Vec(width, 0), new Vec(width, height), new Vec(0, height), Vec.ZERO),
+                Pen.solid(theme.palette().obstacleOutline(), 2.5));
     }
 
     /**

@@ -81,7 +81,8 @@ public final class SvgDrawing implements Drawing {
     }
 
     private static String path(List<Vec> points, boolean closed) {
-        return points.stream().map(point -> SvgText.number(point.x()) + " " + SvgText.number(point.y())).collect(Collectors.joining("L", "M", closed ? "Z" : ""));
+        return points.stream().map(point -> SvgText.number(point.x()) + " "
+                + SvgText.number(point.y())).collect(Collectors.joining("L", "M", closed ? "Z" : ""));
     }
 
     private static String pen(Pen pen) {
@@ -90,7 +91,10 @@ public final class SvgDrawing implements Drawing {
                 + (dashes.isEmpty() ? " stroke-linecap=\"round\"" : " stroke-dasharray=\"" + dashes + "\"");
     }
 
-    /** The stretches of a text; each is set off from where the one before it left the line. A space at a stretch's end must not be lost, so it is one that does not break. */
+    /**
+     * The stretches of a text; each is set off from where the one before it left the line. A space at a stretch's end must not be lost, so
+     * it is one that does not break.
+     */
     private static String runs(String text, double size) {
         StringBuilder spans = new StringBuilder();
         boolean lowered = false;

@@ -3,7 +3,10 @@ package faultline.paint.plot;
 import java.awt.Color;
 import java.util.Locale;
 
-/** How numbers, colours and words are written in an SVG file. Places go to a hundredth of a pixel, so that the bytes hang on nothing but the picture. */
+/**
+ * How numbers, colours and words are written in an SVG file. Places go to a hundredth of a pixel, so that the bytes hang on nothing but the
+ * picture.
+ */
 public final class SvgText {
 
     /** Fonts that look alike, the one that pictures are measured with first. */

@@ -20,7 +20,10 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The checked-in results are what the program makes today. Where they are not, make them anew: {@code java -jar target/faultline.jar figures --out docs/results}. */
+/**
+ * The checked-in results are what the program makes today. Where they are not, make them anew: {@code java -jar target/faultline.jar
+ * figures --out docs/results}.
+ */
 class FiguresTest {
 
     private static final Path CHECKED_IN = Path.of("docs/results");
@@ -47,7 +50,8 @@ class FiguresTest {
     @Test
     void everyPictureAndTableIsTheCheckedInOneByteForByte() throws IOException {
         for (String name : names(fresh)) {
-            // Pixels of letters hang on the machine's fonts; all that is drawn as lines does not. The picture of pixels has a test of its own.
+            // Pixels of letters hang on the machine's fonts; all that is drawn as lines does not. The picture of pixels has a test of its
+            // own.
             if (!name.endsWith(".png")) {
                 assertArrayEquals(Files.readAllBytes(CHECKED_IN.resolve(name)), Files.readAllBytes(fresh.resolve(name)), name);
             }
@@ -66,7 +70,8 @@ class FiguresTest {
     private static double[] greys(Path file) throws IOException {
         BufferedImage coarse = new BufferedImage(24, 48, BufferedImage.TYPE_INT_RGB);
         coarse.createGraphics().drawImage(ImageIO.read(file.toFile()).getScaledInstance(24, 48, Image.SCALE_AREA_AVERAGING), 0, 0, null);
-        return IntStream.of(coarse.getRGB(0, 0, 24, 48, null, 0, 24)).mapToDouble(rgb -> ((rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255)) / 3.0).toArray();
+        return IntStream.of(coarse.getRGB(0, 0, 24, 48, null, 0, 24)).mapToDouble(rgb ->
+                ((rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255)) / 3.0).toArray();
     }
 
     @Test

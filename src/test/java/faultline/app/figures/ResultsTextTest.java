@@ -68,10 +68,12 @@ class ResultsTextTest {
     @Test
     void theNumberOfTrialsAndHowFarTheoryIsOff() {
         List<String> tables = EquationFour.sweeps().stream().map(Sweep::name).toList();
-        assertSaid("%d trials; theory and trial differ by no more than the band and 0.3 degrees, but for noise", tables.stream().mapToInt(name -> Csv.of(name).rows().size()).sum());
+        assertSaid("%d trials; theory and trial differ by no more than the band and 0.3 degrees, but for noise",
+                tables.stream().mapToInt(name -> Csv.of(name).rows().size()).sum());
         for (String name : tables) {
             Csv equal = Csv.of(name).where("timing", "equal-readings");
-            double off = equal.rows().stream().mapToDouble(row -> Math.abs(Double.parseDouble(row.get("error_deg")) - Double.parseDouble(row.get("theory_deg")))).max().orElseThrow();
+            double off = equal.rows().stream().mapToDouble(row ->
+                    Math.abs(Double.parseDouble(row.get("error_deg")) - Double.parseDouble(row.get("theory_deg")))).max().orElseThrow();
             assertTrue(name.equals("eq4-noise") || off <= 0.3, name + " " + off);
         }
     }
@@ -86,14 +88,16 @@ class ResultsTextTest {
     }
 
     private static double corner(int degrees, int sensors) {
-        return 250 + Csv.of("fig6-angles").where("angle_deg", Integer.toString(degrees)).where("sensors", Integer.toString(sensors)).number("error_mm");
+        return 250 + Csv.of("fig6-angles").where("angle_deg", Integer.toString(degrees)).where("sensors",
+                Integer.toString(sensors)).number("error_mm");
     }
 
     @Test
     void theCorners() {
         assertSaid("%.0f mm at 45 degrees, %.0f mm at 35. The front-right sensor makes that %.0f mm.", corner(45, 2), corner(35, 2), corner(45, 3));
         assertSaid("%.0f mm without it at 135 degrees, %.0f mm with it", corner(135, 3), corner(135, 4));
-        double worst = Csv.of("fig6-angles").where("sensors", "2").between("angle_deg", 75, 105).numbers("error_mm").map(Math::abs).max().orElseThrow();
+        double worst = Csv.of("fig6-angles").where("sensors", "2").between("angle_deg", 75,
+                105).numbers("error_mm").map(Math::abs).max().orElseThrow();
         assertSaid("From 75 to 105 degrees two sensors are within %d mm", (int) Math.ceil(worst));
         assertTrue(Csv.of("fig6-angles").cells("collided").noneMatch("true"::equals), "no run collides");
     }
@@ -124,7 +128,8 @@ class ResultsTextTest {
         runs.where("noise_mm", noise -> !noise.equals("0")).rows().forEach(row -> assertTrue(
                 Double.parseDouble(row.get("distance_rms_mm")) < Double.parseDouble(row.get("noise_mm")) / 2, row.toString()));
         assertTrue(runs.cells("collided").noneMatch("true"::equals));
-        assertSaid("%.1f mm RMS without noise, %.1f mm with noise of 4 mm", runs.where("noise_mm", "0").numbers("distance_rms_mm").max().orElseThrow(),
+        assertSaid("%.1f mm RMS without noise, %.1f mm with noise of 4 mm",
+                runs.where("noise_mm", "0").numbers("distance_rms_mm").max().orElseThrow(),
                 runs.where("noise_mm", "4").numbers("distance_rms_mm").max().orElseThrow());
         DoubleStream errors = Csv.of("eq4-noise").where("timing", "equal-readings").numbers("error_deg");
         assertSaid("none is off by more than %.1f", errors.map(Math::abs).max().orElseThrow());

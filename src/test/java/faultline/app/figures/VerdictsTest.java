@@ -31,7 +31,9 @@ class VerdictsTest {
         return least + (most - least) * random.nextDouble();
     }
 
-    /** Another size, track, speed, spin rate, motor, range and cone; all sensors look away from the centre, as they do on the usual robot. */
+    /**
+     * Another size, track, speed, spin rate, motor, range and cone; all sensors look away from the centre, as they do on the usual robot.
+     */
     private RobotSpec robot() {
         double scale = between(0.6, 1.6);
         double range = between(0.5, 1.4);
@@ -39,7 +41,8 @@ class VerdictsTest {
         RobotSpec usual = Alignment.BASE.robot();
         List<SensorSpec> sensors = usual.sensors().stream()
                 .map(sensor -> sensor.withSeat(sensor.seat().times(scale)).withRange(range).withCone(cone)).toList();
-        return new RobotSpec(usual.length() * scale, usual.width() * scale, usual.track() * scale, between(0.1, 0.4), Degrees.toRadians(between(20, 90)),
+        return new RobotSpec(usual.length() * scale, usual.width() * scale, usual.track() * scale, between(0.1, 0.4),
+                Degrees.toRadians(between(20, 90)),
                 new MotorSpec(between(0, 0.12), usual.motor().speedConstant(), usual.motor().maxVoltage()), sensors);
     }
 
@@ -83,7 +86,8 @@ class VerdictsTest {
             FaultKind kind = FaultKind.values()[random.nextInt(FaultKind.values().length)];
             Command fault = new Command.InjectFault(others.get(random.nextInt(others.size())).id(), kind.fault(kind.usual()));
             Alignment failing = new Alignment(Variation.of(trial.setup(), List.of(new Setup.Timed(spin, fault))), 1);
-            assertEquals(Double.doubleToRawLongBits(trial.run().orElseThrow().tD()), Double.doubleToRawLongBits(failing.run().orElseThrow().tD()), fault.toString());
+            assertEquals(Double.doubleToRawLongBits(trial.run().orElseThrow().tD()),
+                    Double.doubleToRawLongBits(failing.run().orElseThrow().tD()), fault.toString());
         }
     }
 

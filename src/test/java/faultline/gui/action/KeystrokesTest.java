@@ -16,7 +16,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 class KeystrokesTest {
 
     @ParameterizedTest
-    @CsvSource({"SPACE, true", "PERIOD, true", "shift P, true", "1, true", "typed ., true", "ctrl O, false", "alt F, false", "F1, false", "shift F1, false",
+    @CsvSource({"SPACE, true", "PERIOD, true", "shift P, true", "1, true", "typed ., true", "ctrl O, false", "alt F, false", "F1, false",
+            "shift F1, false",
         "ctrl shift S, false"})
     void aStrokeTypesUnlessAModifierOtherThanShiftIsHeldOrItIsAFunctionKey(String stroke, boolean types) {
         assertEquals(types, Keystrokes.types(KeyStroke.getKeyStroke(stroke)));

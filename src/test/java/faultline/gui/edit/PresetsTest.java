@@ -44,7 +44,8 @@ class PresetsTest {
         Obstacle visitor = new Obstacle("visitor", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0),
                 Optional.of(new Motion(0.2, true, List.of(new Vec(2, 1)))));
         Obstacle copy = Copies.of(List.of(visitor), Set.of("visitor")).get(0);
-        assertEquals(new Obstacle("visitor-2", visitor.shape(), new Pose(1.2, 0.8, 0), Optional.of(new Motion(0.2, true, List.of(new Vec(2.2, 0.8))))),
+        assertEquals(new Obstacle("visitor-2", visitor.shape(), new Pose(1.2, 0.8, 0),
+                Optional.of(new Motion(0.2, true, List.of(new Vec(2.2, 0.8))))),
                 copy);
     }
 

@@ -33,7 +33,8 @@ class EventLogViewTest {
 
     private List<String> rows() {
         return onEdt(() -> IntStream.range(0, view.table().getRowCount())
-                .mapToObj(row -> view.table().getValueAt(row, 0) + " " + view.table().getValueAt(row, 1) + " " + view.table().getValueAt(row, 2)).toList());
+                .mapToObj(row -> view.table().getValueAt(row, 0) + " " + view.table().getValueAt(row, 1) + " "
+                        + view.table().getValueAt(row, 2)).toList());
     }
 
     @Test
@@ -96,7 +97,8 @@ class EventLogViewTest {
     void everyCommandHasItsOwnWords() {
         Fault bias = new Fault.Bias(0.02);
         List<Command> commands = List.of(new Command.SwitchSensor("left", true), new Command.SwitchSensor("left", false),
-                new Command.TuneSensor(RobotSpec.DEFAULT.sensors().get(0)), new Command.InjectFault("left", bias), new Command.ClearFault("left", bias),
+                new Command.TuneSensor(RobotSpec.DEFAULT.sensors().get(0)), new Command.InjectFault("left", bias),
+                new Command.ClearFault("left", bias),
                 new Command.ClearFaults("left"), new Command.MoveObstacle("desk", new Pose(1, 2, 0)),
                 new Command.PutObstacle(new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0))), new Command.RemoveObstacle("desk"),
                 new Command.SetPlatform(0.3, 0.2, 0.4));

@@ -57,7 +57,8 @@ class InstrumentDockTest {
 
     @Test
     void everythingThatShowsSomethingHasANameForReadersOfTheScreen() {
-        List<JComponent> shown = Stream.of(JTabbedPane.class, JTable.class, StripView.class, StateDiagramView.class, TimingInstrument.class, JComboBox.class,
+        List<JComponent> shown = Stream.of(JTabbedPane.class, JTable.class, StripView.class, StateDiagramView.class,
+                TimingInstrument.class, JComboBox.class,
                 JToggleButton.class).<JComponent>flatMap(type -> Components.all(dock, type)).toList();
         assertTrue(shown.size() >= 7, "found only " + shown.size());
         shown.forEach(part -> assertFalse(Components.name(part).isEmpty(), part.getClass() + " has no name"));

@@ -50,7 +50,8 @@ class StateDiagramViewTest {
             BufferedImage picture = picture(frame);
             for (FollowerState state : FollowerState.values()) {
                 boolean holds = state.name().equals(frame.control().state());
-                assertEquals(holds ? Theme.now().accent().getRGB() : Theme.now().field().getRGB(), ground(picture, state).getRGB(), state + " at tick " + tick);
+                assertEquals(holds ? Theme.now().accent().getRGB() : Theme.now().field().getRGB(), ground(picture, state).getRGB(), state
+                        + " at tick " + tick);
             }
         }
     }
@@ -83,7 +84,8 @@ class StateDiagramViewTest {
     @Test
     void whatWasTakenLastIsSaidForReadersOfTheScreen() {
         picture(FRAME);
-        assertEquals("State Follow. Align → Follow: turned back for t_p, spin died out", onEdt(() -> view.getAccessibleContext().getAccessibleDescription()));
+        assertEquals("State Follow. Align → Follow: turned back for t_p, spin died out",
+                onEdt(() -> view.getAccessibleContext().getAccessibleDescription()));
     }
 
     @Test

@@ -143,7 +143,8 @@ class StripChartTest {
 
     @Test
     void whereNothingIsMeasuredTheAxisStillHasAScale() {
-        StripScale scale = StripScale.of(Runs.frame(Runs.setup(new ControllerSpec.None()), 100), Signal.of(FRAME.world().sensors()).get(0), TimeSpan.USUAL, WIDTH, HEIGHT);
+        StripScale scale = StripScale.of(Runs.frame(Runs.setup(new ControllerSpec.None()), 100),
+                Signal.of(FRAME.world().sensors()).get(0), TimeSpan.USUAL, WIDTH, HEIGHT);
         assertTrue(scale.isEmpty());
         assertEquals(1, scale.values().high());
     }

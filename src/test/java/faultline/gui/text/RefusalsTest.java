@@ -34,7 +34,8 @@ class RefusalsTest {
     private static List<Command> refused() {
         Motion way = new Motion(0.1, true, List.of(new Vec(4, 3)));
         return List.of(new Command.PutObstacle(POLE.at(ROBOT)), new Command.SetPlatform(9, 9, 0.3),
-                new Command.PutObstacle(POLE.moving(Optional.of(way))), new Command.RemoveObstacle("sofa"), new Command.SwitchSensor("nose", true), new Command.ClearFault("left", new Fault.Dead()),
+                new Command.PutObstacle(POLE.moving(Optional.of(way))), new Command.RemoveObstacle("sofa"),
+                new Command.SwitchSensor("nose", true), new Command.ClearFault("left", new Fault.Dead()),
                 new Command.PutObstacle(POLE.named(WorldSpec.ENCLOSURE)));
     }
 

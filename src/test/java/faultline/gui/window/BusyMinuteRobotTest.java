@@ -19,8 +19,10 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * How long the event dispatch thread is busy at a stretch while somebody tries everything for a minute, in a hall of 500 shapes and with the run at full speed. What is held to the
- * bound is the thread's own processor time, because other programs on the machine do not lengthen it; the time by the clock is printed beside it. Nothing is warmed up: the first use of a
+ * How long the event dispatch thread is busy at a stretch while somebody tries everything for a minute, in a hall of 500 shapes and with
+ * the run at full speed. What is held to the
+ * bound is the thread's own processor time, because other programs on the machine do not lengthen it; the time by the clock is printed
+ * beside it. Nothing is warmed up: the first use of a
  * dialog counts.
  */
 @ExtendWith(EdtChecker.class)

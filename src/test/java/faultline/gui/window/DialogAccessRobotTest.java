@@ -35,7 +35,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Whoever cannot see, or has no mouse, gets along with every dialog: each control has a name, the Tab key reaches it, and Esc closes the dialog. */
+/**
+ * Whoever cannot see, or has no mouse, gets along with every dialog: each control has a name, the Tab key reaches it, and Esc closes the
+ * dialog.
+ */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
 class DialogAccessRobotTest {
@@ -91,7 +94,8 @@ class DialogAccessRobotTest {
         JDialog dialog = driver.dialog(title);
         List<Component> controls = onEdt(() -> controls(dialog).toList());
         assertTrue(!controls.isEmpty(), "there is something to press");
-        assertEquals(List.of(), onEdt(() -> controls.stream().filter(control -> Components.name(control).isBlank()).map(Component::getClass).toList()));
+        assertEquals(List.of(), onEdt(() -> controls.stream().filter(control ->
+                Components.name(control).isBlank()).map(Component::getClass).toList()));
         Set<Component> reached = new HashSet<>();
         for (int i = 0; i < 2 * controls.size() + 4; i++) {
             reached.add(onEdt(() -> KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()));
@@ -111,10 +115,12 @@ class DialogAccessRobotTest {
 
     /** Of buttons of which one is down, Tab reaches that one, and arrows the others. */
     private static boolean isOneOfAGroup(Component part) {
-        return part instanceof JToggleButton button && ((JToggleButton.ToggleButtonModel) button.getModel()).getGroup() != null && !button.isSelected();
+        return part instanceof JToggleButton button && ((JToggleButton.ToggleButtonModel) button.getModel()).getGroup() != null
+                && !button.isSelected();
     }
 
     private static boolean isControl(Component part) {
-        return Stream.of(AbstractButton.class, JTextComponent.class, JTable.class, JList.class, JComboBox.class).anyMatch(kind -> kind.isInstance(part));
+        return Stream.of(AbstractButton.class, JTextComponent.class, JTable.class, JList.class, JComboBox.class).anyMatch(kind ->
+                kind.isInstance(part));
     }
 }

@@ -40,7 +40,8 @@ final class FileScenes {
     }
 
     void broken() throws IOException {
-        Path broken = Files.writeString(folder.resolve("broken.xml"), Files.readString(office).replaceFirst("<robot ", "<robot lenght=\"1\" speed=\"-1\" "));
+        Path broken = Files.writeString(folder.resolve("broken.xml"),
+                Files.readString(office).replaceFirst("<robot ", "<robot lenght=\"1\" speed=\"-1\" "));
         edt(() -> driver.window().open(broken));
     }
 

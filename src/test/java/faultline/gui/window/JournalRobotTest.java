@@ -78,7 +78,8 @@ class JournalRobotTest {
         }
         driver.choose("run");
         driver.waitForFrame("the replay is at its end", frame -> frame.world().tick() == last.world().tick());
-        driver.robot().waitFor("it holds there, and says so", () -> !driver.isRunning() && driver.note().startsWith("The replay has come to its end"));
+        driver.robot().waitFor("it holds there, and says so", () -> !driver.isRunning()
+                && driver.note().startsWith("The replay has come to its end"));
         assertEquals(hash(last), hash(driver.frame()));
         assertEquals(last.world().obstacles(), driver.frame().world().obstacles());
         assertEquals(sensors(last), sensors(driver.frame()));
@@ -129,7 +130,8 @@ class JournalRobotTest {
         click(7, 1.5);
         click(6.5, 2.2);
         driver.robot().type(KeyEvent.VK_ENTER);
-        driver.waitForFrame("the triangle is there", frame -> frame.world().obstacles().stream().anyMatch(obstacle -> obstacle.id().equals("polygon")));
+        driver.waitForFrame("the triangle is there", frame ->
+                frame.world().obstacles().stream().anyMatch(obstacle -> obstacle.id().equals("polygon")));
     }
 
     private void click(double x, double y) {
@@ -200,7 +202,8 @@ class JournalRobotTest {
 
     /** The hash that the program prints for a file when it is run without a window. */
     private static String headless(Path file) throws IOException {
-        Process program = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", "target/classes", "faultline.app.Main",
+        Process program = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", "target/classes",
+                "faultline.app.Main",
                 "run", file.toString()).redirectError(ProcessBuilder.Redirect.INHERIT).start();
         try (BufferedReader lines = program.inputReader(StandardCharsets.UTF_8)) {
             return lines.lines().filter(line -> line.startsWith("trajectory_hash: ")).toList().get(0).substring("trajectory_hash: ".length());

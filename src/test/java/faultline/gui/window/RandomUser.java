@@ -28,22 +28,31 @@ import javax.swing.JTextField;
 import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
 
-/** Uses the window like somebody who tries everything: by mouse and keys, one gesture after the other, the same ones for the same seed. Closes what opens, and never quits. */
+/**
+ * Uses the window like somebody who tries everything: by mouse and keys, one gesture after the other, the same ones for the same seed.
+ * Closes what opens, and never quits.
+ */
 final class RandomUser {
 
-    private static final int[] BUTTONS = {InputEvent.BUTTON1_DOWN_MASK, InputEvent.BUTTON1_DOWN_MASK, InputEvent.BUTTON2_DOWN_MASK, InputEvent.BUTTON3_DOWN_MASK};
-    private static final int[] KEYS = {KeyEvent.VK_PERIOD, KeyEvent.VK_COMMA, KeyEvent.VK_F, KeyEvent.VK_P, KeyEvent.VK_C, KeyEvent.VK_G, KeyEvent.VK_M, KeyEvent.VK_LEFT,
-        KeyEvent.VK_RIGHT, KeyEvent.VK_UP, KeyEvent.VK_DELETE, KeyEvent.VK_1, KeyEvent.VK_2, KeyEvent.VK_3, KeyEvent.VK_7, KeyEvent.VK_OPEN_BRACKET, KeyEvent.VK_CLOSE_BRACKET,
+    private static final int[] BUTTONS = {InputEvent.BUTTON1_DOWN_MASK, InputEvent.BUTTON1_DOWN_MASK, InputEvent.BUTTON2_DOWN_MASK,
+            InputEvent.BUTTON3_DOWN_MASK};
+    private static final int[] KEYS = {KeyEvent.VK_PERIOD, KeyEvent.VK_COMMA, KeyEvent.VK_F, KeyEvent.VK_P, KeyEvent.VK_C, KeyEvent.VK_G,
+            KeyEvent.VK_M, KeyEvent.VK_LEFT,
+        KeyEvent.VK_RIGHT, KeyEvent.VK_UP, KeyEvent.VK_DELETE, KeyEvent.VK_1, KeyEvent.VK_2, KeyEvent.VK_3, KeyEvent.VK_7,
+        KeyEvent.VK_OPEN_BRACKET, KeyEvent.VK_CLOSE_BRACKET,
         KeyEvent.VK_BACK_SLASH, KeyEvent.VK_TAB, KeyEvent.VK_I, KeyEvent.VK_I};
-    private static final int[] WITH_CONTROL = {KeyEvent.VK_Z, KeyEvent.VK_Z, KeyEvent.VK_Y, KeyEvent.VK_0, KeyEvent.VK_EQUALS, KeyEvent.VK_MINUS, KeyEvent.VK_C, KeyEvent.VK_R};
+    private static final int[] WITH_CONTROL = {KeyEvent.VK_Z, KeyEvent.VK_Z, KeyEvent.VK_Y, KeyEvent.VK_0, KeyEvent.VK_EQUALS,
+            KeyEvent.VK_MINUS, KeyEvent.VK_C, KeyEvent.VK_R};
     private static final List<String> OPENING = List.of("guide", "shortcuts", "about", "open", "exportPng", "saveAs", "examples");
     private static final List<String> SWITCHING = List.of("dark", "labels", "instruments", "hits", "routes", "snapGrid", "sensorsTwo", "sensorsAll");
 
     private final WindowDriver driver;
     private final GuiRobot robot;
     private final Random random;
-    private final List<Runnable> gestures = List.of(this::click, this::drag, this::drag, this::dragAnObstacle, this::dragAnObstacle, this::dragAll, this::wheel, this::key, this::key,
-            this::key, this::keyWithControl, this::keyWithControl, this::openMenu, this::openDialog, this::press, this::press, this::typeNumber, this::turnPage, this::scrub, this::toggle);
+    private final List<Runnable> gestures = List.of(this::click, this::drag, this::drag, this::dragAnObstacle, this::dragAnObstacle,
+            this::dragAll, this::wheel, this::key, this::key,
+            this::key, this::keyWithControl, this::keyWithControl, this::openMenu, this::openDialog, this::press, this::press,
+            this::typeNumber, this::turnPage, this::scrub, this::toggle);
 
     RandomUser(WindowDriver driver, long seed) {
         this.driver = driver;
@@ -140,7 +149,8 @@ final class RandomUser {
     private void scrub() {
         JSlider slider = any(showing(JSlider.class));
         Dimension size = onEdt(slider::getSize);
-        robot.drag(slider, random.nextInt(size.width), size.height / 2.0, random.nextInt(size.width), size.height / 2.0, InputEvent.BUTTON1_DOWN_MASK);
+        robot.drag(slider, random.nextInt(size.width), size.height / 2.0, random.nextInt(size.width), size.height / 2.0,
+                InputEvent.BUTTON1_DOWN_MASK);
     }
 
     private void toggle() {
@@ -165,7 +175,8 @@ final class RandomUser {
     }
 
     private <C extends Component> List<C> showing(Class<C> type) {
-        return onEdt(() -> Components.all(driver.window().getContentPane(), type).filter(c -> c.isShowing() && c.isEnabled() && !c.getSize().equals(new Dimension())).toList());
+        return onEdt(() -> Components.all(driver.window().getContentPane(), type).filter(c -> c.isShowing() && c.isEnabled()
+                && !c.getSize().equals(new Dimension())).toList());
     }
 
     private SimulationCanvas canvas() {

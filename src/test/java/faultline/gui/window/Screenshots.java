@@ -33,8 +33,10 @@ import javax.swing.JTabbedPane;
 import javax.swing.MenuSelectionManager;
 
 /**
- * Writes pictures of the window, its instruments, menus and dialogs, light and dark, for the documentation; {@code src/conf/screenshots} runs it for
- * screens of one and of two pixels to a unit. Arguments: a scenario, a folder, and how far the run is to have come in seconds. Needs a display.
+ * Writes pictures of the window, its instruments, menus and dialogs, light and dark, for the documentation; {@code src/conf/screenshots}
+ * runs it for
+ * screens of one and of two pixels to a unit. Arguments: a scenario, a folder, and how far the run is to have come in seconds. Needs a
+ * display.
  */
 public final class Screenshots {
 
@@ -203,7 +205,8 @@ public final class Screenshots {
         driver.robot().moveTo(driver.canvas(), 400, 300);
         driver.robot().waitForPaint();
         Rectangle bounds = onEdt(() -> new Rectangle(component.getLocationOnScreen(), component.getSize()));
-        ImageIO.write((RenderedImage) sharpest(new Robot().createMultiResolutionScreenCapture(bounds)), "png", folder.resolve(name + suffix).toFile());
+        ImageIO.write((RenderedImage) sharpest(new Robot().createMultiResolutionScreenCapture(bounds)), "png",
+                folder.resolve(name + suffix).toFile());
     }
 
     /** Of a screen with several pixels to a unit, all of them. */

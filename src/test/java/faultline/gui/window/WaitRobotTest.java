@@ -53,7 +53,8 @@ class WaitRobotTest {
     @Test
     void aLongWayShowsHowFarItIsAndEscGivesItUp() {
         JDialog dialog = driver.dialog(DIALOG);
-        assertEquals("Going to that moment of long.xml", onEdt(() -> Components.name(Components.all(dialog, JProgressBar.class).findFirst().orElseThrow())));
+        assertEquals("Going to that moment of long.xml", onEdt(() ->
+                Components.name(Components.all(dialog, JProgressBar.class).findFirst().orElseThrow())));
         driver.robot().type(KeyEvent.VK_ESCAPE);
         theRunIsWhereItWas(dialog);
         assertEquals(1, driver.frame().world().tick());

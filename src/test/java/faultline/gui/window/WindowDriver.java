@@ -214,7 +214,10 @@ final class WindowDriver implements AutoCloseable {
         robot.click(component, size.width / 2.0, size.height / 2.0, InputEvent.BUTTON1_DOWN_MASK);
     }
 
-    /** Puts the focus into a field for a number by clicking on it, and types keys of {@link java.awt.event.KeyEvent} in place of what is there. */
+    /**
+     * Puts the focus into a field for a number by clicking on it, and types keys of {@link java.awt.event.KeyEvent} in place of what is
+     * there.
+     */
     void typeInto(String spinner, int... keys) {
         JTextField field = Components.named(window, JTextField.class, spinner);
         click(field);

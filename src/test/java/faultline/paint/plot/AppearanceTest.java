@@ -38,7 +38,8 @@ class AppearanceTest {
     void anAdaptivePictureIsTheLightOneWithARuleForEachUseOfAColour() throws Exception {
         String adaptive = drawing().toFile(Appearance.ADAPTIVE);
         assertEquals(drawing().toFile(Appearance.LIGHT), adaptive.replaceFirst("(?s)<style>.*</style>\n", ""));
-        assertTrue(adaptive.contains("[stroke=\"" + SvgText.hex(Theme.LIGHT.series().get(0)) + "\"] {stroke: " + SvgText.hex(Theme.DARK.series().get(0)) + "}"), adaptive);
+        assertTrue(adaptive.contains("[stroke=\"" + SvgText.hex(Theme.LIGHT.series().get(0)) + "\"] {stroke: "
+                + SvgText.hex(Theme.DARK.series().get(0)) + "}"), adaptive);
         assertEquals(1, DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(new InputSource(new java.io.StringReader(adaptive)))
                 .getElementsByTagName("style").getLength());
     }

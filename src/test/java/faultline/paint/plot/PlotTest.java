@@ -20,7 +20,8 @@ class PlotTest {
     void ticksAreRoundAndCoverTheAxis() {
         assertEquals(List.of("0", "0.2", "0.4", "0.6", "0.8", "1"), Axis.linear("", 0, 1).ticks().stream().map(Axis::name).toList());
         assertEquals(List.of("1", "2", "5", "10", "20", "50", "100"), new Axis("", 1, 100, true).ticks().stream().map(Axis::name).toList());
-        assertEquals(List.of("\u221210", "\u22125", "0", "5"), Axis.linear("", -12, 8).ticks().stream().map(Axis::name).filter(name -> !name.isEmpty()).toList());
+        assertEquals(List.of("\u221210", "\u22125", "0", "5"),
+                Axis.linear("", -12, 8).ticks().stream().map(Axis::name).filter(name -> !name.isEmpty()).toList());
     }
 
     @Test
@@ -83,8 +84,10 @@ class PlotTest {
 
     private static Chart chart() {
         List<Vec> points = List.of(new Vec(0, 0), new Vec(0.5, 1), new Vec(1, 0.25));
-        return new Chart("Title", Axis.linear("x (m)", 0, 1), Axis.linear("y (m)", 0, 1), List.of(new Mark.Cells(List.of("one", "two"), List.of(List.of(0, 1))),
-                new Mark.Band("band", points, List.of(new Vec(0, 0), new Vec(1, 0)), 0), new Mark.Line("line", points, 1), new Mark.Points("points", points, 2),
+        return new Chart("Title", Axis.linear("x (m)", 0, 1), Axis.linear("y (m)", 0, 1),
+                List.of(new Mark.Cells(List.of("one", "two"), List.of(List.of(0, 1))),
+                new Mark.Band("band", points, List.of(new Vec(0, 0), new Vec(1, 0)), 0), new Mark.Line("line", points, 1),
+                new Mark.Points("points", points, 2),
                 new Mark.Note("note", new Vec(0.1, 0.9))));
     }
 
