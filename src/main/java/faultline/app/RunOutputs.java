@@ -24,8 +24,7 @@ import javax.imageio.ImageIO;
 
 /**
  * The files that a run writes. They are opened before the run, so that one that cannot be written is told at once, and put in place after
- * it, all
- * whole; a run that breaks leaves none.
+ * it, all whole; a run that breaks leaves none.
  */
 final class RunOutputs implements AutoCloseable {
 

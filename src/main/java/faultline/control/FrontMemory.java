@@ -4,8 +4,7 @@ import faultline.sensor.Reading;
 
 /**
  * Remembers what the front sensor saw last. A thin thing slips out of the cone at its edge when it is near, though it still stands in the
- * body's way; for a while dead reckoning stands in
- * for the reading.
+ * body's way; for a while dead reckoning stands in for the reading.
  */
 final class FrontMemory {
 

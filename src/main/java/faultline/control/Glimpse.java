@@ -5,8 +5,7 @@ import faultline.sensor.Reading;
 
 /**
  * The nearest thing that one sensor has seen on a straight way, though it may have slipped out of its cone since. What a robot passes
- * leaves a cone at its rear edge, so that is
- * where it was when it was seen last: a corner, say, that is between two cones now.
+ * leaves a cone at its rear edge, so that is where it was when it was seen last: a corner, say, that is between two cones now.
  */
 final class Glimpse {
 

@@ -2,8 +2,7 @@ package faultline.control;
 
 /**
  * Learns how noisy a sensor's readings are. The third difference of four readings is all but free of smooth motion, be it as quick as a
- * spin past a wall, and its variance is twenty
- * times the noise's: 1 + 9 + 9 + 1.
+ * spin past a wall, and its variance is twenty times the noise's: 1 + 9 + 9 + 1.
  */
 final class NoiseMeter {
 

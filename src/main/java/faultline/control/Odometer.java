@@ -6,8 +6,7 @@ import faultline.robot.RobotSpec;
 
 /**
  * Dead reckoning from the follower's own commands through the motor's model: how far the robot has rolled and turned. In the follower's
- * frame, in which the wall
- * is kept on the left.
+ * frame, in which the wall is kept on the left.
  */
 final class Odometer {
 
@@ -55,8 +54,7 @@ final class Odometer {
 
     /**
      * How long the motors' lag lasts, seconds: a speed w that is no longer commanded still gives a way of w times this. It is the sum of
-     * the decays
-     * of all ticks to come, which for short ticks is the motor's time constant.
+     * the decays of all ticks to come, which for short ticks is the motor's time constant.
      */
     static double lag(RobotSpec robot, double dt) {
         double decay = robot.motor().decay(dt);

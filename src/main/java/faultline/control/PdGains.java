@@ -2,8 +2,7 @@ package faultline.control;
 
 /**
  * What the PD distance controller multiplies with. The gains follow from one length l, the way on which an error dies out: with e'' = -v
- * omega, kp = v / l^2 and
- * kd = 2 / l make the loop critically damped at any speed.
+ * omega, kp = v / l^2 and kd = 2 / l make the loop critically damped at any speed.
  *
  * @param proportional kp, radians per second for each metre that the wall is too far
  * @param derivative kd, radians per second for each metre per second that it recedes

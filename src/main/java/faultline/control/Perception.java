@@ -64,8 +64,7 @@ final class Perception {
 
     /**
      * Whether something that was seen on a straight way, though it may be between the cones now, will be within a distance of the robot's
-     * centre when it has rolled out. The
-     * nearest of many noisy readings is too near by some deviations.
+     * centre when it has rolled out. The nearest of many noisy readings is too near by some deviations.
      */
     boolean glimpsedWithin(double distance) {
         double nearest = Math.min(ahead.distanceAfter(stopping()),

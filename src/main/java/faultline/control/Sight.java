@@ -8,8 +8,7 @@ import faultline.sensor.SensorSpec;
 
 /**
  * The sensors that the follower uses, found by their bearing and not by their name, in a frame in which the wall is kept on the left. A
- * right-handed follower
- * is a left-handed one in a mirror.
+ * right-handed follower is a left-handed one in a mirror.
  *
  * @param left faces the wall; two sensors, this and {@code front}, follow most walls
  * @param front looks ahead

@@ -84,8 +84,7 @@ final class SpinManoeuvre {
 
     /**
      * Plans the turn back: for t_p = t_D / 2 from F4 on, eq. (4). F4 was noticed a little late, and until the motors have reversed the spin
-     * goes on for their lag; all
-     * that is turned back as well, unless the paper is to be taken to the letter.
+     * goes on for their lag; all that is turned back as well, unless the paper is to be taken to the letter.
      */
     void turnBack() {
         remaining = perception.turnRate() * timing.tP();

@@ -9,10 +9,9 @@ import java.util.List;
  * (4) of the paper).
  *
  * <p>Both moments are taken at one and the same reading, on either side of the nearest one. Where the wall enters from nowhere and leaves
- * to nowhere that reading is the
- * range, which is the paper's rule exactly; a level nearer to the wall keeps the walls of a corner apart. Between two samples the moment is
- * interpolated. Time is the spin clock's: it runs as fast as the robot turns, in units of the constant rate, so that spinning up costs
- * nothing.
+ * to nowhere that reading is the range, which is the paper's rule exactly; a level nearer to the wall keeps the walls of a corner apart.
+ * Between two samples the moment is interpolated. Time is the spin clock's: it runs as fast as the robot turns, in units of the constant
+ * rate, so that spinning up costs nothing.
  */
 final class SpinTiming {
 
@@ -22,8 +21,7 @@ final class SpinTiming {
 
     /**
      * Noisy readings are averaged over no more than this turn, radians. Between the walls of a corner of 150 degrees the reading rises by 4
-     * mm over 10 degrees; a longer
-     * mean would flatten that, a shorter one would leave it in the noise.
+     * mm over 10 degrees; a longer mean would flatten that, a shorter one would leave it in the noise.
      */
     private static final double MOST_AVERAGED = StrictMath.toRadians(5);
 

@@ -10,8 +10,7 @@ public enum Timing {
 
     /**
      * The paper to the letter: the samples at which the wall was first seen and first no longer seen, and a turn back for t_p = t_D / 2 and
-     * nothing more. Only a
-     * wall that stands alone can be timed so.
+     * nothing more. Only a wall that stands alone can be timed so.
      */
     RANGE;
 

@@ -4,16 +4,14 @@ package faultline.control;
  * How far the robot's centre is from the wall ahead, whatever the angle at which that wall crosses the way.
  *
  * <p>One front reading fits a wall of any angle: the more slanted, the nearer its foot. A sensor looking aside settles it, because a wall
- * slanted to that side would show
- * there no farther than it does. What counts is the most slanted wall that contradicts no sensor; with nothing to tell, the wall is taken
- * as square.
+ * slanted to that side would show there no farther than it does. What counts is the most slanted wall that contradicts no sensor; with
+ * nothing to tell, the wall is taken as square.
  */
 final class WallAhead {
 
     /**
      * Along a wall, walls ahead are taken to be slanted by no more than this: inner corners from 35 to 155 degrees are measured. With more,
-     * the side walls of a narrow
-     * passage would count as slanted walls ahead.
+     * the side walls of a narrow passage would count as slanted walls ahead.
      */
     static final double MOST_LEFT = StrictMath.toRadians(65);
     static final double MOST_RIGHT = StrictMath.toRadians(55);

@@ -13,8 +13,7 @@ import java.util.List;
 
 /**
  * The paper's six-state wall follower with PD distance control and the t_p = t_D / 2 orientation rule. It works in a frame in which the
- * wall is kept on the
- * left; the other hand is its mirror image.
+ * wall is kept on the left; the other hand is its mirror image.
  *
  * <p>The state diagram is the table {@link #TRANSITIONS}: of the arrows that leave a state, the first whose condition holds is taken, at
  * most one a decision.
@@ -46,8 +45,7 @@ final class WallFollower implements Controller {
 
     /**
      * A spin that ends within this of the heading at which it began has found the same wall again: the slight corner ahead does not show
-     * apart from it, so the robot steers
-     * through by the left sensor, and looks out for walls ahead only after this way.
+     * apart from it, so the robot steers through by the left sensor, and looks out for walls ahead only after this way.
      */
     private static final double SAME_HEADING = StrictMath.toRadians(15);
     private static final double STEERED_THROUGH = 0.15;

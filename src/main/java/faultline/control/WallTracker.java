@@ -2,12 +2,12 @@ package faultline.control;
 
 /**
  * Tracks the wall on the left through one sensor's readings and dead reckoning: its distance r and the robot's heading gamma relative to
- * it, positive towards the wall. A steady-state Kalman
- * filter of second order (an alpha-beta filter), whose bandwidth goes with the way rolled and not with time.
+ * it, positive towards the wall. A steady-state Kalman filter of second order (an alpha-beta filter), whose bandwidth goes with the way
+ * rolled and not with time.
  *
  * <p>Along a wall r' = -v sin gamma and gamma' = omega - v k, where k is the curvature of the way that keeps the distance: 0 along a
- * straight wall, 1 / radius around a
- * corner. A wall that bends otherwise than assumed shows as an innovation, that is, a reading that is not as predicted.
+ * straight wall, 1 / radius around a corner. A wall that bends otherwise than assumed shows as an innovation, that is, a reading that is
+ * not as predicted.
  */
 final class WallTracker {
 

@@ -10,9 +10,8 @@ import java.util.OptionalDouble;
 
 /**
  * The share of the wall that was followed. The robot's offset path, that is, all places at the wanted distance from a wall and nowhere
- * nearer to any, falls into connected
- * pieces; the piece of which the robot passed most is the wall that it followed. A place is passed if the robot's centre came within {@link
- * #BAND} of it.
+ * nearer to any, falls into connected pieces; the piece of which the robot passed most is the wall that it followed. A place is passed if
+ * the robot's centre came within {@link #BAND} of it.
  */
 final class Coverage {
 

@@ -2,8 +2,7 @@ package faultline.engine;
 
 /**
  * The only place that looks at a clock while a run goes on: how long to wait after a tick, and how fast the run really is. Used by the
- * world thread; it influences
- * when a tick is made and never what it computes.
+ * world thread; it influences when a tick is made and never what it computes.
  */
 final class Pacer {
 

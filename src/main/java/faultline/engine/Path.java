@@ -4,9 +4,8 @@ import java.awt.geom.Rectangle2D;
 
 /**
  * The robot's path so far, as a view of fixed length on a recording that goes on growing: taking one copies nothing, and any thread may
- * read it.
- * Two views of one recording agree wherever both have points, unless it was thinned between them, so a painter may draw only what has been
- * added.
+ * read it. Two views of one recording agree wherever both have points, unless it was thinned between them, so a painter may draw only what
+ * has been added.
  */
 public final class Path {
 

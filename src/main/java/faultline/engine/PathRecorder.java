@@ -4,10 +4,8 @@ import java.util.Arrays;
 
 /**
  * Records the robot's path by whole points at least a spacing apart. Written by one thread; the views that it gives are for all, because a
- * point
- * once written is never changed and a view is published after its last point. Where there are too many, every second one goes and the
- * spacing doubles, so
- * that a run of days needs no more memory than one of an hour.
+ * point once written is never changed and a view is published after its last point. Where there are too many, every second one goes and the
+ * spacing doubles, so that a run of days needs no more memory than one of an hour.
  */
 final class PathRecorder {
 

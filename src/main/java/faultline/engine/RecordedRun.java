@@ -6,8 +6,7 @@ import faultline.geometry.Pose;
 
 /**
  * An earlier run, to be shown beside a later one: where the robot was at every tick, and how the two first differ. Made by running it
- * again, which gives the
- * same bits.
+ * again, which gives the same bits.
  */
 public final class RecordedRun {
 

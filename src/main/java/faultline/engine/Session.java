@@ -10,9 +10,8 @@ import java.util.function.LongPredicate;
 
 /**
  * An interactive run: has a world thread and a controller's, takes commands and orders from any thread without ever blocking the caller,
- * and
- * publishes frames. It starts paused. A restart is a new session from the same setup; a step back is a new session that replays the journal
- * of the old one.
+ * and publishes frames. It starts paused. A restart is a new session from the same setup; a step back is a new session that replays the
+ * journal of the old one.
  */
 public final class Session implements AutoCloseable {
 
@@ -34,9 +33,8 @@ public final class Session implements AutoCloseable {
 
     /**
      * Starts a session where an earlier run was at the end of a tick, paused, with all that is remembered of the way there. It takes as
-     * long as the run needs to
-     * come there, at full speed. What the journal has for later ticks is done when they come, until a new command is carried out: from then
-     * on this is another run.
+     * long as the run needs to come there, at full speed. What the journal has for later ticks is done when they come, until a new command
+     * is carried out: from then on this is another run.
      *
      * @param journal of the earlier run, as {@link #wholeJournal} gives it
      * @param tick not negative

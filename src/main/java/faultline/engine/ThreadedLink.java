@@ -12,8 +12,7 @@ import java.util.concurrent.TimeoutException;
 
 /**
  * Runs the controller on its own single-thread executor. The executor's queue hands the observation over and the future hands the decision
- * back, each with the memory
- * visibility that that implies; at most one of them is under way.
+ * back, each with the memory visibility that that implies; at most one of them is under way.
  */
 final class ThreadedLink implements ControllerLink {
 

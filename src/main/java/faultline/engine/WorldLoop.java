@@ -13,8 +13,7 @@ import java.util.function.Consumer;
 
 /**
  * The life of a session's world thread: it obeys orders, makes ticks at the pace that is wanted, publishes what others look at, and rests.
- * Other threads may
- * only order, look and close.
+ * Other threads may only order, look and close.
  */
 final class WorldLoop implements Runnable {
 

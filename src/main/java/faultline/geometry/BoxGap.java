@@ -110,8 +110,7 @@ public final class BoxGap {
 
     /**
      * The point of the box's sides that lies deepest in the ellipse, with the axes scaled until the ellipse is the unit circle: where the
-     * box does not
-     * contain the ellipse's centre, the two overlap if that point comes within 1 of the origin.
+     * box does not contain the ellipse's centre, the two overlap if that point comes within 1 of the origin.
      */
     private static Vec deepestSidePoint(Box box, Oval oval) {
         Vec deepest = new Vec(Double.POSITIVE_INFINITY, 0);

@@ -6,8 +6,7 @@ import java.math.RoundingMode;
 
 /**
  * Degrees, as files and windows show them, and radians, as the code has them. Both ways are correctly rounded, and the text of an angle
- * reads
- * back to the same bits: a saved run replays exactly.
+ * reads back to the same bits: a saved run replays exactly.
  */
 public final class Degrees {
 

@@ -2,8 +2,7 @@ package faultline.geometry;
 
 /**
  * A circular sector narrower than a half turn: the part of the plane that a cone sensor sees. Its edges and its arc belong to it. The
- * angles are
- * kept as unit vectors, so that carrying a sector with a robot needs one sine and cosine however many sensors there are.
+ * angles are kept as unit vectors, so that carrying a sector with a robot needs one sine and cosine however many sensors there are.
  *
  * @param ax the apex's x, metres
  * @param ay the apex's y, metres

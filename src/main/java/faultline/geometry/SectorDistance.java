@@ -2,8 +2,7 @@ package faultline.geometry;
 
 /**
  * The distance from a sector's apex to the nearest point of a figure inside the sector: what an infrared cone sensor reads. In closed form,
- * up to
- * the rounding of the last digits; only the foot on an ellipse is iterated, to the last bit.
+ * up to the rounding of the last digits; only the foot on an ellipse is iterated, to the last bit.
  *
  * <p>All figures are convex, so seen from an apex outside them the distance along their near side falls to the foot of the apex and rises
  * after it. The nearest point in the cone is therefore the foot, or else lies on an edge of the cone.

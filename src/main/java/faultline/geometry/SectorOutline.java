@@ -5,8 +5,7 @@ import java.util.List;
 
 /**
  * Where a sector's outline (two edges and an arc) meets the outline of a figure: the intersection points that the paper circles. They are
- * for the eye
- * only; no reading is taken from them.
+ * for the eye only; no reading is taken from them.
  */
 public final class SectorOutline {
 
@@ -103,8 +102,7 @@ public final class SectorOutline {
 
     /**
      * With z = tan(angle / 2), where the angle is from the axis, the arc's point is apex + range ((1 - z^2) axis + 2 z aside) / (1 + z^2),
-     * and the ellipse's
-     * equation becomes a quartic in z; |z| stays below tan 45 degrees.
+     * and the ellipse's equation becomes a quartic in z; |z| stays below tan 45 degrees.
      */
     private static void arcWithOval(Sector sector, Oval oval, List<Vec> hits) {
         Vec apex = scaled(oval, oval.toLocal(sector.apex()));

@@ -15,8 +15,7 @@ import java.util.stream.Stream;
 
 /**
  * At most 256 colours that stand for all: those of a palette, the most frequent ones of a sample picture, and a coarse cube for what comes
- * up
- * later. Colours are told apart by five bits a channel.
+ * up later. Colours are told apart by five bits a channel.
  */
 final class FewColours {
 

@@ -11,8 +11,7 @@ import java.nio.file.StandardOpenOption;
 
 /**
  * A file that is there whole or not at all: written under another name in the same folder, and moved into place by {@link #commit()}. One
- * that is
- * closed without that leaves no trace. A device such as {@code /dev/stdout} is written directly.
+ * that is closed without that leaves no trace. A device such as {@code /dev/stdout} is written directly.
  */
 public final class AtomicFile implements AutoCloseable {
 

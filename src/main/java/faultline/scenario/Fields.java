@@ -13,8 +13,7 @@ import java.util.function.Supplier;
 
 /**
  * The attributes of one element, asked for one by one. What is wrong is complained of and read as a stand-in value, so that reading goes on
- * and
- * finds the next fault too; whoever reads throws everything away at the end if there were complaints.
+ * and finds the next fault too; whoever reads throws everything away at the end if there were complaints.
  */
 final class Fields {
 
@@ -171,8 +170,7 @@ final class Fields {
 
     /**
      * Complains of every attribute that was given and never asked for, and of every one that must be there and is not. One that looks like
-     * a
-     * misspelt name of the other kind is told of once.
+     * a misspelt name of the other kind is told of once.
      */
     void done() {
         for (String name : node.attributes().keySet()) {

@@ -16,8 +16,7 @@ import org.xml.sax.SAXParseException;
 
 /**
  * Parses a file to its tree of elements: no document type, nothing fetched from outside, nothing expanded. The parser's own texts depend on
- * the
- * language of the machine, so that none of them is shown.
+ * the language of the machine, so that none of them is shown.
  */
 final class XmlParsing {
 

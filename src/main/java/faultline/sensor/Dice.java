@@ -2,8 +2,7 @@ package faultline.sensor;
 
 /**
  * The random numbers of one sensor in one tick. They follow from (seed, sensor id, tick) alone, by SplitMix64 (Steele, Lea and Flood 2014),
- * so
- * that no draw depends on how many others were made before it: switching a sensor, stepping back or replaying changes nobody's noise.
+ * so that no draw depends on how many others were made before it: switching a sensor, stepping back or replaying changes nobody's noise.
  */
 public final class Dice {
 

@@ -8,8 +8,7 @@ import faultline.sensor.SensorSpec;
 /**
  * Everything that can be done to a running world from outside: by a window, a scenario's timeline or a test. A command is applied at the
  * start of a tick and journaled with it. One that names something unknown, or would put an obstacle or a larger platform where the robot
- * and
- * an obstacle overlap, is refused: it changes nothing, and says why (see {@link World#apply}).
+ * and an obstacle overlap, is refused: it changes nothing, and says why (see {@link World#apply}).
  */
 public sealed interface Command {
 
@@ -58,8 +57,7 @@ public sealed interface Command {
 
     /**
      * Puts an obstacle somewhere else. One that would land on the robot is slid there along a straight line and stops at first contact,
-     * which
-     * counts as a collision.
+     * which counts as a collision.
      *
      * @param obstacle the obstacle's id
      * @param pose where to

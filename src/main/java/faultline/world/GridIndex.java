@@ -7,8 +7,7 @@ import java.util.Arrays;
 
 /**
  * Keeps every figure in the square cells that it may touch, so that a look around costs the same in a room of forty walls as in one of
- * forty thousand. Finds all that
- * {@link BruteForceIndex} finds within the distance.
+ * forty thousand. Finds all that {@link BruteForceIndex} finds within the distance.
  */
 final class GridIndex implements FigureIndex {
 

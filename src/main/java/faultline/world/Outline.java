@@ -11,8 +11,7 @@ import java.util.List;
 
 /**
  * An obstacle's exact geometry in the world: the convex pieces of its outline, and its inside. The distance from any point outside it is
- * the distance
- * to the nearest piece.
+ * the distance to the nearest piece.
  *
  * @param parts the pieces, in the order of the shape's points
  * @param shape the obstacle's shape

@@ -10,13 +10,11 @@ import faultline.robot.DifferentialDrive;
 
 /**
  * The first contact of the robot's body, which moves along an exact arc, with a figure that moves straight: conservative advancement (B.
- * Mirtich 1996),
- * which no speed and no thin wall can outrun.
+ * Mirtich 1996), which no speed and no thin wall can outrun.
  *
- * <p>At each moment the line through the figure's nearest point, square to the gap, keeps the figure on one side. The body is
- * let go on only for as long as none of its corners can have crossed that line: a corner with velocity w and the body's turn rate omega
- * comes nearer by no more
- * than (w . n - u . n) s + |w| |omega| s^2 / 2 in a time s, where u is the figure's velocity. The steps shrink as Newton's do.
+ * <p>At each moment the line through the figure's nearest point, square to the gap, keeps the figure on one side. The body is let go on
+ * only for as long as none of its corners can have crossed that line: a corner with velocity w and the body's turn rate omega comes nearer
+ * by no more than (w . n - u . n) s + |w| |omega| s^2 / 2 in a time s, where u is the figure's velocity. The steps shrink as Newton's do.
  */
 final class Sweep {
 
@@ -96,9 +94,8 @@ final class Sweep {
 
     /**
      * How long no corner of the body can reach the line through the figure's nearest point; half the touching gap is left over. The
-     * direction of a short gap is
-     * known only to the rounding of its two ends, which tilts the line: a corner far along it gets that much less room, but never less than
-     * the gap.
+     * direction of a short gap is known only to the rounding of its two ends, which tilts the line: a corner far along it gets that much
+     * less room, but never less than the gap.
      */
     private double safeTime(Pose pose, Box box, Gap gap, Vec normal, Vec velocity) {
         double least = Double.POSITIVE_INFINITY;

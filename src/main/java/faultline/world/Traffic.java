@@ -9,8 +9,7 @@ import java.util.Optional;
 
 /**
  * Moves obstacles and robot through one tick together, exactly: everything goes on until the robot first touches something, where the robot
- * stops for
- * good; a moving obstacle waits wherever going on would run into the robot.
+ * stops for good; a moving obstacle waits wherever going on would run into the robot.
  */
 final class Traffic {
 

@@ -11,8 +11,7 @@ import java.util.List;
 
 /**
  * The walls of a world as they stand before anything moves, as ground truth for judging a wall follower: what could be followed at a
- * distance, and how far
- * the nearest wall is. Moving obstacles are no walls. Used by one thread.
+ * distance, and how far the nearest wall is. Moving obstacles are no walls. Used by one thread.
  */
 public final class WallMap {
 

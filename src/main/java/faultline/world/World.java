@@ -52,8 +52,7 @@ public final class World {
      *
      * @param command that is not applied yet
      * @return the commands, in order, that restore what it is about to change; a collision that it brings about stays. Empty where it will
-     *         be refused
-     *         because it names something unknown
+     *         be refused because it names something unknown
      */
     public List<Command> undoing(Command command) {
         return undo.of(command);

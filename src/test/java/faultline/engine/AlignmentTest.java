@@ -21,10 +21,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Eq. (4) in the whole simulator: how parallel to a long wall the robot stands when ALIGN hands over to FOLLOW. The bound follows from the
- * rule's own error
- * terms: each edge of the detection interval is known to one control period, so their mean to omega T at most; and the spin that is left at
- * the
- * hand-over, below 1 deg/s, dies out with the motor. What the terms do where nothing is done about them, {@link TimedTurnTest} shows.
+ * rule's own error terms: each edge of the detection interval is known to one control period, so their mean to omega T at most; and the
+ * spin that is left at the hand-over, below 1 deg/s, dies out with the motor. What the terms do where nothing is done about them, {@link
+ * TimedTurnTest} shows.
  */
 class AlignmentTest {
 

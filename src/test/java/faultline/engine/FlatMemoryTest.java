@@ -32,8 +32,7 @@ class FlatMemoryTest {
 
     /**
      * The path grows by 2.3 MB still, to end at 4.2, the hashes by 1.9, to end at 8, and the coarser traces by 2.3: each of their levels
-     * reaches back four times as far as the one
-     * before and is full so much later. Bytes.
+     * reaches back four times as far as the one before and is full so much later. Bytes.
      */
     private static final long MOST_GROWTH = 8_000_000;
 

@@ -19,8 +19,7 @@ import org.junit.jupiter.api.Test;
 
 /**
  * What whole simulated scenes give every sensor, against the {@link SectorOracle} over every piece of every outline. The oracle knows where
- * movers are only until
- * one of them has to wait for the robot, so that a yard is left at the first contact.
+ * movers are only until one of them has to wait for the robot, so that a yard is left at the first contact.
  */
 class ReadingsTest {
 

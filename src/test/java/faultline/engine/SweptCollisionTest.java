@@ -28,8 +28,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Collisions of whole simulated ticks against an oracle that looks at every moment: the exact arc is bisected for as long as the speeds
- * allow that
- * body and obstacles could have met in between.
+ * allow that body and obstacles could have met in between.
  */
 class SweptCollisionTest {
 

@@ -4,8 +4,7 @@ import java.util.function.DoubleUnaryOperator;
 
 /**
  * An independent judge of the distance between a box and a convex figure: how far a point lies outside a box is a convex function of the
- * point, and its
- * least value over a convex figure is found by ternary search, nested for a figure with an inside.
+ * point, and its least value over a convex figure is found by ternary search, nested for a figure with an inside.
  */
 public final class BoxOracle {
 

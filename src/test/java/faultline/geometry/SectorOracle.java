@@ -4,15 +4,12 @@ package faultline.geometry;
  * An independent judge of sector readings: the nearest of all rays of the fan, found by search and not by formula.
  *
  * <p>Along a ray from the apex a convex figure begins at some distance. Over the rays of the fan that distance has one valley, because the
- * part of
- * the figure within any distance is convex, so its rays are an interval; ternary search finds the bottom. A segment, whose valley may be
- * one
- * single ray, is cut by the two edges instead and searched along itself.
+ * part of the figure within any distance is convex, so its rays are an interval; ternary search finds the bottom. A segment, whose valley
+ * may be one single ray, is cut by the two edges instead and searched along itself.
  *
  * <p>Where the figure merely touches an edge or the arc, or the apex lies on its outline, the true reading jumps, and rounding alone
- * decides on which
- * side an answer falls. The oracle therefore gives two readings, of a sector that is wider and of one that is narrower: its edges turned by
- * {@link #TURN} and shifted by some rounding. Everywhere else the two agree.
+ * decides on which side an answer falls. The oracle therefore gives two readings, of a sector that is wider and of one that is narrower:
+ * its edges turned by {@link #TURN} and shifted by some rounding. Everywhere else the two agree.
  */
 public final class SectorOracle {
 

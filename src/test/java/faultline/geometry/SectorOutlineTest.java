@@ -10,8 +10,7 @@ import org.junit.jupiter.api.Test;
 
 /**
  * The circled points against sampling: every hit lies on both outlines, and wherever the sector's outline changes from one side of the
- * figure's to
- * the other, a hit is there.
+ * figure's to the other, a hit is there.
  */
 class SectorOutlineTest {
 

@@ -11,9 +11,8 @@ import java.util.List;
 
 /**
  * Measures how long the event dispatch thread is busy with each event, by its own processor time, which other programs on the machine do
- * not lengthen, and by the
- * clock. An event that opens a modal dialog is not done before the dialog is closed; what it costs is counted up to the first event that
- * the dialog handles, and after the last.
+ * not lengthen, and by the clock. An event that opens a modal dialog is not done before the dialog is closed; what it costs is counted up
+ * to the first event that the dialog handles, and after the last.
  */
 public final class EventMeter implements AutoCloseable {
 

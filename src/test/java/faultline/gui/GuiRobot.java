@@ -86,8 +86,7 @@ public final class GuiRobot {
 
     /**
      * A window manager may move a window once more after it has come to rest, and Java learns of it late. So the mouse is moved to the
-     * middle of where
-     * the window is thought to be until an event says that it is there.
+     * middle of where the window is thought to be until an event says that it is there.
      */
     private void waitUntilTheMouseHits(Window window) {
         AtomicReference<Point> hit = new AtomicReference<>(new Point());

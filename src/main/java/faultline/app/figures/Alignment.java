@@ -18,10 +18,8 @@ import java.util.Optional;
 
 /**
  * One trial of eq. (4) in the whole simulator: the robot drives to a wall, spins, times the wall, turns back, and hands over to FOLLOW. The
- * wall in question
- * lies on y = {@link #WALL}; parallel to it, with the wall on the left, is heading 0. Five ticks a control period: between two looks the
- * robot moves as smoothly
- * as a real one.
+ * wall in question lies on y = {@link #WALL}; parallel to it, with the wall on the left, is heading 0. Five ticks a control period: between
+ * two looks the robot moves as smoothly as a real one.
  *
  * @param setup what is run
  * @param handOver which alignment counts: 1 for the first

@@ -14,8 +14,7 @@ import java.util.OptionalDouble;
 
 /**
  * The paper's claim that t_D does not depend on other sensors: every other sensor failed in every way, once from the moment that the spin
- * begins, and once from the
- * start of the run, when the robot may come to stand elsewhere.
+ * begins, and once from the start of the run, when the robot may come to stand elsewhere.
  */
 final class OtherSensors implements Figure {
 

@@ -12,8 +12,7 @@ import java.util.stream.IntStream;
 
 /**
  * Where the states of a diagram stand: on a circle, in the order that makes the fewest arrows cross, and among those the shortest. Arrows
- * are straight, but two which
- * lead to and fro bend to their left, so that they lie apart.
+ * are straight, but two which lead to and fro bend to their left, so that they lie apart.
  */
 final class StateLayout {
 

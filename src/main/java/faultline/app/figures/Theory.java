@@ -12,11 +12,9 @@ import java.util.List;
 
 /**
  * What eq. (4) gives in theory. The left sensor sees the wall between two headings, the edges; for an endless wall they lie at plus and
- * minus the phi0 that solves
- * R cos(max(0, phi0 - b)) + a cos(phi0) = D, with the range R, half the cone b, the seat a and the distance D from centre to wall. Turning
- * back for half the time
- * ends in their middle, which is parallel where the edges are symmetric. The paper's rule to the letter falls short of it by the motor's
- * lag and half a period.
+ * minus the phi0 that solves R cos(max(0, phi0 - b)) + a cos(phi0) = D, with the range R, half the cone b, the seat a and the distance D
+ * from centre to wall. Turning back for half the time ends in their middle, which is parallel where the edges are symmetric. The paper's
+ * rule to the letter falls short of it by the motor's lag and half a period.
  *
  * @param trial what is tried
  * @param walls the outlines that stand there

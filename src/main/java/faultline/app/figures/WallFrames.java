@@ -22,8 +22,7 @@ import java.util.stream.IntStream;
 
 /**
  * Fig. 4: the positioning beside a wall, in frames at their measured times. The paper names F3 and F4; F1 is taken as the moment when the
- * front sensor first sees the
- * wall, F2 as the one when the robot begins to spin.
+ * front sensor first sees the wall, F2 as the one when the robot begins to spin.
  */
 final class WallFrames implements Figure {
 

@@ -5,8 +5,7 @@ import java.util.List;
 
 /**
  * The newest chunks of something that grows for ever. The list is exchanged whenever a chunk is added, never changed, so that a view that
- * holds
- * the old one is good for ever.
+ * holds the old one is good for ever.
  *
  * @param <C> a chunk, filled by its writer entry by entry
  */

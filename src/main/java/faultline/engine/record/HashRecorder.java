@@ -4,8 +4,7 @@ import java.util.Arrays;
 
 /**
  * Records the trajectory's hash after every tick, so that two runs can be compared tick by tick. Written by one thread; the views that it
- * gives are for all, because a
- * hash once written is never changed.
+ * gives are for all, because a hash once written is never changed.
  */
 public final class HashRecorder {
 

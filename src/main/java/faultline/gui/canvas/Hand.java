@@ -13,8 +13,7 @@ import javax.swing.SwingUtilities;
 
 /**
  * What the mouse does. The wheel zooms on the cursor and the middle button pans. The left button does what the tool does, or else what
- * {@link Grips}
- * finds: it moves, turns, resizes, selects, and pans where nothing is. The right button turns, or asks for a menu.
+ * {@link Grips} finds: it moves, turns, resizes, selects, and pans where nothing is. The right button turns, or asks for a menu.
  */
 final class Hand extends MouseAdapter {
 

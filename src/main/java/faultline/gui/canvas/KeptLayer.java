@@ -6,9 +6,8 @@ import java.util.Optional;
 
 /**
  * Keeps a part of the picture as an image, and brings it up to date a little with each frame, so that no frame takes long. Where the
- * content has only moved, or changed
- * here and there, the image is moved and mended; else a new one is made behind the old one, which shows until then, stretched to the new
- * view.
+ * content has only moved, or changed here and there, the image is moved and mended; else a new one is made behind the old one, which shows
+ * until then, stretched to the new view.
  *
  * @param <M> what it shows
  */

@@ -11,8 +11,7 @@ import java.util.Optional;
 
 /**
  * A path, point by point. Points are added to its picture in batches, because an image that changes must be sent to the screen again as a
- * whole; the few points
- * since the last batch are painted with each frame.
+ * whole; the few points since the last batch are painted with each frame.
  *
  * @param path so far
  * @param style how it is drawn

@@ -13,8 +13,7 @@ import java.util.function.UnaryOperator;
 
 /**
  * Holds the open scenario and its run. A new file, a restart or another moment of the run is a new session; the old one is closed when the
- * new one is there.
- * What is done with files is {@link Filing}'s, what is done to the run {@link RunDesk}'s.
+ * new one is there. What is done with files is {@link Filing}'s, what is done to the run {@link RunDesk}'s.
  */
 public final class Bench implements AutoCloseable {
 

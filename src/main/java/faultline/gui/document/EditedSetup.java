@@ -15,8 +15,7 @@ import java.util.Optional;
 
 /**
  * What a scenario becomes by what was done to its run. Obstacles, platform, and the sensors' range and cone are the scenario's, and a
- * change of
- * them is kept; switching a sensor and breaking it is what happens in one run, and is not.
+ * change of them is kept; switching a sensor and breaking it is what happens in one run, and is not.
  */
 final class EditedSetup {
 

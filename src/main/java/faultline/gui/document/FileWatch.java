@@ -14,8 +14,7 @@ import javax.swing.Timer;
 
 /**
  * Notices when somebody else changes the open file. The file is looked at off the event dispatch thread; a change is told once it has
- * rested from
- * one look to the next, so that half a file is never taken for a whole one, and only where the file now holds another scenario.
+ * rested from one look to the next, so that half a file is never taken for a whole one, and only where the file now holds another scenario.
  */
 public final class FileWatch implements AutoCloseable {
 

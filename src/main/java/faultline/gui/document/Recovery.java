@@ -12,8 +12,7 @@ import java.util.stream.Stream;
 
 /**
  * A folder where each running window keeps its unsaved scenario under its process's number; what is there of a process that is gone was
- * left by a
- * crash. All of it is slow, and for other threads than the event dispatch thread.
+ * left by a crash. All of it is slow, and for other threads than the event dispatch thread.
  */
 public final class Recovery {
 

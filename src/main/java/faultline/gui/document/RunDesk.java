@@ -57,8 +57,7 @@ public final class RunDesk {
 
     /**
      * Orders something of the run. While the same scenario is on its way to another moment or to a new beginning, orders wait: what the old
-     * session were told now
-     * would be lost with it.
+     * session were told now would be lost with it.
      */
     private void order(Consumer<Session> order) {
         if (bench.underWay().filter(way -> way.task() != Task.OPEN).isPresent()) {

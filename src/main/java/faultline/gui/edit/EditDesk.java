@@ -12,8 +12,7 @@ import javax.swing.undo.UndoableEdit;
 
 /**
  * Passes what a user does on to the run, and remembers what the run made of it, so that it can be undone and redone by name. Undoing is
- * itself a command
- * to the run, so a journal replays it like all else. A command that is refused is no edit.
+ * itself a command to the run, so a journal replays it like all else. A command that is refused is no edit.
  */
 public final class EditDesk implements Editor {
 

@@ -6,8 +6,7 @@ import javax.swing.undo.UndoableEdit;
 
 /**
  * The edits so far. One that came to nothing is not kept. A new edit drops what was undone, as everywhere; but not what is undone only
- * because the run was taken
- * back to a moment before it: that can still be redone.
+ * because the run was taken back to a moment before it: that can still be redone.
  */
 final class EditHistory extends UndoManager {
 

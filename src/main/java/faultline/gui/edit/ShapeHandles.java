@@ -53,8 +53,7 @@ public final class ShapeHandles {
 
     /**
      * An obstacle after one of its handles was dragged. Of a rectangle the opposite corner or side stays, of a circle or an ellipse the
-     * middle, of all
-     * others every other corner.
+     * middle, of all others every other corner.
      *
      * @param obstacle as it was
      * @param handle the place of the handle in {@link #places}

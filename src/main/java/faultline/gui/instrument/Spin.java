@@ -15,8 +15,7 @@ import java.util.OptionalDouble;
 
 /**
  * The newest t_D/2 manoeuvre of a run, as its recording and telemetry have it. Times are the spin clock's: what the robot has turned from
- * where TURN began, at the
- * constant rate.
+ * where TURN began, at the constant rate.
  *
  * @param samples the left reading over the spin, up to frame F4
  * @param start the heading in which TURN began, radians

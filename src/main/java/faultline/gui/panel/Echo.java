@@ -2,8 +2,7 @@ package faultline.gui.panel;
 
 /**
  * Bridges the moment between a command and the first snapshot that shows what it did, so that a control does not jump back and forth. What
- * does
- * not come back within that moment was refused, and the control shows what is true.
+ * does not come back within that moment was refused, and the control shows what is true.
  *
  * @param <T> what the control sets
  */

@@ -5,8 +5,7 @@ import javax.swing.plaf.ColorUIResource;
 
 /**
  * The colours of controls. Text stands out from all grounds at 4.5:1 at least, and what shows where a control is or how it stands at 3:1,
- * by the
- * WCAG's contrast ratio; rulings between groups carry no meaning and are paler.
+ * by the WCAG's contrast ratio; rulings between groups carry no meaning and are paler.
  *
  * @param background of windows, bars and panels
  * @param field ground of what can be typed in or chosen from

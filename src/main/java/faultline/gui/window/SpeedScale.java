@@ -6,8 +6,7 @@ import java.util.Locale;
 
 /**
  * The positions of the speed slider, ten to a decade from a tenth to a hundred times real time, and as fast as possible above. Real time
- * has three
- * positions, so that a hand finds it.
+ * has three positions, so that a hand finds it.
  */
 final class SpeedScale {
 

@@ -17,8 +17,7 @@ import javax.swing.JSlider;
 
 /**
  * The run so far as a line to go along. While the thumb is held, the remembered picture nearest before it shows at once; when it is let go,
- * the run goes
- * to that very tick.
+ * the run goes to that very tick.
  */
 final class TimeBar extends JPanel {
 

@@ -28,8 +28,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * The canvas moves and mends the parts of its picture that it keeps, and paints them over several frames. Whatever is done to it in
- * whatever order, soon after it
- * looks as if it had been painted at once. No display is needed.
+ * whatever order, soon after it looks as if it had been painted at once. No display is needed.
  */
 class KeptPictureTest {
 

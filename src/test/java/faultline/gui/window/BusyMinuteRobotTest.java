@@ -20,10 +20,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * How long the event dispatch thread is busy at a stretch while somebody tries everything for a minute, in a hall of 500 shapes and with
- * the run at full speed. What is held to the
- * bound is the thread's own processor time, because other programs on the machine do not lengthen it; the time by the clock is printed
- * beside it. Nothing is warmed up: the first use of a
- * dialog counts.
+ * the run at full speed. What is held to the bound is the thread's own processor time, because other programs on the machine do not
+ * lengthen it; the time by the clock is printed beside it. Nothing is warmed up: the first use of a dialog counts.
  */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")

@@ -25,9 +25,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * How long it takes to paint 500 shapes, eight cones and a path of 100 000 points on a canvas of 1200 x 800 pixels while the run goes on,
- * whatever the user does to them. What is
- * held to the bounds is the event dispatch thread's own processor time, because other programs on the machine do not lengthen it; the time
- * by the clock is printed beside it.
+ * whatever the user does to them. What is held to the bounds is the event dispatch thread's own processor time, because other programs on
+ * the machine do not lengthen it; the time by the clock is printed beside it.
  */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
