@@ -9,6 +9,9 @@ import java.util.stream.Collectors;
 /** A drawing that becomes an SVG file. */
 public final class SvgDrawing implements Drawing {
 
+    /** How wide a space is, as a share of the size of the letters. */
+    private static final double SPACE = 0.32;
+
     private final StringBuilder out = new StringBuilder();
 
     /**
@@ -92,8 +95,8 @@ public final class SvgDrawing implements Drawing {
     }
 
     /**
-     * The stretches of a text; each is set off from where the one before it left the line. A space at a stretch's end must not be lost, so
-     * it is one that does not break.
+     * The stretches of a text; each is set off from where the one before it left the line. A space at a stretch's beginning is a gap: not every
+     * viewer keeps it otherwise.
      */
     private static String runs(String text, double size) {
         StringBuilder spans = new StringBuilder();
@@ -101,8 +104,9 @@ public final class SvgDrawing implements Drawing {
         for (Subscripts.Run run : Subscripts.runs(text)) {
             String shift = run.lowered() == lowered ? "" : " dy=\"" + SvgText.number((run.lowered() ? 1 : -1) * Subscripts.DROP * size) + "\"";
             String small = run.lowered() ? " font-size=\"" + SvgText.number(Subscripts.SIZE * size) + "\"" : "";
-            String words = SvgText.escaped(run.text().replaceAll("^ | $", "\u00a0"));
-            spans.append(shift.isEmpty() ? words : "<tspan" + shift + small + ">" + words + "</tspan>");
+            String gap = run.text().startsWith(" ") && !shift.isEmpty() ? " dx=\"" + SvgText.number(SPACE * size) + "\"" : "";
+            String words = SvgText.escaped(gap.isEmpty() ? run.text() : run.text().substring(1));
+            spans.append(shift.isEmpty() ? words : "<tspan" + shift + gap + small + ">" + words + "</tspan>");
             lowered = run.lowered();
         }
         return spans.toString();

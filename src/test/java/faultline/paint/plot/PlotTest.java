@@ -60,7 +60,7 @@ class PlotTest {
     void anIndexIsSetLowerAndTheLineGoesOnAsBefore() {
         SvgDrawing drawing = new SvgDrawing(10, 10, Color.WHITE);
         drawing.text("t_D = 1", Vec.ZERO, TextStyle.plain(12, Color.BLACK));
-        assertTrue(drawing.toFile(Appearance.LIGHT).contains(">t<tspan dy=\"3\" font-size=\"9\">D</tspan><tspan dy=\"-3\">\u00a0= 1</tspan></text>"), drawing.toFile(Appearance.LIGHT));
+        assertTrue(drawing.toFile(Appearance.LIGHT).contains(">t<tspan dy=\"3\" font-size=\"9\">D</tspan><tspan dy=\"-3\" dx=\"3.84\">= 1</tspan></text>"), drawing.toFile(Appearance.LIGHT));
     }
 
     @Test
