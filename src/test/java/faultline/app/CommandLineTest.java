@@ -127,17 +127,14 @@ class CommandLineTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            rnu x.xml                       | there is no command "rnu", allowed is run, check, figures, --help, --version,
-                    --startup-time or a scenario file; did you mean "run"?
-            --hepl                          | there is no command "--hepl", allowed is run, check, figures, --help, --version,
-            --startup-time or a scenario file; did you mean "--help"?
+            rnu x.xml                       | there is no command "rnu", allowed is run, check, figures, --help, --version, --startup-time or a scenario file; did you mean "run"?
+            --hepl                          | there is no command "--hepl", allowed is run, check, figures, --help, --version, --startup-time or a scenario file; did you mean "--help"?
             a.xml b.xml                     | the window takes one scenario file, not also "b.xml"
             run                             | run takes one scenario file, not none
             run a.xml b.xml                 | run takes one scenario file, not 2
             check                           | check takes one or more scenario files, not none
             check --all a.xml               | there is no option "--all" here, allowed is none
-            run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --image,
-            --journal; did you mean "--seed"?
+            run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --image, --journal; did you mean "--seed"?
             run a.xml -x                    | there is no option "-x" here, allowed is --until, --seed, --threads, --trace, --image, --journal
             run a.xml --seed                | --seed needs a value
             run a.xml --seed 1 --seed 2     | --seed is there twice
