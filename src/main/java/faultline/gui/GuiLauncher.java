@@ -59,9 +59,11 @@ public final class GuiLauncher {
     private static void openNow(Optional<Path> file) {
         WindowMemory memory = WindowMemory.ofUser();
         SimulatorFrame window = show(memory, file);
-        if (file.isEmpty() && memory.galleryAtStart()) {
-            window.showExamples();
-        }
-        window.recover(Recovery.ofUser());
+        // One question at a time: the examples are not shown in front of what a crash has left.
+        window.recover(Recovery.ofUser(), () -> {
+            if (file.isEmpty() && memory.galleryAtStart()) {
+                window.showExamples();
+            }
+        });
     }
 }

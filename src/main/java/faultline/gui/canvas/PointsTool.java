@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 
-/** Takes points, one a click, until a double click or Enter; a drag draws free hand. */
+/** Takes points, one a click, until a double click, Enter, or a click on the first one where that closes a figure; a drag draws free hand. */
 final class PointsTool implements Tool {
 
     /** Points of a free hand are no nearer than this, pixels. */
@@ -34,11 +34,16 @@ final class PointsTool implements Tool {
     @Override
     public void press(Vec at, boolean twice) {
         mouse = at;
-        if (twice) {
+        if (twice || closes(at)) {
             finish();
         } else if (points.isEmpty() || desk.isFar(last(), at)) {
             points.add(at);
         }
+    }
+
+    /** A click on the first point closes a figure. */
+    private boolean closes(Vec at) {
+        return closed && points.size() >= Math.max(least, 3) && !desk.isFar(points.get(0), at);
     }
 
     private Vec last() {

@@ -3,6 +3,7 @@ package faultline.gui.document;
 import faultline.engine.Journal;
 import faultline.gui.document.Bench.Task;
 import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -59,7 +60,16 @@ public final class Filing {
      */
     public void recover(Recovery.Rescue rescue) {
         Path name = rescue.origin().orElse(rescue.kept());
-        bench.begin(Task.OPEN, name, way -> Work.begin(Document.begin(rescue.origin(), Optional.empty(), rescue.scenario())));
+        bench.begin(Task.OPEN, name, way -> Work.begin(Document.begin(rescue.origin(), rescue.origin().flatMap(Filing::held), rescue.scenario())));
+    }
+
+    /** What a file holds now; empty where it cannot be read. */
+    private static Optional<Scenario> held(Path file) {
+        try {
+            return Optional.of(Scenario.load(file));
+        } catch (ScenarioException gone) {
+            return Optional.empty();
+        }
     }
 
     /**

@@ -30,9 +30,13 @@ public final class Rescuer {
      *
      * @param recovery where to look
      * @param offer asks the user, on the event dispatch thread
+     * @param otherwise done on the event dispatch thread where nothing was left
      */
-    public static void start(Recovery recovery, Function<Recovery.Rescue, Answer> offer) {
-        Background.run(recovery::left, left -> left.ifPresent(rescue -> offer(recovery, rescue, offer)), Rescuer::failed);
+    public static void start(Recovery recovery, Function<Recovery.Rescue, Answer> offer, Runnable otherwise) {
+        Background.run(recovery::left, left -> left.ifPresentOrElse(rescue -> offer(recovery, rescue, offer), otherwise), why -> {
+            failed(why);
+            otherwise.run();
+        });
     }
 
     private static void offer(Recovery recovery, Recovery.Rescue rescue, Function<Recovery.Rescue, Answer> offer) {

@@ -222,8 +222,9 @@ public final class SimulatorFrame extends JFrame {
      * Keeps unsaved edits from now on where a crash cannot reach them, and offers those that an earlier crash has left, soon.
      *
      * @param recovery where
+     * @param otherwise done where no crash has left any
      */
-    public void recover(Recovery recovery) {
+    public void recover(Recovery recovery, Runnable otherwise) {
         Autosave autosave = new Autosave(bench, recovery);
         addWindowListener(new WindowAdapter() {
             @Override
@@ -231,7 +232,7 @@ public final class SimulatorFrame extends JFrame {
                 autosave.close();
             }
         });
-        Rescuer.start(recovery, files::offer);
+        Rescuer.start(recovery, files::offer, otherwise);
     }
 
     private void setTheme(Theme theme) {

@@ -1,9 +1,11 @@
 package faultline.gui.window;
 
 import faultline.gui.document.UnderWay;
+import java.awt.Dialog;
 import java.awt.EventQueue;
 import java.awt.Window;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** Shows what is under way once it has taken long enough for a user to wonder, and lets it be given up. */
 final class Waiting {
@@ -32,7 +34,7 @@ final class Waiting {
     }
 
     private void show(UnderWay way) {
-        looks++;
+        looks += isAsking() ? 0 : 1;
         dialog.ifPresent(shown -> shown.show(way.share()));
         if (looks == PATIENCE) {
             WaitDialog made = new WaitDialog(owner, way, cancel);
@@ -40,6 +42,11 @@ final class Waiting {
             // Not at once: whoever looks here must be able to look again while the dialog is open.
             EventQueue.invokeLater(() -> dialog.filter(shown -> shown == made).ifPresent(shown -> shown.setVisible(true)));
         }
+    }
+
+    /** Whether another question is open: one at a time. */
+    private boolean isAsking() {
+        return dialog.isEmpty() && Stream.of(owner.getOwnedWindows()).anyMatch(window -> window instanceof Dialog && window.isShowing());
     }
 
     private void end() {

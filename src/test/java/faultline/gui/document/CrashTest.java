@@ -56,7 +56,7 @@ class CrashTest {
     }
 
     @Test
-    void unsavedEditsOutliveACrashAndAreStillUnsavedThen() throws IOException {
+    void unsavedEditsOutliveACrashAndAreStillUnsavedThen() throws Exception {
         edit();
         Scenario edited = onEdt(() -> bench.scenario().orElseThrow());
         Recovery dying = new Recovery(folder.resolve("kept"), DEAD);
@@ -65,9 +65,12 @@ class CrashTest {
         Recovery.Rescue rescue = new Recovery(folder.resolve("kept"), ProcessHandle.current().pid()).left().orElseThrow();
         assertEquals(Optional.of(file.toAbsolutePath()), rescue.origin());
         assertEquals(edited, rescue.scenario());
+        edt(() -> filing.open(file));
+        Patience.waitFor("the file without the edits", () -> !bench.scenario().equals(Optional.of(edited)));
         edt(() -> filing.recover(rescue));
-        Patience.waitFor("the edits", () -> bench.scenario().equals(Optional.of(edited)) && bench.saved().isEmpty());
+        Patience.waitFor("the edits", () -> bench.scenario().equals(Optional.of(edited)));
         assertTrue(onEdt(bench::isChanged));
+        assertEquals(Optional.of(Scenario.load(file)), onEdt(bench::saved), "what the file holds is known, so nobody has changed it");
         assertEquals(rescue.origin(), onEdt(bench::file));
     }
 

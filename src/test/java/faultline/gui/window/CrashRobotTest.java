@@ -57,7 +57,7 @@ class CrashRobotTest {
     private void crash() throws IOException {
         Files.writeString(kept, seeded(4711));
         Files.writeString(folder.resolve(".faultline/recovery/" + DEAD + ".origin"), file.toString());
-        edt(() -> driver.window().recover(Recovery.ofUser()));
+        edt(() -> driver.window().recover(Recovery.ofUser(), () -> { }));
     }
 
     private String seeded(long seed) throws IOException {
@@ -92,7 +92,7 @@ class CrashRobotTest {
         JDialog dialog = driver.dialog("Recover changes");
         driver.robot().type(KeyEvent.VK_ESCAPE);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
-        edt(() -> driver.window().recover(Recovery.ofUser()));
+        edt(() -> driver.window().recover(Recovery.ofUser(), () -> { }));
         driver.answer("Recover changes", "Discard");
         driver.robot().waitFor("it is gone", () -> Files.notExists(kept));
     }

@@ -71,7 +71,7 @@ final class FileScenes {
         Path kept = Files.createDirectories(folder.resolve(".faultline/recovery"));
         Files.copy(office, kept.resolve(dead + ".xml"));
         Files.writeString(kept.resolve(dead + ".origin"), office.toString());
-        edt(() -> driver.window().recover(Recovery.ofUser()));
+        edt(() -> driver.window().recover(Recovery.ofUser(), () -> { }));
         System.setProperty("user.home", home);
     }
 
