@@ -63,15 +63,4 @@ class InstrumentDockTest {
         assertTrue(shown.size() >= 7, "found only " + shown.size());
         shown.forEach(part -> assertFalse(Components.name(part).isEmpty(), part.getClass() + " has no name"));
     }
-
-    @Test
-    void theDividerGoesToItsPlaceAtTheFirstLayout() {
-        edt(() -> {
-            PlacedSplit split = new PlacedSplit(PlacedSplit.VERTICAL_SPLIT, new StripChart(), new StripChart(), 1);
-            split.place(size -> size - 200);
-            split.setSize(400, 700);
-            split.doLayout();
-            assertEquals(700 - split.getDividerSize() - 200, split.getDividerLocation());
-        });
-    }
 }
