@@ -2,11 +2,13 @@ package faultline.paint;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.GraphicsDevice;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.font.FontRenderContext;
+import java.awt.geom.AffineTransform;
 
 /**
  * Pixels, or a printer's page.
@@ -55,6 +57,21 @@ record GraphicsSurface(Graphics2D graphics) implements Surface {
 
     @Override
     public void haloedText(String text, double x, double y, Color colour, Color halo) {
+        AffineTransform place = graphics.getTransform();
+        boolean upright = (place.getType() & ~(AffineTransform.TYPE_TRANSLATION | AffineTransform.TYPE_UNIFORM_SCALE)) == 0;
+        if (upright && isImage()) {
+            Stamp.of(text, colour, halo, place.getScaleX()).paint(graphics, x, y);
+        } else {
+            outlined(text, x, y, colour, halo);
+        }
+    }
+
+    /** A screen may be slow to take images, and a printer is finer than any. */
+    private boolean isImage() {
+        return graphics.getDeviceConfiguration().getDevice().getType() == GraphicsDevice.TYPE_IMAGE_BUFFER;
+    }
+
+    private void outlined(String text, double x, double y, Color colour, Color halo) {
         Shape outline = Brush.FONT.createGlyphVector(fonts(), text).getOutline((float) x, (float) y);
         draw(outline, halo, Brush.HALO);
         fill(outline, colour);

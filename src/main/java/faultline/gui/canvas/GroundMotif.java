@@ -31,7 +31,7 @@ record GroundMotif(Snapshot world, List<Obstacle> obstacles, Set<String> marked,
     /** What all that lies beneath the obstacles takes of a frame's time. */
     private static final double BACKDROP = 0.1;
 
-    private static final double COST_OF_NAME = 5;
+    private static final double COST_OF_NAME = 1;
     /** So many pixels cost as much to fill as an obstacle costs in any case. */
     private static final double PIXELS = 4000;
     /** Where more obstacles than this have changed, all is painted anew. */

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.LongSupplier;
 import java.util.stream.Collectors;
 
 /**
@@ -31,8 +32,15 @@ final class Picture {
     private final KeptLayer<GroundMotif> ground = new KeptLayer<>();
     private final KeptLayer<PathMotif> path = new KeptLayer<>();
     private final KeptLayer<PathMotif> ghostPath = new KeptLayer<>();
-    private Effort effort = new Effort();
+    private final LongSupplier clock;
+    private Effort effort;
     private boolean complete = true;
+
+    /** A picture that looks at a clock, nanoseconds, to see when a frame has taken long enough. */
+    Picture(LongSupplier clock) {
+        this.clock = clock;
+        effort = new Effort(clock);
+    }
 
     /** Paints a frame at the resolution of the device that the graphics belongs to. */
     void paint(Graphics2D graphics, Camera camera, Palette palette, Set<Layer> layers, Frame frame, Scene scene) {
@@ -62,7 +70,7 @@ final class Picture {
     }
 
     private void bringGround(GroundMotif wanted, LayerImage.View view) {
-        effort = new Effort();
+        effort = new Effort(clock);
         ground.bring(wanted, view, effort);
         complete = ground.isComplete();
     }

@@ -19,6 +19,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
@@ -33,7 +34,8 @@ public final class SimulationCanvas extends JComponent {
 
     private final Scene scene = new Scene();
     private final Viewpoint viewpoint = new Viewpoint();
-    private final Picture picture = new Picture();
+    private final Picture picture;
+    private final Plate plate = new Plate();
     private final Set<Layer> layers = Layer.usual();
     private final Courier courier;
     private final Hand hand;
@@ -48,6 +50,12 @@ public final class SimulationCanvas extends JComponent {
      * @param editor gets what the hand does
      */
     public SimulationCanvas(Editor editor) {
+        this(editor, System::nanoTime);
+    }
+
+    /** A canvas that looks at a clock, nanoseconds, to see when it has painted long enough. */
+    SimulationCanvas(Editor editor, LongSupplier clock) {
+        picture = new Picture(clock);
         Watchers watchers = new Watchers();
         courier = new Courier(Objects.requireNonNull(editor, "editor"));
         hand = new Hand(viewpoint, new Grips(scene, viewpoint, courier, watchers), watchers);
@@ -239,7 +247,7 @@ public final class SimulationCanvas extends JComponent {
     protected void paintComponent(Graphics graphics) {
         Graphics2D own = (Graphics2D) graphics.create();
         try {
-            paintScene(own);
+            plate.paint(own, getWidth(), getHeight(), this::paintScene);
         } finally {
             own.dispose();
         }

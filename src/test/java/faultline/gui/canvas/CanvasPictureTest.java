@@ -35,7 +35,7 @@ class CanvasPictureTest {
     private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Rectangle(1, 0.5), new Pose(4, 3, 0.2));
 
     private final SimulationCanvas canvas = onEdt(() -> {
-        SimulationCanvas made = new SimulationCanvas(command -> { });
+        SimulationCanvas made = new SimulationCanvas(command -> { }, () -> 0);
         made.setSize(WIDTH, HEIGHT);
         return made;
     });

@@ -42,7 +42,7 @@ class KeptPictureTest {
     private final Path path = SampleFrames.path(IntStream.range(0, 3000)
             .mapToObj(i -> new Vec(3 + (0.2 + i * 8e-4) * Math.cos(i * 0.1), 2 + (0.2 + i * 5e-4) * Math.sin(i * 0.1))).toArray(Vec[]::new));
     private final List<Obstacle> obstacles = new ArrayList<>();
-    private final SimulationCanvas canvas = onEdt(() -> new SimulationCanvas(command -> { }));
+    private final SimulationCanvas canvas = onEdt(() -> new SimulationCanvas(command -> { }, () -> 0));
     private Palette palette = Palette.LIGHT;
     private boolean labels;
     private int deviceScale;
