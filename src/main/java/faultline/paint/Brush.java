@@ -17,25 +17,41 @@ import java.awt.geom.Rectangle2D;
  * @param surface where the marks go
  * @param camera from the world to the picture
  * @param palette the colours
+ * @param font of the letters
  */
-public record Brush(Surface surface, Camera camera, Palette palette) {
+public record Brush(Surface surface, Camera camera, Palette palette, Font font) {
 
-    /** For labels in the picture. */
-    static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
+    /** For labels in files. */
+    public static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
 
     /** About letters that lie on whatever is beneath. */
     static final Stroke HALO = new BasicStroke(3.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     private static final int HALO_ALPHA = 200;
 
     /**
-     * A brush for pixels.
+     * A brush for pixels that letters as in files.
      *
      * @param graphics where pixels go; in the picture's user space
      * @param camera from the world to the picture
      * @param palette the colours
      */
     public Brush(Graphics2D graphics, Camera camera, Palette palette) {
-        this(new GraphicsSurface(graphics), camera, palette);
+        this(new GraphicsSurface(graphics), camera, palette, FONT);
+    }
+
+    /**
+     * The same with another font.
+     *
+     * @param other the font
+     * @return a brush for the same surface
+     */
+    public Brush lettered(Font other) {
+        return new Brush(surface, camera, palette, other);
+    }
+
+    /** A length that goes along with the letters; pixels in files and here. */
+    double enlarged(double pixels) {
+        return pixels * font.getSize2D() / FONT.getSize2D();
     }
 
     /** A line of a width in pixels, with round ends and joins. */
@@ -77,18 +93,18 @@ public record Brush(Surface surface, Camera camera, Palette palette) {
 
     /** The size of a text, pixels. */
     Rectangle2D measure(String text) {
-        return FONT.getStringBounds(text, surface.fonts());
+        return font.getStringBounds(text, surface.fonts());
     }
 
     /** A text with its base line's left end at a place. */
     void text(String text, double x, double y, Color colour) {
-        surface.text(text, x, y, colour);
+        surface.text(text, x, y, colour, font);
     }
 
     /** A text about a place, set off from whatever lies beneath by a halo of the canvas's colour. */
     void label(String text, double centreX, double centreY, Color colour) {
-        Rectangle2D bounds = FONT.createGlyphVector(surface.fonts(), text).getVisualBounds();
+        Rectangle2D bounds = font.createGlyphVector(surface.fonts(), text).getVisualBounds();
         surface.haloedText(text, centreX - bounds.getCenterX(), centreY - bounds.getCenterY(), colour,
-                Palette.translucent(palette.canvas(), HALO_ALPHA));
+                Palette.translucent(palette.canvas(), HALO_ALPHA), font);
     }
 }

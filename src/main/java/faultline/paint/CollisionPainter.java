@@ -24,6 +24,8 @@ final class CollisionPainter {
     private static final double BADGE_AT = 5;
     private static final double PADDING = 8;
     private static final double LINE_HEIGHT = 17;
+    /** From the middle of a line down to where its letters stand, pixels. */
+    private static final double BASE = 4.5;
     private static final double DOT = 4.5;
 
     private CollisionPainter() {
@@ -47,14 +49,15 @@ final class CollisionPainter {
     static void paintBadge(Brush brush, Collision collision, Words words) {
         List<String> lines = lines(collision, words);
         double text = lines.stream().mapToDouble(line -> brush.measure(line).getWidth()).max().orElseThrow();
-        Rectangle2D frame = new Rectangle2D.Double(BADGE_AT, BADGE_AT, text + 3 * PADDING + 2 * DOT, LINE_HEIGHT * lines.size() + PADDING);
+        double height = brush.enlarged(LINE_HEIGHT);
+        Rectangle2D frame = new Rectangle2D.Double(BADGE_AT, BADGE_AT, text + 3 * PADDING + 2 * DOT, height * lines.size() + PADDING);
         Shape badge = new RoundRectangle2D.Double(frame.getX() + 0.5, frame.getY() + 0.5, frame.getWidth(), frame.getHeight(), 8, 8);
         brush.fill(badge, brush.palette().canvas());
         brush.draw(badge, brush.palette().hit(), Brush.solid(1.6));
-        double middle = frame.getY() + 0.5 + (PADDING + LINE_HEIGHT) / 2;
+        double middle = frame.getY() + 0.5 + (PADDING + height) / 2;
         brush.fill(new Ellipse2D.Double(frame.getX() + PADDING, middle - DOT, 2 * DOT, 2 * DOT), brush.palette().hit());
         for (int i = 0; i < lines.size(); i++) {
-            brush.text(lines.get(i), frame.getX() + 2 * PADDING + 2 * DOT, middle + 4.5 + i * LINE_HEIGHT, brush.palette().text());
+            brush.text(lines.get(i), frame.getX() + 2 * PADDING + 2 * DOT, middle + brush.enlarged(BASE) + i * height, brush.palette().text());
         }
     }
 

@@ -22,6 +22,8 @@ public final class GhostPainter {
     private static final double FROM_EDGE = 8;
     private static final double PADDING = 8;
     private static final double LINE_HEIGHT = 17;
+    /** From the middle of a line down to where its letters stand, pixels. */
+    private static final double BASE = 4.5;
     private static final double SAMPLE = 26;
 
     private GhostPainter() {
@@ -79,21 +81,22 @@ public final class GhostPainter {
         brush.draw(diamond, brush.palette().canvas(), Brush.HALO);
         brush.draw(diamond, colour, SOLID);
         brush.draw(new Line2D.Double(at.x() - MARK / 2, at.y() + MARK / 2, at.x() + MARK / 2, at.y() - MARK / 2), colour, SOLID);
-        brush.label(text, at.x(), at.y() - MARK - LINE_HEIGHT / 2, colour);
+        brush.label(text, at.x(), at.y() - MARK - brush.enlarged(LINE_HEIGHT) / 2, colour);
     }
 
     /** In the lower left corner, with a sample of the robot's outline. */
     private static void paintCaption(Brush brush, Ghost ghost) {
-        double text = ghost.caption().stream().mapToDouble(line -> brush.measure(line).getWidth()).max().orElse(0);
-        double height = LINE_HEIGHT * ghost.caption().size() + PADDING;
+        double text = ghost.caption().stream().mapToDouble(words -> brush.measure(words).getWidth()).max().orElse(0);
+        double line = brush.enlarged(LINE_HEIGHT);
+        double height = line * ghost.caption().size() + PADDING;
         double top = Math.rint(brush.camera().height() - FROM_EDGE - height) + 0.5;
         Shape badge = new RoundRectangle2D.Double(FROM_EDGE + 0.5, top, Math.ceil(text + SAMPLE + 3 * PADDING), height, 8, 8);
         brush.fill(badge, brush.palette().canvas());
         brush.draw(badge, brush.palette().ghost(), Brush.solid(1));
-        double middle = top + (PADDING + LINE_HEIGHT) / 2;
+        double middle = top + (PADDING + line) / 2;
         brush.draw(new Line2D.Double(FROM_EDGE + PADDING, middle, FROM_EDGE + PADDING + SAMPLE, middle), brush.palette().ghost(), DASHED);
         for (int i = 0; i < ghost.caption().size(); i++) {
-            brush.text(ghost.caption().get(i), FROM_EDGE + 2 * PADDING + SAMPLE, middle + 4.5 + i * LINE_HEIGHT, brush.palette().text());
+            brush.text(ghost.caption().get(i), FROM_EDGE + 2 * PADDING + SAMPLE, middle + brush.enlarged(BASE) + i * line, brush.palette().text());
         }
     }
 }

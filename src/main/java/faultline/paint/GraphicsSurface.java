@@ -1,6 +1,7 @@
 package faultline.paint;
 
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.GraphicsDevice;
 import java.awt.Rectangle;
@@ -49,20 +50,20 @@ record GraphicsSurface(Graphics2D graphics) implements Surface {
     }
 
     @Override
-    public void text(String text, double x, double y, Color colour) {
-        graphics.setFont(Brush.FONT);
+    public void text(String text, double x, double y, Color colour, Font font) {
+        graphics.setFont(font);
         graphics.setColor(colour);
         graphics.drawString(text, (float) x, (float) y);
     }
 
     @Override
-    public void haloedText(String text, double x, double y, Color colour, Color halo) {
+    public void haloedText(String text, double x, double y, Color colour, Color halo, Font font) {
         AffineTransform place = graphics.getTransform();
         boolean upright = (place.getType() & ~(AffineTransform.TYPE_TRANSLATION | AffineTransform.TYPE_UNIFORM_SCALE)) == 0;
         if (upright && isImage()) {
-            Stamp.of(text, colour, halo, place.getScaleX()).paint(graphics, x, y);
+            Stamp.of(text, font, colour, halo, place.getScaleX()).paint(graphics, x, y);
         } else {
-            outlined(text, x, y, colour, halo);
+            outlined(text, x, y, colour, halo, font);
         }
     }
 
@@ -71,8 +72,8 @@ record GraphicsSurface(Graphics2D graphics) implements Surface {
         return graphics.getDeviceConfiguration().getDevice().getType() == GraphicsDevice.TYPE_IMAGE_BUFFER;
     }
 
-    private void outlined(String text, double x, double y, Color colour, Color halo) {
-        Shape outline = Brush.FONT.createGlyphVector(fonts(), text).getOutline((float) x, (float) y);
+    private void outlined(String text, double x, double y, Color colour, Color halo, Font font) {
+        Shape outline = font.createGlyphVector(fonts(), text).getOutline((float) x, (float) y);
         draw(outline, halo, Brush.HALO);
         fill(outline, colour);
     }

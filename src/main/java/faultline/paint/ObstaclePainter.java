@@ -4,10 +4,12 @@ import faultline.geometry.RigidMotion;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.font.FontRenderContext;
 import java.awt.geom.Rectangle2D;
+import java.util.Optional;
 
 /**
  * Paints one obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour and with a heavier
@@ -51,12 +53,12 @@ final class ObstaclePainter {
         }
     }
 
-    /** Where the outline and the name leave marks, pixels. */
-    static Rectangle2D extent(Camera camera, Obstacle obstacle, boolean named) {
+    /** Where the outline, and the name if there is a font for it, leave marks, pixels. */
+    static Rectangle2D extent(Camera camera, Obstacle obstacle, Optional<Font> names) {
         Rectangle2D bounds = camera.transform().createTransformedShape(ObstacleOutlines.inWorld(obstacle)).getBounds2D();
-        double halfName = named ? Brush.FONT.getStringBounds(obstacle.id(), FONTS).getWidth() / 2 : 0;
+        double halfName = names.map(font -> font.getStringBounds(obstacle.id(), FONTS).getWidth() / 2).orElse(0.0);
         double across = Math.max(bounds.getWidth() / 2, halfName) + BLEED;
-        double up = bounds.getHeight() / 2 + (named ? NAME_HEIGHT : BLEED);
+        double up = bounds.getHeight() / 2 + names.map(font -> NAME_HEIGHT * font.getSize2D() / Brush.FONT.getSize2D()).orElse(BLEED);
         return new Rectangle2D.Double(bounds.getCenterX() - across, bounds.getCenterY() - up, 2 * across, 2 * up);
     }
 
@@ -64,7 +66,7 @@ final class ObstaclePainter {
     static void paintName(Brush brush, Obstacle obstacle) {
         Rectangle2D bounds = brush.onScreen(ObstacleOutlines.inWorld(obstacle)).getBounds2D();
         boolean hides = Math.max(bounds.getWidth(), bounds.getHeight()) < SMALL;
-        double y = hides ? bounds.getMinY() - NAME_GAP : bounds.getCenterY();
+        double y = hides ? bounds.getMinY() - brush.enlarged(NAME_GAP) : bounds.getCenterY();
         brush.label(obstacle.id(), bounds.getCenterX(), y, brush.palette().text());
     }
 }

@@ -71,7 +71,7 @@ public record ScenePainter(Set<Layer> layers, Words words) {
     public void paintStill(Brush brush, Obstacle obstacle) {
         ObstaclePainter.paint(brush, obstacle);
         if (showsNames()) {
-            ObstaclePainter.paintName(brush, obstacle);
+            ObstaclePainter.paintName(brush.lettered(words.font()), obstacle);
         }
     }
 
@@ -83,7 +83,7 @@ public record ScenePainter(Set<Layer> layers, Words words) {
      * @return pixels; its outline and its name are wholly inside
      */
     public Rectangle2D extent(Camera camera, Obstacle obstacle) {
-        return ObstaclePainter.extent(camera, obstacle, showsNames());
+        return ObstaclePainter.extent(camera, obstacle, showsNames() ? Optional.of(words.font()) : Optional.empty());
     }
 
     /**
@@ -125,14 +125,14 @@ public record ScenePainter(Set<Layer> layers, Words words) {
      */
     public void paintMargin(Brush brush, Snapshot world) {
         if (layers.contains(Layer.SCALE_BAR)) {
-            ScaleBarPainter.paint(brush);
+            ScaleBarPainter.paint(brush.lettered(words.font()));
         }
-        world.collision().ifPresent(collision -> CollisionPainter.paintBadge(brush, collision, words));
+        world.collision().ifPresent(collision -> CollisionPainter.paintBadge(brush.lettered(words.font()), collision, words));
     }
 
     private void paintMoving(Brush brush, Obstacle obstacle) {
         if (layers.contains(Layer.ROUTES)) {
-            obstacle.motion().ifPresent(motion -> RoutePainter.paint(brush, motion));
+            obstacle.motion().ifPresent(motion -> RoutePainter.paint(brush.lettered(words.font()), motion));
         }
         paintStill(brush, obstacle);
     }
@@ -145,7 +145,7 @@ public record ScenePainter(Set<Layer> layers, Words words) {
             SensorPainter.paintCone(brush, i, sensors.get(i));
         }
         for (int i = 0; i < sensors.size(); i++) {
-            SensorPainter.paintLabels(brush, i, sensors.get(i), words);
+            SensorPainter.paintLabels(brush.lettered(words.font()), i, sensors.get(i), words);
         }
     }
 }

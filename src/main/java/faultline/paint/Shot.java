@@ -82,7 +82,7 @@ public record Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layer
      */
     public String svg() {
         SvgSurface surface = new SvgSurface(camera.width(), camera.height());
-        paint(new Brush(surface, camera, palette));
+        paint(new Brush(surface, camera, palette, Brush.FONT));
         return surface.toFile();
     }
 }

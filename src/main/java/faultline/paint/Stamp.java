@@ -1,6 +1,7 @@
 package faultline.paint;
 
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
@@ -36,10 +37,10 @@ record Stamp(BufferedImage image, int left, int base) {
     });
 
     /** All that a stamp depends on; the scale is device pixels per pixel. */
-    private record Look(String text, Color colour, Color halo, double scale) {
+    private record Look(String text, Font font, Color colour, Color halo, double scale) {
 
         private Stamp stamp() {
-            Shape letters = Brush.FONT.createGlyphVector(FONTS, text).getOutline();
+            Shape letters = font.createGlyphVector(FONTS, text).getOutline();
             Shape rim = Brush.HALO.createStrokedShape(letters);
             AffineTransform larger = AffineTransform.getScaleInstance(scale, scale);
             Rectangle bounds = larger.createTransformedShape(rim).getBounds();
@@ -60,8 +61,8 @@ record Stamp(BufferedImage image, int left, int base) {
     }
 
     /** The stamp of a text; {@code scale} is device pixels per pixel. Any thread. */
-    static Stamp of(String text, Color colour, Color halo, double scale) {
-        Look look = new Look(text, colour, halo, scale);
+    static Stamp of(String text, Font font, Color colour, Color halo, double scale) {
+        Look look = new Look(text, font, colour, halo, scale);
         Stamp kept = KEPT.get(look);
         return kept == null ? made(look) : kept;
     }

@@ -1,6 +1,7 @@
 package faultline.paint;
 
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.font.FontRenderContext;
@@ -29,14 +30,15 @@ public interface Surface {
     void draw(Shape shape, Color colour, Stroke stroke);
 
     /**
-     * Writes a line of text in the font of labels.
+     * Writes a line of text.
      *
      * @param text what to write
      * @param x of the left end of its base line
      * @param y of the left end of its base line
      * @param colour of the letters
+     * @param font of the letters
      */
-    void text(String text, double x, double y, Color colour);
+    void text(String text, double x, double y, Color colour, Font font);
 
     /**
      * Writes a line of text that is set off from whatever lies beneath.
@@ -46,8 +48,9 @@ public interface Surface {
      * @param y of the left end of its base line
      * @param colour of the letters
      * @param halo about the letters; may be translucent
+     * @param font of the letters
      */
-    void haloedText(String text, double x, double y, Color colour, Color halo);
+    void haloedText(String text, double x, double y, Color colour, Color halo, Font font);
 
     /**
      * What texts are measured with.

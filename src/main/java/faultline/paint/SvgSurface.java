@@ -3,6 +3,7 @@ package faultline.paint;
 import faultline.paint.plot.SvgText;
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.font.FontRenderContext;
@@ -44,13 +45,17 @@ final class SvgSurface implements Surface {
     }
 
     @Override
-    public void text(String text, double x, double y, Color colour) {
-        write(text, x, y, SvgText.paint("fill", colour));
+    public void text(String text, double x, double y, Color colour, Font font) {
+        write(text, x, y, size(font) + SvgText.paint("fill", colour));
     }
 
     @Override
-    public void haloedText(String text, double x, double y, Color colour, Color halo) {
-        write(text, x, y, SvgText.paint("fill", colour) + SvgText.paint("stroke", halo) + line((BasicStroke) Brush.HALO) + " paint-order=\"stroke\"");
+    public void haloedText(String text, double x, double y, Color colour, Color halo, Font font) {
+        write(text, x, y, size(font) + SvgText.paint("fill", colour) + SvgText.paint("stroke", halo) + line((BasicStroke) Brush.HALO) + " paint-order=\"stroke\"");
+    }
+
+    private static String size(Font font) {
+        return font.getSize() == Brush.FONT.getSize() ? "" : " font-size=\"" + font.getSize() + '"';
     }
 
     private void write(String text, double x, double y, String attributes) {

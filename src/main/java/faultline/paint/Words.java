@@ -1,6 +1,7 @@
 package faultline.paint;
 
 import faultline.sensor.FaultKind;
+import java.awt.Font;
 import java.util.function.Function;
 
 /**
@@ -11,9 +12,10 @@ import java.util.function.Function;
  * @param off before the sensors that were switched off then
  * @param switchedOff beside a sensor that is switched off
  * @param fault what a kind of fault is called
+ * @param font that they are written in
  */
-public record Words(String collision, String faults, String off, String switchedOff, Function<FaultKind, String> fault) {
+public record Words(String collision, String faults, String off, String switchedOff, Function<FaultKind, String> fault, Font font) {
 
     /** For files. */
-    public static final Words ENGLISH = new Words("First collision", "Faults then", "Switched off then", "off", FaultKind::fileName);
+    public static final Words ENGLISH = new Words("First collision", "Faults then", "Switched off then", "off", FaultKind::fileName, Brush.FONT);
 }

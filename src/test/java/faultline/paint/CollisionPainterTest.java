@@ -21,7 +21,7 @@ class CollisionPainterTest {
 
     @Test
     void theBadgeSpeaksTheWordsThatItIsGiven() {
-        Words words = new Words("Zderzenie", "Uszkodzone", "Wy\u0142\u0105czone", "wy\u0142.", kind -> "zepsuty");
+        Words words = new Words("Zderzenie", "Uszkodzone", "Wy\u0142\u0105czone", "wy\u0142.", kind -> "zepsuty", Brush.FONT);
         Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of("left", List.of(new Fault.Dead())), List.of("rear"));
         assertEquals(List.of("Zderzenie   x 3.142 m   y 1.871 m   t 12.480 s   desk", "Uszkodzone: left zepsuty", "Wy\u0142\u0105czone: rear"),
                 CollisionPainter.lines(collision, words));

@@ -60,7 +60,7 @@ final class Picture {
             ghost.ifPresent(earlier -> ghostPath.show(graphics, camera));
             path.show(graphics, camera);
         }
-        Brush brush = new Brush(graphics, camera, palette);
+        Brush brush = new Brush(graphics, camera, palette).lettered(PictureWords.font());
         ghost.ifPresent(earlier -> GhostPainter.paintBeneath(brush, earlier, frame.world()));
         painter.paintLive(brush, frame, byLife.get(true), driven.tailFrom(path.shown()));
         byLife.get(true).stream().filter(scene::isSelected).forEach(obstacle -> SelectionPainter.paintOutline(brush, obstacle));

@@ -259,7 +259,7 @@ public final class SimulationCanvas extends JComponent {
         graphics.fillRect(0, 0, getWidth(), getHeight());
         scene.frame().ifPresent(frame -> {
             picture.paint(graphics, camera(), palette, layers, frame, scene);
-            hand.paint(new Brush(graphics, camera(), palette));
+            hand.paint(new Brush(graphics, camera(), palette).lettered(PictureWords.font()));
         });
         if (!picture.isComplete()) {
             repaint();

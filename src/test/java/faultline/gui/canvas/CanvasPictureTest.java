@@ -10,6 +10,7 @@ import faultline.engine.Path;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vec;
+import faultline.gui.theme.TextSize;
 import faultline.paint.FrameImage;
 import faultline.paint.Ghost;
 import faultline.paint.Layer;
@@ -145,6 +146,26 @@ class CanvasPictureTest {
     @Test
     void aCanvasWithoutAFrameIsEmpty() {
         assertEquals(Palette.LIGHT.canvas().getRGB(), paint(1).getRGB(WIDTH / 2, HEIGHT / 2));
+    }
+
+    @Test
+    void lettersAreAsLargeAsTheTextsOfTheWindow() {
+        try {
+            Frame frame = SampleFrames.everything();
+            int usual = Pixels.unlike(shownUnlettered(frame), shown(frame));
+            edt(TextSize.LARGEST::install);
+            int largest = Pixels.unlike(shownUnlettered(frame), shown(frame));
+            assertTrue(largest > 1.3 * usual, "a scale bar's name of " + usual + " pixels became one of " + largest);
+        } finally {
+            edt(TextSize.NORMAL::install);
+        }
+    }
+
+    private BufferedImage shownUnlettered(Frame frame) {
+        edt(() -> canvas.setLayer(Layer.SCALE_BAR, false));
+        BufferedImage image = shown(frame);
+        edt(() -> canvas.setLayer(Layer.SCALE_BAR, true));
+        return image;
     }
 
     @Test
