@@ -25,6 +25,14 @@ final class Mover {
         this.place = start;
     }
 
+    /** What this one becomes when its obstacle is exchanged: on the same way, at whatever speed, it goes on to the same way-point. */
+    Mover exchanged(Mover other) {
+        if (motion.at(other.motion.speed()).equals(other.motion)) {
+            other.next = next;
+        }
+        return other;
+    }
+
     Vec place() {
         return place;
     }

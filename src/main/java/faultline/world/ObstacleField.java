@@ -176,7 +176,7 @@ final class ObstacleField {
         }
     }
 
-    /** Builds the field anew from a changed list; movers other than the changed one keep their way. */
+    /** Builds the field anew from a changed list; movers keep their way, the changed one only if it is the same. */
     private void reset(List<Obstacle> all, String changed) {
         List<String> ids = moving.stream().map(owner -> obstacles.get(owner).id()).toList();
         List<Mover> kept = List.copyOf(movers);
@@ -187,8 +187,8 @@ final class ObstacleField {
         all.forEach(this::append);
         for (int i = 0; i < moving.size(); i++) {
             int before = ids.indexOf(obstacles.get(moving.get(i)).id());
-            if (before >= 0 && !ids.get(before).equals(changed)) {
-                movers.set(i, kept.get(before));
+            if (before >= 0) {
+                movers.set(i, ids.get(before).equals(changed) ? kept.get(before).exchanged(movers.get(i)) : kept.get(before));
             }
         }
         rebuild();

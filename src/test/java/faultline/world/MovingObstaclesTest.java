@@ -45,6 +45,24 @@ class MovingObstaclesTest {
     }
 
     @Test
+    void atAnotherSpeedItGoesOnToTheWayPointThatItWasGoingTo() {
+        Obstacle visitor = visitor(0, 0, 0.5, false, new Vec(1, 0), new Vec(1, 1));
+        World world = world(new Pose(5, 3.5, 0), visitor);
+        assertAt(1, 0.5, after(world, 3));
+        Obstacle faster = visitor(1, 0.5, 1, false, new Vec(1, 0), new Vec(1, 1));
+        assertEquals(Optional.empty(), world.apply(new Command.PutObstacle(faster)));
+        assertAt(1, 0.75, after(world, 0.25));
+    }
+
+    @Test
+    void onAnotherWayItGoesToTheFirstWayPoint() {
+        World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 0.5, false, new Vec(1, 0), new Vec(1, 1)));
+        after(world, 3);
+        assertEquals(Optional.empty(), world.apply(new Command.PutObstacle(visitor(1, 0.5, 0.5, false, new Vec(0, 0.5), new Vec(1, 1)))));
+        assertAt(0.5, 0.5, after(world, 1));
+    }
+
+    @Test
     void withoutALoopItStaysAtTheLastWayPoint() {
         World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 0.5, false, new Vec(1, 0)));
         assertAt(1, 0, after(world, 10));
