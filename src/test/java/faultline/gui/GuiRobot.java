@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.fail;
 import java.awt.AWTEvent;
 import java.awt.AWTException;
 import java.awt.Component;
+import java.awt.Dialog;
 import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Robot;
 import java.awt.Toolkit;
@@ -13,11 +15,13 @@ import java.awt.Window;
 import java.awt.event.AWTEventListener;
 import java.awt.event.MouseEvent;
 import java.lang.reflect.InvocationTargetException;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
 
 /**
@@ -27,7 +31,10 @@ import javax.swing.SwingUtilities;
 public final class GuiRobot {
 
     /** How long a condition may take to come true; generous, because only a failing test waits that long. */
-    private static final long DEADLINE_SECONDS = 10;
+    private static final long DEADLINE_SECONDS = 60;
+
+    /** So often a window is given the focus that the window manager has left with nobody, as a user would click on it. */
+    private static final long NUDGE_NANOS = TimeUnit.SECONDS.toNanos(3);
 
     /** How many moves a drag is made of, so that components see a hand and not a jump. */
     private static final int DRAG_STEPS = 10;
@@ -65,12 +72,28 @@ public final class GuiRobot {
 
     /** Waits until a condition, asked on the event dispatch thread, holds. */
     public void waitFor(String what, Callable<Boolean> condition) {
-        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_SECONDS);
-        while (!onEdt(condition)) {
-            if (System.nanoTime() > deadline) {
+        long begun = System.nanoTime();
+        for (long nudges = 1; !onEdt(condition); robot.waitForIdle()) {
+            long waited = System.nanoTime() - begun;
+            if (waited > TimeUnit.SECONDS.toNanos(DEADLINE_SECONDS)) {
                 fail("waited " + DEADLINE_SECONDS + " s in vain until " + what);
             }
-            robot.waitForIdle();
+            if (waited > nudges * NUDGE_NANOS) {
+                nudges++;
+                edt(GuiRobot::focusSomething);
+            }
+        }
+    }
+
+    /** On a busy machine a window manager now and then gives the focus to nobody when a dialog closes. */
+    private static void focusSomething() {
+        if (KeyboardFocusManager.getCurrentKeyboardFocusManager().getActiveWindow() == null) {
+            List<Window> showing = Stream.of(Window.getWindows()).filter(Window::isShowing).toList();
+            Stream.concat(showing.stream().filter(window -> window instanceof Dialog dialog && dialog.isModal()), showing.stream())
+                    .findFirst().ifPresent(window -> {
+                        window.toFront();
+                        window.requestFocus();
+                    });
         }
     }
 
