@@ -72,8 +72,13 @@ public final class GuiRobot {
 
     /** Waits until a condition, asked on the event dispatch thread, holds. */
     public void waitFor(String what, Callable<Boolean> condition) {
+        repeatUntil(what, condition, robot::waitForIdle);
+    }
+
+    /** Does something again and again until a condition, asked on the event dispatch thread, holds. */
+    public void repeatUntil(String what, Callable<Boolean> condition, Runnable action) {
         long begun = System.nanoTime();
-        for (long nudges = 1; !onEdt(condition); robot.waitForIdle()) {
+        for (long nudges = 1; !onEdt(condition); action.run()) {
             long waited = System.nanoTime() - begun;
             if (waited > TimeUnit.SECONDS.toNanos(DEADLINE_SECONDS)) {
                 fail("waited " + DEADLINE_SECONDS + " s in vain until " + what);

@@ -159,9 +159,8 @@ final class RandomUser {
 
     /** Escapes from menus and dialogs. */
     private void closeAll() {
-        while (onEdt(() -> dialogs().findAny().isPresent() || isMenuOpen())) {
-            robot.type(KeyEvent.VK_ESCAPE);
-        }
+        robot.repeatUntil("all dialogs and menus are closed", () -> dialogs().findAny().isEmpty() && !isMenuOpen(),
+                () -> robot.type(KeyEvent.VK_ESCAPE));
         robot.type(KeyEvent.VK_ESCAPE);
     }
 
