@@ -28,14 +28,17 @@ final class EventTable extends AbstractTableModel {
     /** Shows a newer log; true where rows were added. */
     boolean show(EventLog newest) {
         EventLog before = log;
+        int rows = getRowCount();
+        int rowOfDivergence = rowOfDivergence();
         log = newest;
-        boolean continues = divergence.isEmpty() && before.first() == newest.first() && before.end() <= newest.end() && startsAlike(before, newest);
+        boolean continues = rowOfDivergence == rowOfDivergence() && before.first() == newest.first() && before.end() <= newest.end()
+                && startsAlike(before, newest);
         if (!continues) {
             fireTableDataChanged();
-        } else if (newest.end() > before.end()) {
-            fireTableRowsInserted((int) (before.end() - before.first()), getRowCount() - 1);
+        } else if (getRowCount() > rows) {
+            fireTableRowsInserted(rows, getRowCount() - 1);
         }
-        return !continues || newest.end() > before.end();
+        return !continues || getRowCount() > rows;
     }
 
     /** Another run's events are other objects. */
