@@ -251,7 +251,7 @@ public final class SimulatorFrame extends JFrame {
             edits.passed(frame.world().tick());
             replay.show(frame);
             ghosts.show(frame);
-            area.time().show(frame, run.travel().furthest());
+            bench.scenario().ifPresent(open -> area.time().show(frame, run.travel().furthest(), open.setup().dt()));
             runActions.show(status);
         }));
     }

@@ -55,11 +55,11 @@ final class TimeBar extends JPanel {
         return slider.getValueIsAdjusting();
     }
 
-    /** Shows where the run is, and how far it has been. */
-    void show(Frame frame, long furthest) {
+    /** Shows where the run is, and how far it has been, ticks of {@code newDt} seconds. */
+    void show(Frame frame, long furthest, double newDt) {
         assert EventQueue.isDispatchThread();
         newest = Optional.of(frame);
-        dt = frame.world().tick() > 0 ? frame.world().time() / frame.world().tick() : dt;
+        dt = newDt;
         if (!isHeld()) {
             showing = true;
             slider.setMaximum(ticks(Math.max(furthest, frame.world().tick())));

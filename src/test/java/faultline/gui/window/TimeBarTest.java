@@ -18,6 +18,7 @@ import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.JLabel;
 import javax.swing.JSlider;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -29,6 +30,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 class TimeBarTest {
 
     private static final int TICKS = 40;
+    private static final double DT = 0.01;
 
     private final List<Frame> previews = new ArrayList<>();
     private Bench bench;
@@ -112,10 +114,18 @@ class TimeBarTest {
         assertEquals(0, onEdt(slider::getMaximum));
     }
 
+    @Test
+    void aRunThatIsSavedShowsItsEndBeforeItsFirstTick() {
+        edt(run::restart);
+        waitForTick(0);
+        edt(() -> bar.show(run.frame().orElseThrow(), 1200, 0.02));
+        assertEquals(List.of("0.00 s", "24.00 s"), onEdt(() -> Components.all(bar, JLabel.class).map(label -> label.getText().strip()).toList()));
+    }
+
     private void waitForTick(long tick) {
         Patience.waitFor("tick " + tick, () -> {
             Frame frame = run.frame().orElseThrow();
-            bar.show(frame, run.travel().furthest());
+            bar.show(frame, run.travel().furthest(), DT);
             return frame.world().tick() == tick;
         });
     }
