@@ -8,12 +8,16 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * A file that is there whole or not at all: written under another name in the same folder, and moved into place by {@link #commit()}. One
  * that is closed without that leaves no trace. A device such as {@code /dev/stdout} is written directly.
  */
 public final class AtomicFile implements AutoCloseable {
+
+    /** The same file may be written twice at once, as by two saves in quick succession: each has its own place until its commit. */
+    private static final AtomicLong NEXT = new AtomicLong();
 
     private final Path target;
     private final Path written;
@@ -52,7 +56,7 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     private static AtomicFile besides(Path target) throws IOException {
-        Path written = target.resolveSibling("." + target.getFileName() + "." + ProcessHandle.current().pid() + ".tmp");
+        Path written = target.resolveSibling("." + target.getFileName() + "." + ProcessHandle.current().pid() + "-" + NEXT.incrementAndGet() + ".tmp");
         OutputStream stream = Files.newOutputStream(written, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING,
                 StandardOpenOption.WRITE);
         return new AtomicFile(target, written, new BufferedOutputStream(stream));

@@ -49,6 +49,20 @@ class AtomicFileTest {
     }
 
     @Test
+    void ofTwoThatAreWrittenAtOnceTheLastCommittedOneIsThereAsAWhole() throws IOException {
+        Path file = folder.resolve("a.txt");
+        try (AtomicFile one = AtomicFile.create(file); AtomicFile other = AtomicFile.create(file)) {
+            one.stream().write("the longer one".getBytes(StandardCharsets.UTF_8));
+            other.stream().write("other".getBytes(StandardCharsets.UTF_8));
+            one.commit();
+            assertEquals("the longer one", Files.readString(file));
+            other.commit();
+        }
+        assertEquals("other", Files.readString(file));
+        assertEquals(List.of(file), files());
+    }
+
+    @Test
     void aLinkStaysALink() throws IOException {
         Path file = Files.writeString(folder.resolve("a.txt"), "old");
         Path link = Files.createSymbolicLink(folder.resolve("link.txt"), file);
