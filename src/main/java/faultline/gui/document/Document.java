@@ -29,7 +29,7 @@ record Document(Optional<Path> file, Optional<Scenario> saved, Scenario begun, S
     }
 
     Document savedAs(Path newFile, Scenario newSaved) {
-        return new Document(Optional.of(newFile), Optional.of(newSaved), begun, newSaved);
+        return new Document(Optional.of(newFile), Optional.of(newSaved), begun, edited);
     }
 
     /** The scenario after what was done to its run. */

@@ -92,8 +92,12 @@ public final class Filing {
         });
     }
 
-    private void noteSaved(Work before, Path file, Scenario scenario) {
-        bench.change(before, document -> document.savedAs(file, scenario));
+    /** The scenario is in its file as it was before; what was edited while it was written is unsaved. */
+    void noteSaved(Work before, Path file, Scenario scenario) {
+        bench.change(before, document -> {
+            Document saved = document.savedAs(file, scenario);
+            return document.edited().equals(before.document().edited()) ? saved.withEdited(scenario) : saved;
+        });
         bench.listener().saved();
         bench.listener().renamed();
     }

@@ -160,6 +160,17 @@ class BenchTest {
         assertEquals(2, begun);
     }
 
+    @Test
+    void whatIsEditedWhileAFileIsWrittenStaysUnsaved() {
+        Work asked = onEdt(() -> bench.work().orElseThrow());
+        move();
+        waitFor("the mark", bench::isChanged);
+        Scenario edited = onEdt(() -> bench.scenario().orElseThrow());
+        edt(() -> filing.noteSaved(asked, file, asked.document().edited()));
+        assertTrue(onEdt(bench::isChanged));
+        assertEquals(edited, onEdt(() -> bench.scenario().orElseThrow()));
+    }
+
     private void send(Command command) {
         run.send(List.of(command), outcomes -> {
         });
