@@ -163,7 +163,7 @@ public final class Bench implements AutoCloseable {
             made.session().close();
             return;
         }
-        close();
+        endRun();
         work = Optional.of(made);
         desks.forEach(desk -> desk.began(way.task(), made));
         tell(way.task(), made);
@@ -242,9 +242,15 @@ public final class Bench implements AutoCloseable {
         return work.map(Work::document);
     }
 
-    /** Ends the run. */
+    /** Ends the run, and gives up what is on its way here. */
     @Override
     public void close() {
+        underWay.ifPresent(UnderWay::cancel);
+        underWay = Optional.empty();
+        endRun();
+    }
+
+    private void endRun() {
         work.ifPresent(now -> now.session().close());
         work = Optional.empty();
     }

@@ -23,6 +23,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -169,6 +170,22 @@ class BenchTest {
         edt(() -> filing.noteSaved(asked, file, asked.document().edited()));
         assertTrue(onEdt(bench::isChanged));
         assertEquals(edited, onEdt(() -> bench.scenario().orElseThrow()));
+    }
+
+    @Test
+    void whatIsOnItsWayWhenTheBenchClosesNeverBegins() {
+        CompletableFuture<Work> made = new CompletableFuture<>();
+        edt(() -> {
+            Document document = bench.work().orElseThrow().document();
+            bench.begin(Bench.Task.OPEN, file, way -> {
+                made.complete(Work.begin(document));
+                return made.join();
+            });
+            bench.close();
+        });
+        Patience.waitFor("the end of a session that nobody wants", () -> made.isDone() && made.join().session().journal().isCompletedExceptionally());
+        assertEquals(1, begun);
+        assertEquals(Optional.empty(), onEdt(bench::file));
     }
 
     private void send(Command command) {
