@@ -41,6 +41,10 @@ public final class RunDesk {
     private final class Newcomers implements Bench.Desk {
         @Override
         public void began(Task task, Work made) {
+            if (task == Task.OPEN) {
+                // They were meant for the scenario before.
+                held.clear();
+            }
             made.session().setSpeed(speed);
             travel.began(task, made.document().begun());
             travel.replayEnd().ifPresent(made.session()::holdAt);

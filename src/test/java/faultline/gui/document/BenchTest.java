@@ -188,6 +188,20 @@ class BenchTest {
         assertEquals(Optional.empty(), onEdt(bench::file));
     }
 
+    @Test
+    void whatWasOrderedOfOneScenarioIsNotDoneToTheNext() throws IOException {
+        Path other = Files.copy(file, folder.resolve("other.xml"));
+        edt(() -> {
+            run.restart();
+            send(new Command.MoveObstacle(OBSTACLE, ELSEWHERE));
+            filing.open(other);
+        });
+        waitFor("the other file", () -> bench.file().equals(Optional.of(other)));
+        edt(run::step);
+        waitFor("a tick", () -> run.frame().orElseThrow().world().tick() == 1);
+        assertFalse(obstacle(frame().world().obstacles()).pose().equals(ELSEWHERE));
+    }
+
     private void send(Command command) {
         run.send(List.of(command), outcomes -> {
         });
