@@ -45,7 +45,11 @@ public final class Autosave implements AutoCloseable {
                 write(origin, unsaved);
                 return unsaved;
             }, done -> {
-            }, why -> LOG.log(Level.WARNING, "unsaved edits cannot be kept", why));
+            }, why -> {
+                // Next time, once more.
+                certain = false;
+                LOG.log(Level.WARNING, "unsaved edits cannot be kept", why);
+            });
         }
     }
 

@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.Optional;
 import java.util.stream.Stream;
 
@@ -18,6 +20,8 @@ public final class Recovery {
 
     private static final String SCENARIO = ".xml";
     private static final String ORIGIN = ".origin";
+    /** When a process began is known to about a second; a clock that is set changes it by more. */
+    private static final Duration SLACK = Duration.ofMinutes(1);
 
     private final Path folder;
     private final long process;
@@ -49,7 +53,7 @@ public final class Recovery {
     void keep(Optional<Path> origin, Scenario scenario) throws IOException {
         Files.createDirectories(folder);
         write(folder.resolve(process + ORIGIN), origin.map(file -> file.toAbsolutePath().toString()).orElse("").getBytes(StandardCharsets.UTF_8));
-        write(folder.resolve(process + SCENARIO), scenario.toBytes());
+        write(own(), scenario.toBytes());
     }
 
     private static void write(Path file, byte[] bytes) throws IOException {
@@ -59,9 +63,22 @@ public final class Recovery {
         }
     }
 
+    /** Keeps what was left by another process as this one's own from now on. */
+    void adopt(Rescue rescue) throws IOException {
+        keep(rescue.origin(), rescue.scenario());
+        // A process that is gone may have had the number that this one has.
+        if (!rescue.kept().equals(own())) {
+            forget(rescue.kept());
+        }
+    }
+
     /** Nothing is unsaved any more. */
     void forget() throws IOException {
-        forget(folder.resolve(process + SCENARIO));
+        forget(own());
+    }
+
+    private Path own() {
+        return folder.resolve(process + SCENARIO);
     }
 
     /**
@@ -95,9 +112,20 @@ public final class Recovery {
         }
     }
 
+    /** Whether the process that kept it is gone; where another has its number now, that one began later than the file was written. */
     private static boolean isOrphan(Path kept) {
         long owner = Long.parseLong(kept.getFileName().toString().replace(SCENARIO, ""));
-        return ProcessHandle.of(owner).isEmpty();
+        return ProcessHandle.of(owner).map(process -> process.info().startInstant().filter(start -> start.isAfter(written(kept).plus(SLACK)))
+                .isPresent()).orElse(true);
+    }
+
+    private static Instant written(Path kept) {
+        try {
+            return Files.getLastModifiedTime(kept).toInstant();
+        } catch (IOException gone) {
+            // Its owner has just taken it away.
+            return Instant.now();
+        }
     }
 
     private static Optional<Rescue> rescue(Path kept) {

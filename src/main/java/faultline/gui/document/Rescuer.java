@@ -49,9 +49,10 @@ public final class Rescuer {
 
     private static Optional<Recovery.Rescue> settle(Recovery recovery, Recovery.Rescue rescue, boolean taken) throws IOException {
         if (taken) {
-            recovery.keep(rescue.origin(), rescue.scenario());
+            recovery.adopt(rescue);
+        } else {
+            recovery.forget(rescue.kept());
         }
-        recovery.forget(rescue.kept());
         return Optional.of(rescue);
     }
 

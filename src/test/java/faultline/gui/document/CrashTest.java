@@ -17,6 +17,8 @@ import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.logging.Logger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -79,6 +81,37 @@ class CrashTest {
         Recovery own = new Recovery(folder.resolve("kept"), ProcessHandle.current().pid());
         own.keep(Optional.empty(), onEdt(() -> bench.scenario().orElseThrow()));
         assertEquals(Optional.empty(), own.left());
+    }
+
+    @Test
+    void editsOfAProcessWhoseNumberAnotherHasByNowAreOffered() throws IOException {
+        Recovery own = new Recovery(folder.resolve("kept"), ProcessHandle.current().pid());
+        own.keep(Optional.of(file), onEdt(() -> bench.scenario().orElseThrow()));
+        Path kept = folder.resolve("kept").resolve(ProcessHandle.current().pid() + ".xml");
+        Files.setLastModifiedTime(kept, FileTime.fromMillis(0));
+        Recovery.Rescue rescue = own.left().orElseThrow();
+        own.adopt(rescue);
+        assertTrue(Files.exists(kept), "they are this process's own now");
+        assertEquals(Optional.empty(), own.left());
+    }
+
+    @Test
+    void editsThatCouldNotBeKeptAreKeptAsSoonAsTheyCanBe() throws IOException {
+        Recovery dying = new Recovery(folder.resolve("kept"), DEAD);
+        Path obstacle = Files.createFile(folder.resolve("kept"));
+        AtomicBoolean failed = new AtomicBoolean();
+        Logger log = Logger.getLogger(Autosave.class.getName());
+        log.setFilter(record -> {
+            failed.set(true);
+            return false;
+        });
+        edit();
+        Autosave autosave = autosave(dying);
+        Patience.waitFor("the failure", failed::get);
+        log.setFilter(null);
+        Files.delete(obstacle);
+        edt(autosave::keep);
+        Patience.waitFor("the kept edits", () -> dying.left().isPresent());
     }
 
     @Test
