@@ -11,9 +11,11 @@ final class Effort {
     /** So long may a frame be painted on, nanoseconds. */
     private static final long MOST = 5_000_000;
 
+    private static final double WHOLE = 1;
+
     private final LongSupplier clock;
     private final long begun;
-    private double left = 1;
+    private double left = WHOLE;
 
     /**
      * The effort of a frame that is begun now.
@@ -35,7 +37,8 @@ final class Effort {
         return left;
     }
 
+    /** However late it is, each frame does something, or a slow machine would never come to an end. */
     boolean isSpent() {
-        return left <= 0 || clock.getAsLong() - begun > MOST;
+        return left <= 0 || left < WHOLE && clock.getAsLong() - begun > MOST;
     }
 }

@@ -56,8 +56,20 @@ public final class Bench implements AutoCloseable {
         default void travelled(long tick) {
         }
 
-        /** The scenario is in its file as it is edited by now. */
-        default void saved() {
+        /**
+         * The scenario is in its file as it is edited by now.
+         *
+         * @param whole whether that is all that was done to the run; switches and faults are no part of a scenario
+         */
+        default void saved(boolean whole) {
+        }
+
+        /**
+         * The journal is in a file.
+         *
+         * @param file that one
+         */
+        default void journalSaved(Path file) {
         }
     }
 

@@ -43,6 +43,16 @@ final class EditedSetup {
         return edited.setup();
     }
 
+    /** Whether a scenario holds all that was done to a run of it. */
+    static boolean keepsAll(Journal journal) {
+        return journal.entries().stream().map(Journal.Entry::command).noneMatch(EditedSetup::isOfOneRun);
+    }
+
+    private static boolean isOfOneRun(Command command) {
+        return command instanceof Command.SwitchSensor || command instanceof Command.InjectFault || command instanceof Command.ClearFault
+                || command instanceof Command.ClearFaults;
+    }
+
     private void take(Command command) {
         if (command instanceof Command.MoveObstacle move) {
             obstacles.computeIfPresent(move.obstacle(), (id, obstacle) -> obstacle.map(moved -> moved.at(move.pose())));

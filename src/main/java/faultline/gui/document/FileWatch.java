@@ -14,7 +14,8 @@ import javax.swing.Timer;
 
 /**
  * Notices when somebody else changes the open file. The file is looked at off the event dispatch thread; a change is told once it has
- * rested from one look to the next, so that half a file is never taken for a whole one, and only where the file now holds another scenario.
+ * rested from one look to the next, so that half a file is never taken for a whole one, and only where the file now holds another scenario
+ * or none.
  */
 public final class FileWatch implements AutoCloseable {
 
@@ -22,6 +23,7 @@ public final class FileWatch implements AutoCloseable {
 
     private final Bench bench;
     private final Consumer<Path> changed;
+    private final Consumer<ScenarioException> broken;
     private final Timer timer = new Timer(PERIOD_MILLIS, event -> look());
     private Optional<Stamp> settled = Optional.empty();
     private Optional<Stamp> last = Optional.empty();
@@ -31,20 +33,22 @@ public final class FileWatch implements AutoCloseable {
     private record Stamp(Path file, FileTime modified, long size) {
     }
 
-    /** What a look has found; the scenario is there where it was worth reading. */
-    private record Sight(Stamp stamp, Optional<Scenario> scenario) {
+    /** What a look has found; where the file was worth reading, either the scenario or what is wrong with it is there. */
+    private record Sight(Stamp stamp, Optional<Scenario> scenario, Optional<ScenarioException> complaint) {
     }
 
     /**
      * Begins to watch the open file, whichever it is.
      *
      * @param bench where it is open
-     * @param changed told of it, on the event dispatch thread
+     * @param changed told that it holds another scenario, on the event dispatch thread
+     * @param broken told that it can no longer be read, on the event dispatch thread
      */
-    public FileWatch(Bench bench, Consumer<Path> changed) {
+    public FileWatch(Bench bench, Consumer<Path> changed, Consumer<ScenarioException> broken) {
         assert EventQueue.isDispatchThread();
         this.bench = bench;
         this.changed = changed;
+        this.broken = broken;
         timer.start();
     }
 
@@ -68,28 +72,37 @@ public final class FileWatch implements AutoCloseable {
         BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
         Optional<Stamp> now = Optional.of(new Stamp(file, attributes.lastModifiedTime(), attributes.size()));
         boolean worthReading = now.equals(before) && !now.equals(known);
-        return new Sight(now.get(), worthReading ? read(file) : Optional.empty());
+        return worthReading ? read(file, now.get()) : new Sight(now.get(), Optional.empty(), Optional.empty());
     }
 
-    private static Optional<Scenario> read(Path file) {
+    private static Sight read(Path file, Stamp stamp) {
         try {
-            return Optional.of(Scenario.load(file));
-        } catch (ScenarioException broken) {
-            // Somebody is still at work on it.
-            return Optional.empty();
+            return new Sight(stamp, Optional.of(Scenario.load(file)), Optional.empty());
+        } catch (ScenarioException wrong) {
+            return new Sight(stamp, Optional.empty(), Optional.of(wrong));
         }
     }
 
     private void seen(Sight sight) {
         looking = false;
         last = Optional.of(sight.stamp());
-        sight.scenario().filter(found -> bench.file().equals(Optional.of(sight.stamp().file()))).ifPresent(found -> {
-            settled = last;
-            if (!bench.saved().equals(Optional.of(found))) {
-                changed.accept(sight.stamp().file());
-                bench.fileHolds(found);
-            }
-        });
+        if (bench.file().equals(Optional.of(sight.stamp().file()))) {
+            sight.scenario().ifPresent(this::holds);
+            sight.complaint().ifPresent(this::isBroken);
+        }
+    }
+
+    private void holds(Scenario found) {
+        settled = last;
+        if (!bench.saved().equals(Optional.of(found))) {
+            changed.accept(last.orElseThrow().file());
+            bench.fileHolds(found);
+        }
+    }
+
+    private void isBroken(ScenarioException wrong) {
+        settled = last;
+        broken.accept(wrong);
     }
 
     @Override

@@ -86,19 +86,19 @@ public final class Filing {
                 scenario.save(file);
                 return scenario;
             }, scenario -> {
-                noteSaved(now, file, scenario);
+                noteSaved(now, file, scenario, EditedSetup.keepsAll(journal.join()));
                 then.run();
             }, why -> bench.listener().failed(Task.SAVE, file, why));
         });
     }
 
     /** The scenario is in its file as it was before; what was edited while it was written is unsaved. */
-    void noteSaved(Work before, Path file, Scenario scenario) {
+    void noteSaved(Work before, Path file, Scenario scenario, boolean whole) {
         bench.change(before, document -> {
             Document saved = document.savedAs(file, scenario);
             return document.edited().equals(before.document().edited()) ? saved.withEdited(scenario) : saved;
         });
-        bench.listener().saved();
+        bench.listener().saved(whole);
         bench.listener().renamed();
     }
 
@@ -111,7 +111,6 @@ public final class Filing {
         bench.replay().ifPresent(replay -> Background.run(() -> {
             replay.join().save(file);
             return file;
-        }, written -> {
-        }, why -> bench.listener().failed(Task.SAVE_JOURNAL, file, why)));
+        }, bench.listener()::journalSaved, why -> bench.listener().failed(Task.SAVE_JOURNAL, file, why)));
     }
 }

@@ -31,6 +31,7 @@ public final class ExportDesk {
     private final Bench bench;
     private final SimulationCanvas canvas;
     private final FileChoice choice;
+    private final Consumer<Path> written;
     private final UiAction record = UiAction.toggle("record", false, this::record).on(Keystrokes.menu(KeyEvent.VK_M)).drawn(Glyph.RECORD);
     private Palette palette = Palette.LIGHT;
     private long recordedFrom;
@@ -55,12 +56,14 @@ public final class ExportDesk {
      * @param bench whose run is given out
      * @param canvas whose view is
      * @param choice asks for files
+     * @param written told of each file that was written, on the event dispatch thread
      */
-    public ExportDesk(Component parent, Bench bench, SimulationCanvas canvas, FileChoice choice) {
+    public ExportDesk(Component parent, Bench bench, SimulationCanvas canvas, FileChoice choice, Consumer<Path> written) {
         this.parent = parent;
         this.bench = bench;
         this.canvas = canvas;
         this.choice = choice;
+        this.written = written;
     }
 
     /**
@@ -122,7 +125,7 @@ public final class ExportDesk {
     }
 
     private void write(String action, String extension, Export export) {
-        choice.fileFor(action, extension).ifPresent(file -> new ExportTask(parent, export, file, this::failed).execute());
+        choice.fileFor(action, extension).ifPresent(file -> new ExportTask(parent, export, file, written, this::failed).execute());
     }
 
     private void failed(Throwable why) {

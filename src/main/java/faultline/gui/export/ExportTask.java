@@ -19,13 +19,15 @@ final class ExportTask extends SwingWorker<Void, Void> {
 
     private final Export export;
     private final Path file;
+    private final Consumer<Path> written;
     private final Consumer<Throwable> failed;
     private final ProgressMonitor monitor;
 
-    ExportTask(Component parent, Export export, Path file, Consumer<Throwable> failed) {
+    ExportTask(Component parent, Export export, Path file, Consumer<Path> written, Consumer<Throwable> failed) {
         assert EventQueue.isDispatchThread();
         this.export = export;
         this.file = file;
+        this.written = written;
         this.failed = failed;
         monitor = new ProgressMonitor(parent, Texts.text("export.writing", String.valueOf(file.getFileName())), "", 0, WHOLE);
         addPropertyChangeListener(change -> {
@@ -64,6 +66,7 @@ final class ExportTask extends SwingWorker<Void, Void> {
         monitor.close();
         try {
             get();
+            written.accept(file);
         } catch (ExecutionException broken) {
             failed.accept(broken.getCause());
         } catch (CancellationException cancelled) {

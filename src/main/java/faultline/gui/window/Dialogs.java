@@ -55,6 +55,12 @@ final class Dialogs {
                 : Optional.ofNullable(why.getMessage()).orElse(why.getClass().getSimpleName());
     }
 
+    /** Says of the open file that somebody else has made it unreadable. */
+    static String brokenOnDisk(ScenarioException bad) {
+        Complaint first = bad.complaints().get(0);
+        return Texts.text("broken", Path.of(first.file()).getFileName() + first.place().toString() + ": " + first.text());
+    }
+
     private JDialog badFile(Path file, List<Complaint> complaints) {
         List<List<String>> rows = complaints.stream()
                 .map(complaint -> List.of(number(complaint.place().line()), number(complaint.place().column()), complaint.text())).toList();

@@ -165,7 +165,9 @@ final class ObstacleActions {
         try {
             put(ObstacleText.read(text));
         } catch (ScenarioException bad) {
-            note.accept(Texts.text("note.notPasted", bad.complaints().get(0).text()));
+            int more = bad.complaints().size() - 1;
+            String first = bad.complaints().get(0).text();
+            note.accept(more == 0 ? Texts.text("note.notPasted", first) : Texts.text("note.notPasted.more", first, Integer.toString(more)));
         }
     }
 

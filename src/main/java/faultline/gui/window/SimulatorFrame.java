@@ -81,7 +81,7 @@ public final class SimulatorFrame extends JFrame {
         placeWindow();
         closeWithQuestion();
         edit();
-        watch = new FileWatch(bench, files::changedOnDisk);
+        watch = new FileWatch(bench, files::changedOnDisk, bad -> note(Dialogs.brokenOnDisk(bad)));
         edits.whenForked(later -> note(Texts.text("edit.forked", Integer.toString(later))));
         poll.start();
     }
@@ -93,7 +93,7 @@ public final class SimulatorFrame extends JFrame {
         editActions.bindTo(getRootPane());
         new ObstacleActions(canvas.tools(), edits, this::note, now -> WaySpeed.ask(this, now), memory).addTo(actions);
         new SensorActions(bench, run, edits).addTo(actions);
-        new ExportDesk(this, bench, canvas, files::fileFor).actions().forEach(actions::add);
+        new ExportDesk(this, bench, canvas, files::fileFor, file -> noteSaved("saved", file)).actions().forEach(actions::add);
         ViewActions.addTo(actions, canvas, this::setTheme);
         ViewActions.bindTo(getRootPane(), actions);
         actions.add(UiAction.toggle("instruments", memory.isDockShown(), this::showDock).on(Keystrokes.plain(KeyEvent.VK_I)));
@@ -105,6 +105,10 @@ public final class SimulatorFrame extends JFrame {
 
     private void note(String sentence) {
         area.status().showNote(sentence);
+    }
+
+    private void noteSaved(String key, Path file) {
+        note(Texts.text(key, String.valueOf(file.getFileName())));
     }
 
     /** What the canvas asks for. */
@@ -275,9 +279,17 @@ public final class SimulatorFrame extends JFrame {
         }
 
         @Override
-        public void saved() {
+        public void saved(boolean whole) {
             edits.seal();
-            bench.file().ifPresent(memory.recent()::add);
+            bench.file().ifPresent(file -> {
+                memory.recent().add(file);
+                noteSaved(whole ? "saved" : "saved.inPart", file);
+            });
+        }
+
+        @Override
+        public void journalSaved(Path file) {
+            noteSaved("saved", file);
         }
 
         @Override

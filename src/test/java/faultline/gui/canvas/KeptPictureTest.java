@@ -22,7 +22,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -42,7 +45,9 @@ class KeptPictureTest {
     private final Path path = SampleFrames.path(IntStream.range(0, 3000)
             .mapToObj(i -> new Vec(3 + (0.2 + i * 8e-4) * Math.cos(i * 0.1), 2 + (0.2 + i * 5e-4) * Math.sin(i * 0.1))).toArray(Vec[]::new));
     private final List<Obstacle> obstacles = new ArrayList<>();
-    private final SimulationCanvas canvas = onEdt(() -> new SimulationCanvas(command -> { }, () -> 0));
+    private final AtomicLong clock = new AtomicLong();
+    private long tick;
+    private final SimulationCanvas canvas = onEdt(() -> new SimulationCanvas(command -> { }, () -> clock.addAndGet(tick)));
     private Palette palette = Palette.LIGHT;
     private boolean labels;
     private int deviceScale;
@@ -65,6 +70,17 @@ class KeptPictureTest {
                 assertLooksPaintedAtOnce("seed " + seed + ", step " + step);
             }
         }
+    }
+
+    @Test
+    void whereTheClockIsAlwaysTooFastEachFrameStillPaintsALittle() {
+        tick = TimeUnit.SECONDS.toNanos(1);
+        deviceScale = 1;
+        edt(() -> canvas.setSize(600, 440));
+        IntStream.range(0, OBSTACLES).forEach(i -> obstacles.add(obstacle("o" + i)));
+        show();
+        paint(OBSTACLES);
+        assertLooksPaintedAtOnce("a late clock");
     }
 
     private void disturb(int kind) {

@@ -13,6 +13,7 @@ import faultline.geometry.Pose;
 import faultline.gui.Patience;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
+import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import java.awt.EventQueue;
@@ -39,6 +40,8 @@ class BenchTest {
     private Path folder;
     private Path file;
     private final List<Throwable> failures = new ArrayList<>();
+    private final List<Boolean> saves = new ArrayList<>();
+    private final List<Path> journals = new ArrayList<>();
     private int begun;
     private Bench bench;
     private RunDesk run;
@@ -51,6 +54,16 @@ class BenchTest {
             @Override
             public void begun() {
                 begun++;
+            }
+
+            @Override
+            public void saved(boolean whole) {
+                saves.add(whole);
+            }
+
+            @Override
+            public void journalSaved(Path where) {
+                journals.add(where);
             }
 
             @Override
@@ -93,6 +106,15 @@ class BenchTest {
         assertFalse(onEdt(bench::isChanged));
         assertEquals(onEdt(bench::scenario), Optional.of(Scenario.load(file)));
         assertEquals(ELSEWHERE, obstacle(Scenario.load(file).setup().world().obstacles()).pose());
+        assertEquals(List.of(true), saves);
+    }
+
+    @Test
+    void aSaveSaysWhereItLeavesOutWhatWasDoneToSensorsByHand() {
+        edt(() -> send(new Command.InjectFault("left", new Fault.Stuck(0.4))));
+        edt(() -> filing.save(file, () -> begun = 7));
+        waitFor("the save", () -> begun == 7);
+        assertEquals(List.of(false), saves);
     }
 
     @Test
@@ -144,7 +166,7 @@ class BenchTest {
         waitFor("the pause", () -> !run.status().orElseThrow().running());
         Path journal = folder.resolve("journal.xml");
         edt(() -> filing.saveJournal(journal));
-        waitFor("the journal", () -> Files.exists(journal));
+        waitFor("the journal", () -> journals.equals(List.of(journal)));
         waitFor("the last frame", () -> run.frame().orElseThrow().world().robot().length() == 0.3);
         String hash = Scenario.load(journal).run().trajectoryHash();
         assertEquals(String.format("%016x", frame().trajectoryHash()), hash);
@@ -167,7 +189,7 @@ class BenchTest {
         move();
         waitFor("the mark", bench::isChanged);
         Scenario edited = onEdt(() -> bench.scenario().orElseThrow());
-        edt(() -> filing.noteSaved(asked, file, asked.document().edited()));
+        edt(() -> filing.noteSaved(asked, file, asked.document().edited(), true));
         assertTrue(onEdt(bench::isChanged));
         assertEquals(edited, onEdt(() -> bench.scenario().orElseThrow()));
     }

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.geometry.Pose;
 import faultline.gui.Patience;
 import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
 import faultline.world.Command;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -39,6 +40,7 @@ class CrashTest {
     private RunDesk run;
     private Filing filing;
     private final List<Path> told = new ArrayList<>();
+    private final List<ScenarioException> broken = new ArrayList<>();
 
     @BeforeEach
     void openAFile() throws IOException {
@@ -149,7 +151,7 @@ class CrashTest {
 
     @Test
     void anotherScenarioInTheFileIsToldOnce() throws IOException {
-        FileWatch watch = onEdt(() -> new FileWatch(bench, told::add));
+        FileWatch watch = onEdt(() -> new FileWatch(bench, told::add, broken::add));
         look(watch, 3);
         assertEquals(List.of(), told);
         rewrite(Files.readString(file).replaceFirst("seed=\"\\d+\"", "").replaceFirst("<scenario ", "<scenario seed=\"4711\" "));
@@ -162,13 +164,29 @@ class CrashTest {
 
     @Test
     void theSameScenarioWrittenOtherwiseIsNotTold() throws IOException {
-        FileWatch watch = onEdt(() -> new FileWatch(bench, told::add));
+        FileWatch watch = onEdt(() -> new FileWatch(bench, told::add, broken::add));
         rewrite(Files.readString(file).replace("\n", "\n\n"));
         look(watch, 4);
         assertEquals(List.of(), told);
+        edt(watch::close);
+    }
+
+    @Test
+    void aFileThatSomebodyBreaksIsToldOnceAndReadAgainWhenItIsMended() throws IOException {
+        FileWatch watch = onEdt(() -> new FileWatch(bench, told::add, broken::add));
+        String whole = Files.readString(file);
         rewrite("<scenario");
+        look(watch, 1);
+        assertEquals(List.of(), broken, "the file may still be growing");
         look(watch, 4);
-        assertEquals(List.of(), told, "half a file is not told");
+        assertEquals(1, broken.size());
+        assertEquals(1, broken.get(0).complaints().get(0).place().line());
+        assertEquals(List.of(), told);
+        assertTrue(onEdt(() -> bench.scenario().isPresent()), "what is open stays");
+        rewrite(whole.replaceFirst("seed=\"\\d+\"", "").replaceFirst("<scenario ", "<scenario seed=\"4711\" "));
+        look(watch, 4);
+        assertEquals(List.of(file), told);
+        assertEquals(1, broken.size());
         edt(watch::close);
     }
 

@@ -31,6 +31,7 @@ import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -56,6 +57,7 @@ class ExportDeskTest {
     private RunDesk run;
     private SimulationCanvas canvas;
     private List<UiAction> actions;
+    private final List<Path> written = new ArrayList<>();
 
     @BeforeEach
     void runAFewTicks() {
@@ -66,7 +68,8 @@ class ExportDeskTest {
             canvas = new SimulationCanvas(new EditDesk(run::send, () -> {
             }));
             canvas.setSize(300, 200);
-            actions = new ExportDesk(canvas, bench, canvas, (action, extension) -> Optional.of(folder.resolve("out" + extension))).actions();
+            actions = new ExportDesk(canvas, bench, canvas, (action, extension) -> Optional.of(folder.resolve("out" + extension)), written::add)
+                    .actions();
             new Filing(bench).open(Path.of("scenarios/office.xml"));
         });
         Patience.waitFor("the scenario", () -> run.frame().isPresent());
@@ -157,11 +160,12 @@ class ExportDeskTest {
         ExportTask task = onEdt(() -> new ExportTask(canvas, (out, progress) -> {
             out.write(1);
             throw new CancellationException();
-        }, file, why -> {
+        }, file, written::add, why -> {
         }));
         task.execute();
         Patience.waitFor("the end of the task", task::isDone);
         assertFalse(Files.exists(file));
+        assertEquals(List.of(), written);
         try (Stream<Path> left = Files.list(folder)) {
             assertEquals(List.of(), left.toList());
         }
@@ -179,7 +183,7 @@ class ExportDeskTest {
     private Path exported(String action, String extension) {
         Path file = folder.resolve("out" + extension);
         edt(() -> perform(action));
-        Patience.waitFor("the file", () -> Files.exists(file));
+        Patience.waitFor("the word that it is written", () -> written.remove(file));
         return file;
     }
 

@@ -59,6 +59,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** All of the window but its frame, without a display. */
 class WorkAreaTest {
 
+    /** So many frames the canvas may take until all is painted, on a machine that is slow. */
+    private static final int MOST_FRAMES = 20;
     private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, Optional.empty(), Optional.empty());
     private static final Session.Status FAST = new Session.Status(true, 100, 12345.67, 0, Optional.empty(), Optional.empty());
 
@@ -86,7 +88,7 @@ class WorkAreaTest {
             new ObstacleActions(canvas.tools(), edits, sentence -> {
             }, now -> OptionalDouble.empty(), WindowMemory.none()).addTo(actions);
             new SensorActions(bench, run, edits).addTo(actions);
-            new ExportDesk(canvas, bench, canvas, files::fileFor).actions().forEach(actions::add);
+            new ExportDesk(canvas, bench, canvas, files::fileFor, file -> { }).actions().forEach(actions::add);
             actions.add(UiAction.of("examples", () -> {
             }));
             ViewActions.addTo(actions, canvas, theme -> {
@@ -211,7 +213,7 @@ class WorkAreaTest {
         lay(1360, 840);
         BufferedImage image = new BufferedImage(1360, 840, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
-        area.paint(graphics);
+        IntStream.range(0, MOST_FRAMES).forEach(frame -> area.paint(graphics));
         graphics.dispose();
         return image;
     }
