@@ -5,11 +5,6 @@ import faultline.world.Obstacle;
 import faultline.world.Snapshot;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
-import java.io.IOException;
-import java.io.OutputStream;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import javax.imageio.ImageIO;
 
 /** Frames as pictures, made without a display by the painter that the window uses. */
 public final class FrameImage {
@@ -52,18 +47,5 @@ public final class FrameImage {
             bounds = bounds.createUnion(ObstacleOutlines.inWorld(obstacle).getBounds2D());
         }
         return bounds;
-    }
-
-    /**
-     * Writes a picture as a PNG file.
-     *
-     * @param image the picture
-     * @param file where to; an existing file is replaced
-     * @throws IOException if it cannot be written
-     */
-    public static void write(BufferedImage image, Path file) throws IOException {
-        try (OutputStream out = Files.newOutputStream(file)) {
-            ImageIO.write(image, "png", out);
-        }
     }
 }

@@ -3,7 +3,6 @@ package faultline.paint;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
@@ -20,15 +19,11 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.SensorSnapshot;
 import java.awt.image.BufferedImage;
-import java.io.IOException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -175,20 +170,6 @@ class FrameImageTest {
         Frame frame = withSensor(SampleFrames.faulty(FRONT, AT_2_1, SampleFrames.NOTHING, reported, kind.fault(kind.usual())));
         Vec start = FrameImage.camera(frame.world(), 900, 640).toScreen(new Vec(2.2, 1.2));
         return FrameImage.render(frame, LIGHT, 900, 640).getSubimage((int) start.x(), (int) start.y(), 80, 54);
-    }
-
-    @Test
-    void aPictureFileReadsBackAsThePictureThatWasWritten(@TempDir Path folder) throws IOException {
-        BufferedImage image = FrameImage.render(SampleFrames.everything(), LIGHT, 300, 200);
-        Path file = folder.resolve("frame.png");
-        FrameImage.write(image, file);
-        assertEquals(0, Pixels.differing(image, ImageIO.read(file.toFile())));
-    }
-
-    @Test
-    void aPictureFileInNoFolderIsSaidToBeSo(@TempDir Path folder) {
-        BufferedImage image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
-        assertThrows(NoSuchFileException.class, () -> FrameImage.write(image, folder.resolve("none/frame.png")));
     }
 
     @Test
