@@ -27,6 +27,8 @@ final class Hand extends MouseAdapter {
     private final Watched<Optional<Tool>> tool = new Watched<>(Optional.empty());
     private Optional<Hold> hold = Optional.empty();
     private Vec pressed = Vec.ZERO;
+    /** The button that holds. */
+    private int button;
     private Snap snap = Snap.NONE;
 
     Hand(Viewpoint viewpoint, Grips grips, Watchers watchers) {
@@ -83,6 +85,7 @@ final class Hand extends MouseAdapter {
             return;
         }
         pressed = place(event);
+        button = event.getButton();
         boolean left = SwingUtilities.isLeftMouseButton(event);
         if (SwingUtilities.isMiddleMouseButton(event)) {
             hold = Optional.of(new PanHold(viewpoint, pressed, () -> { }));
@@ -118,6 +121,9 @@ final class Hand extends MouseAdapter {
 
     @Override
     public void mouseReleased(MouseEvent event) {
+        if (hold.isPresent() && event.getButton() != button) {
+            return;
+        }
         hold.ifPresent(Hold::release);
         if (hold.isEmpty() && SwingUtilities.isLeftMouseButton(event)) {
             tool.get().ifPresent(t -> t.release(snapped(event)));

@@ -3,7 +3,7 @@ package faultline.gui.canvas;
 import faultline.geometry.Vec;
 import faultline.gui.edit.Snap;
 
-/** A pan from where the button went down; one that goes nowhere is a click. */
+/** A pan from where the button went down; one that goes nowhere is a click, and leaves the view as it is. */
 final class PanHold implements Hold {
 
     private final Viewpoint viewpoint;
@@ -21,10 +21,12 @@ final class PanHold implements Hold {
 
     @Override
     public void to(Vec screen, Snap snap) {
-        Vec by = screen.minus(last);
-        viewpoint.move(camera -> camera.panned(by.x(), by.y()));
-        last = screen;
         moved |= screen.distanceTo(pressed) >= CLICK;
+        if (moved) {
+            Vec by = screen.minus(last);
+            viewpoint.move(camera -> camera.panned(by.x(), by.y()));
+            last = screen;
+        }
     }
 
     @Override
