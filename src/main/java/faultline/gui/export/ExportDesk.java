@@ -78,7 +78,7 @@ public final class ExportDesk {
                 UiAction.of("exportGif", () -> withShot(shot -> film(shot, 0))),
                 UiAction.of("exportCsv", this::csv),
                 UiAction.toggle("exportDark", false, dark -> palette = dark ? Palette.DARK : Palette.LIGHT),
-                UiAction.of("copyPicture", () -> withShot(ExportDesk::copy)).on(Keystrokes.menuShift(KeyEvent.VK_C)),
+                UiAction.of("copyPicture", () -> withShot(this::copy)).on(Keystrokes.menuShift(KeyEvent.VK_C)),
                 UiAction.of("print", () -> withShot(this::print)).on(Keystrokes.menu(KeyEvent.VK_P)),
                 record);
     }
@@ -116,8 +116,8 @@ public final class ExportDesk {
         return canvas.frame().map(frame -> frame.world().tick()).orElse(0L);
     }
 
-    private static void copy(Shot shot) {
-        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new ImageOnClipboard(shot.image(FINENESS)), null);
+    private void copy(Shot shot) {
+        new PictureCopy(shot, FINENESS, Toolkit.getDefaultToolkit().getSystemClipboard(), this::failed).execute();
     }
 
     private void print(Shot shot) {

@@ -22,7 +22,9 @@ import faultline.gui.theme.Theme;
 import faultline.paint.Palette;
 import faultline.scenario.Scenario;
 import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.ClipboardOwner;
 import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
@@ -58,6 +60,7 @@ class ExportDeskTest {
     private SimulationCanvas canvas;
     private List<UiAction> actions;
     private final List<Path> written = new ArrayList<>();
+    private final List<Throwable> failures = new ArrayList<>();
 
     @BeforeEach
     void runAFewTicks() {
@@ -174,10 +177,26 @@ class ExportDeskTest {
     @Test
     void aPictureComesBackFromTheClipboard() throws IOException, UnsupportedFlavorException {
         Clipboard clipboard = new Clipboard("test");
-        BufferedImage image = onEdt(() -> canvas.shot(Palette.LIGHT).orElseThrow()).image(1);
-        clipboard.setContents(new ImageOnClipboard(image), null);
-        assertEquals(image, clipboard.getData(DataFlavor.imageFlavor));
+        copyTo(clipboard);
+        Patience.waitFor("the picture", () -> clipboard.isDataFlavorAvailable(DataFlavor.imageFlavor));
+        assertEquals(600, ((BufferedImage) clipboard.getData(DataFlavor.imageFlavor)).getWidth());
         assertThrows(UnsupportedFlavorException.class, () -> clipboard.getData(DataFlavor.stringFlavor));
+    }
+
+    @Test
+    void aClipboardThatAnotherProgramHoldsIsToldInOneSentence() {
+        copyTo(new Clipboard("busy") {
+            @Override
+            public synchronized void setContents(Transferable contents, ClipboardOwner owner) {
+                throw new IllegalStateException("cannot open system clipboard");
+            }
+        });
+        Patience.waitFor("the failure", () -> !failures.isEmpty());
+        assertEquals("The clipboard is in use by another program", failures.get(0).getMessage());
+    }
+
+    private void copyTo(Clipboard clipboard) {
+        edt(() -> new PictureCopy(canvas.shot(Palette.LIGHT).orElseThrow(), 2, clipboard, failures::add).execute());
     }
 
     private Path exported(String action, String extension) {
