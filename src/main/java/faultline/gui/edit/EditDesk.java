@@ -112,10 +112,19 @@ public final class EditDesk implements Editor {
             int sentIn = era;
             channel.send(commands, outcomes -> {
                 if (sentIn == era) {
-                    noteFork(outcomes);
-                    outcomes.stream().findFirst().ifPresent(first -> chronicle.add(first.tick(), edit, done));
+                    replayed(edit, done, outcomes);
                 }
             });
+        }
+    }
+
+    private void replayed(CommandEdit edit, boolean done, List<Outcome> outcomes) {
+        if (outcomes.stream().anyMatch(outcome -> outcome.refusal().isEmpty())) {
+            noteFork(outcomes);
+            chronicle.add(outcomes.get(0).tick(), edit, done);
+        } else {
+            history.takeBack(edit, done);
+            changed.run();
         }
     }
 

@@ -67,6 +67,15 @@ final class EditHistory extends UndoManager {
         }
     }
 
+    /** The world has refused to do an edit again, or to undo it: it stands where it stood. */
+    void takeBack(CommandEdit edit, boolean done) {
+        if (done) {
+            undoQuietly(edit, false);
+        } else {
+            redoQuietly(edit);
+        }
+    }
+
     private void quietly(Runnable move) {
         quiet = true;
         move.run();

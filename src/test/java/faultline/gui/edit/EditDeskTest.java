@@ -151,6 +151,34 @@ class EditDeskTest {
     }
 
     @Test
+    void whatTheWorldRefusesToUndoOrToDoAgainStandsWhereItStood() {
+        edt(() -> desk.send(new Command.RemoveObstacle("desk")));
+        longRobot(true);
+        edt(desk::undo);
+        assertEquals(List.of(), world.snapshot().obstacles());
+        assertEquals(Optional.of("Delete desk"), undoName());
+        assertEquals(Optional.empty(), onEdt(desk::redoName));
+        longRobot(false);
+        edt(desk::undo);
+        assertEquals(List.of(DESK), world.snapshot().obstacles());
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(3.5, 2, 0));
+        edt(() -> desk.send(new Command.PutObstacle(pole)));
+        edt(desk::undo);
+        world.apply(new Command.RemoveObstacle("desk"));
+        longRobot(true);
+        edt(desk::redo);
+        assertEquals(Optional.of("Add pole"), onEdt(desk::redoName));
+        longRobot(false);
+        edt(desk::redo);
+        assertEquals(List.of(pole), world.snapshot().obstacles());
+    }
+
+    /** A robot so long that it reaches where the obstacles were, or of its usual length. */
+    private void longRobot(boolean isLong) {
+        assertEquals(Optional.empty(), world.apply(new Command.SetPlatform(isLong ? 3.9 : 0.25, 0.2, 0.3)));
+    }
+
+    @Test
     void severalCommandsSentTogetherAreOneEdit() {
         edt(() -> desk.send(List.of(new Command.PutObstacle(LAMP), new Command.RemoveObstacle("desk"))));
         assertEquals(Optional.of("2 changes"), undoName());
