@@ -175,13 +175,19 @@ public final class Bench implements AutoCloseable {
             made.session().close();
             return;
         }
+        Work adopted = way.task() == Task.OPEN ? made : filed(made);
         endRun();
-        work = Optional.of(made);
-        desks.forEach(desk -> desk.began(way.task(), made));
-        tell(way.task(), made);
+        work = Optional.of(adopted);
+        desks.forEach(desk -> desk.began(way.task(), adopted));
+        tell(way.task(), adopted);
         listener.begun();
         listener.renamed();
         settle();
+    }
+
+    /** The same scenario anew; it may have been saved, elsewhere too, since that was asked for. */
+    private Work filed(Work made) {
+        return document().map(now -> made.with(made.document().filedAs(now))).orElse(made);
     }
 
     private void tell(Task task, Work made) {

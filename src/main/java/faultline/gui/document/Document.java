@@ -32,6 +32,11 @@ record Document(Optional<Path> file, Optional<Scenario> saved, Scenario begun, S
         return new Document(Optional.of(newFile), Optional.of(newSaved), begun, edited);
     }
 
+    /** The same in the file of another, as that file holds it. */
+    Document filedAs(Document other) {
+        return new Document(other.file, other.saved, begun, edited);
+    }
+
     /** The scenario after what was done to its run. */
     Scenario after(Journal journal) {
         return begun.withSetup(EditedSetup.of(journal));

@@ -195,6 +195,21 @@ class BenchTest {
     }
 
     @Test
+    void whatIsSavedElsewhereWhileTheRunBeginsAnewStaysInThatFile() {
+        Path other = folder.resolve("other.xml");
+        CompletableFuture<Work> made = new CompletableFuture<>();
+        edt(() -> {
+            Work now = bench.work().orElseThrow();
+            bench.begin(Bench.Task.RESTART, file, way -> made.get());
+            filing.noteSaved(now, other, now.document().edited(), true);
+            made.complete(Work.begin(now.document()));
+        });
+        waitFor("the second session", () -> begun == 2);
+        assertEquals(Optional.of(other), onEdt(bench::file));
+        assertFalse(onEdt(bench::isChanged));
+    }
+
+    @Test
     void whatIsOnItsWayWhenTheBenchClosesNeverBegins() {
         CompletableFuture<Work> made = new CompletableFuture<>();
         edt(() -> {
