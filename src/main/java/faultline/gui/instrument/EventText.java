@@ -2,7 +2,7 @@ package faultline.gui.instrument;
 
 import faultline.engine.record.RunEvent;
 import faultline.gui.panel.ReadingText;
-import faultline.gui.text.Refusals;
+import faultline.gui.text.Wordings;
 import faultline.gui.text.StateText;
 import faultline.gui.text.Texts;
 import faultline.world.Command;
@@ -49,7 +49,7 @@ final class EventText {
             return sentence(done.command());
         }
         if (event instanceof RunEvent.Refused refused) {
-            return Texts.text("event.why", sentence(refused.command()), Refusals.text(refused.why()));
+            return Texts.text("event.why", sentence(refused.command()), Wordings.text(refused.why()));
         }
         return event instanceof RunEvent.Collided collided ? collision(collided) : Texts.text("event.diverged");
     }

@@ -35,7 +35,17 @@ public final class Texts {
     }
 
     static Stream<String> keys() {
-        return bundle.keySet().stream().sorted();
+        return keys(language);
+    }
+
+    /** The keys of all texts in a language, in order. */
+    static Stream<String> keys(Language of) {
+        return bundle(of).keySet().stream().sorted();
+    }
+
+    /** The text of a key in a language, whichever is spoken. */
+    static String text(Language of, String key) {
+        return bundle(of).getString(key);
     }
 
     /**

@@ -4,6 +4,7 @@ import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.Bench;
 import faultline.gui.text.Texts;
+import faultline.gui.text.Wordings;
 import faultline.gui.theme.Glyph;
 import faultline.scenario.Complaint;
 import faultline.scenario.ScenarioException;
@@ -45,7 +46,7 @@ final class Dialogs {
             badFile(file, bad.complaints()).setVisible(true);
             return;
         }
-        String sentence = Texts.text("failed." + task, String.valueOf(file.getFileName()), reason(why).replace(file + ": ", ""));
+        String sentence = Texts.text("failed." + task, String.valueOf(file.getFileName()), Wordings.text(reason(why).replace(file + ": ", "")));
         JOptionPane.showMessageDialog(owner, Lines.broken(sentence), Texts.text("failed.title"), JOptionPane.ERROR_MESSAGE);
     }
 
@@ -58,12 +59,12 @@ final class Dialogs {
     /** Says of the open file that somebody else has made it unreadable. */
     static String brokenOnDisk(ScenarioException bad) {
         Complaint first = bad.complaints().get(0);
-        return Texts.text("broken", Path.of(first.file()).getFileName() + first.place().toString() + ": " + first.text());
+        return Texts.text("broken", Path.of(first.file()).getFileName() + first.place().toString() + ": " + Wordings.text(first.text()));
     }
 
     private JDialog badFile(Path file, List<Complaint> complaints) {
         List<List<String>> rows = complaints.stream()
-                .map(complaint -> List.of(number(complaint.place().line()), number(complaint.place().column()), complaint.text())).toList();
+                .map(complaint -> List.of(number(complaint.place().line()), number(complaint.place().column()), Wordings.text(complaint.text()))).toList();
         List<String> columns = List.of(Texts.text("badFile.line"), Texts.text("badFile.column"), Texts.text("badFile.what"));
         String heading = Texts.text("badFile.heading", String.valueOf(file.getFileName()));
         return new TableDialog(owner, Texts.text("badFile.title"), heading, UIManager.getIcon("OptionPane.errorIcon"), columns,

@@ -11,6 +11,7 @@ import faultline.gui.edit.Editor;
 import faultline.gui.edit.ReadyShape;
 import faultline.gui.edit.Snap;
 import faultline.gui.text.Texts;
+import faultline.gui.text.Wordings;
 import faultline.gui.theme.Glyph;
 import faultline.scenario.ObstacleText;
 import faultline.scenario.ScenarioException;
@@ -166,7 +167,7 @@ final class ObstacleActions {
             put(ObstacleText.read(text));
         } catch (ScenarioException bad) {
             int more = bad.complaints().size() - 1;
-            String first = bad.complaints().get(0).text();
+            String first = Wordings.text(bad.complaints().get(0).text());
             note.accept(more == 0 ? Texts.text("note.notPasted", first) : Texts.text("note.notPasted.more", first, Integer.toString(more)));
         }
     }

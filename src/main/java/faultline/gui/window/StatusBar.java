@@ -5,7 +5,7 @@ import faultline.engine.Frame;
 import faultline.engine.Session;
 import faultline.geometry.Pose;
 import faultline.geometry.Vec;
-import faultline.gui.text.Refusals;
+import faultline.gui.text.Wordings;
 import faultline.gui.text.StateText;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.RuleBorder;
@@ -81,7 +81,7 @@ final class StatusBar extends JPanel {
         status.failure().ifPresent(this::showNote);
         if (status.refusals() != refusals) {
             refusals = status.refusals();
-            status.lastRefusal().map(Refusals::text).ifPresent(this::showNote);
+            status.lastRefusal().map(Wordings::text).ifPresent(this::showNote);
         } else if (noteLeft > 0 && --noteLeft == 0) {
             note.setText("");
         }

@@ -2,6 +2,7 @@ package faultline.gui.window;
 
 import java.awt.Component;
 import java.util.List;
+import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
@@ -16,8 +17,9 @@ final class WrappedCells extends JTextArea implements TableCellRenderer {
         setBorder(BorderFactory.createEmptyBorder(5, 6, 5, 6));
     }
 
-    /** Gives columns their widths, pixels, and rows the heights that their texts need. */
-    static void install(JTable table, List<Integer> widths) {
+    /** Gives columns at least these widths, pixels, and what their headings need, and rows the heights that their texts need. */
+    static void install(JTable table, List<Integer> least) {
+        List<Integer> widths = IntStream.range(0, least.size()).mapToObj(column -> Math.max(least.get(column), heading(table, column))).toList();
         WrappedCells cells = new WrappedCells();
         table.setDefaultRenderer(Object.class, cells);
         for (int column = 0; column < widths.size(); column++) {
@@ -33,6 +35,12 @@ final class WrappedCells extends JTextArea implements TableCellRenderer {
             }
             table.setRowHeight(row, height);
         }
+    }
+
+    /** How wide a column's heading is, pixels. */
+    private static int heading(JTable table, int column) {
+        return table.getTableHeader().getDefaultRenderer().getTableCellRendererComponent(table, table.getColumnName(column), false, false, -1, column)
+                .getPreferredSize().width;
     }
 
     @Override
