@@ -45,6 +45,12 @@ final class KeptLayer<M extends Motif<M>> {
         }
     }
 
+    /** Keeps nothing of what was shown. */
+    void clear() {
+        front = Optional.empty();
+        back = Optional.empty();
+    }
+
     /** Whether all that was wanted last is there; if not, it must be brought again soon. */
     boolean isComplete() {
         return complete;

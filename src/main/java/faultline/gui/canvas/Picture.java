@@ -52,6 +52,9 @@ final class Picture {
         Set<String> marked = apart.isEmpty() ? scene.selection().get() : Set.of();
         PathMotif driven = new PathMotif(frame.path(), PathStyle.RUN);
         Optional<Ghost> ghost = scene.ghost().get();
+        if (ghost.isEmpty()) {
+            ghostPath.clear();
+        }
         bringGround(new GroundMotif(frame.world(), byLife.get(false), marked, painter), view);
         ground.show(graphics, camera);
         if (layers.contains(Layer.PATH)) {

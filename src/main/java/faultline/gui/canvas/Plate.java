@@ -2,6 +2,7 @@ package faultline.gui.canvas;
 
 import java.awt.Graphics2D;
 import java.awt.Image;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -27,7 +28,7 @@ final class Plate {
         BufferedImage plate = sized((int) Math.ceil(width * scale), (int) Math.ceil(height * scale));
         Graphics2D own = plate.createGraphics();
         own.scale(scale, scale);
-        own.clip(graphics.getClip() == null ? plate.getRaster().getBounds() : graphics.getClip());
+        own.clip(graphics.getClip() == null ? new Rectangle(width, height) : graphics.getClip());
         painter.accept(own);
         own.dispose();
         graphics.scale(1 / scale, 1 / scale);

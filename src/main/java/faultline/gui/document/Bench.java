@@ -57,11 +57,12 @@ public final class Bench implements AutoCloseable {
         }
 
         /**
-         * The scenario is in its file as it is edited by now.
+         * A scenario is in its file as it was edited when that was asked for.
          *
+         * @param file that one; by now another may be open
          * @param whole whether that is all that was done to the run; switches and faults are no part of a scenario
          */
-        default void saved(boolean whole) {
+        default void saved(Path file, boolean whole) {
         }
 
         /**

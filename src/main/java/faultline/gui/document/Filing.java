@@ -98,7 +98,7 @@ public final class Filing {
             Document saved = document.savedAs(file, scenario);
             return document.edited().equals(before.document().edited()) ? saved.withEdited(scenario) : saved;
         });
-        bench.listener().saved(whole);
+        bench.listener().saved(file, whole);
         bench.listener().renamed();
     }
 

@@ -37,6 +37,22 @@ final class ExportTask extends SwingWorker<Void, Void> {
         });
     }
 
+    /** Begins, and keeps the program from ending before it is done: a window may be closed meanwhile. */
+    void begin() {
+        execute();
+        new Thread(this::await, "export").start();
+    }
+
+    private void await() {
+        try {
+            get();
+        } catch (ExecutionException | CancellationException told) {
+            // Those who wait for the result on the event dispatch thread are told.
+        } catch (InterruptedException ended) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
     private void show(int percent) {
         // The last step closes the monitor, and is left to the end.
         monitor.setProgress(Math.min(percent, WHOLE - 1));

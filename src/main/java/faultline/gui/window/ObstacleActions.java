@@ -86,7 +86,7 @@ final class ObstacleActions {
         actions.add(UiAction.of("waySpeed", this::setSpeed));
         actions.add(UiAction.of("standStill", this::standStill));
         actions.add(UiAction.of("cut", this::cut).on(menu(KeyEvent.VK_X)));
-        actions.add(UiAction.of("copy", this::copy).on(menu(KeyEvent.VK_C)));
+        actions.add(UiAction.of("copy", this::copied).on(menu(KeyEvent.VK_C)));
         actions.add(UiAction.of("paste", this::paste).on(menu(KeyEvent.VK_V)));
         actions.add(UiAction.of("duplicate", () -> put(tools.selected())).on(menu(KeyEvent.VK_D)));
         actions.add(UiAction.of("delete", this::delete).on(plain(KeyEvent.VK_DELETE)));
@@ -140,17 +140,26 @@ final class ObstacleActions {
     }
 
     private void cut() {
-        copy();
-        delete();
+        if (copied()) {
+            delete();
+        }
     }
 
     private void delete() {
         editor.send(tools.selected().stream().<Command>map(obstacle -> new Command.RemoveObstacle(obstacle.id())).toList());
     }
 
-    private void copy() {
-        if (!tools.selected().isEmpty()) {
+    /** Copies what is selected; says whether it is on the clipboard. */
+    private boolean copied() {
+        if (tools.selected().isEmpty()) {
+            return false;
+        }
+        try {
             clipboard().setContents(new StringSelection(ObstacleText.write(tools.selected())), null);
+            return true;
+        } catch (IllegalStateException busy) {
+            note.accept(Texts.text("note.clipboardBusy"));
+            return false;
         }
     }
 

@@ -279,12 +279,10 @@ public final class SimulatorFrame extends JFrame {
         }
 
         @Override
-        public void saved(boolean whole) {
+        public void saved(Path file, boolean whole) {
             edits.seal();
-            bench.file().ifPresent(file -> {
-                memory.recent().add(file);
-                noteSaved(whole ? "saved" : "saved.inPart", file);
-            });
+            memory.recent().add(file);
+            noteSaved(whole ? "saved" : "saved.inPart", file);
         }
 
         @Override

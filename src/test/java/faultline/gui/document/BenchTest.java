@@ -57,7 +57,7 @@ class BenchTest {
             }
 
             @Override
-            public void saved(boolean whole) {
+            public void saved(Path where, boolean whole) {
                 saves.add(whole);
             }
 

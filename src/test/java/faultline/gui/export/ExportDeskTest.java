@@ -36,6 +36,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -158,6 +159,26 @@ class ExportDeskTest {
     }
 
     @Test
+    void theProgramDoesNotEndBeforeAFileIsWhole() {
+        Path file = folder.resolve("whole.csv");
+        CountDownLatch released = new CountDownLatch(1);
+        ExportTask task = onEdt(() -> new ExportTask(canvas, (out, progress) -> {
+            try {
+                released.await();
+            } catch (InterruptedException broken) {
+                throw new AssertionError(broken);
+            }
+        }, file, written::add, why -> {
+        }));
+        task.begin();
+        assertTrue(Thread.getAllStackTraces().keySet().stream().anyMatch(thread -> thread.getName().equals("export") && !thread.isDaemon()));
+        released.countDown();
+        Patience.waitFor("the word that it is written", () -> written.contains(file));
+        Patience.waitFor("the end of the thread that keeps the program", () -> Thread.getAllStackTraces().keySet().stream()
+                .noneMatch(thread -> thread.getName().equals("export")));
+    }
+
+    @Test
     void whatIsCancelledLeavesNoFile() throws Exception {
         Path file = folder.resolve("never.csv");
         ExportTask task = onEdt(() -> new ExportTask(canvas, (out, progress) -> {
@@ -165,7 +186,7 @@ class ExportDeskTest {
             throw new CancellationException();
         }, file, written::add, why -> {
         }));
-        task.execute();
+        task.begin();
         Patience.waitFor("the end of the task", task::isDone);
         assertFalse(Files.exists(file));
         assertEquals(List.of(), written);
