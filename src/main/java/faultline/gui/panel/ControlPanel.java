@@ -5,8 +5,10 @@ import faultline.gui.theme.TextSize;
 import faultline.world.Command;
 import faultline.world.Snapshot;
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.Action;
@@ -15,6 +17,7 @@ import javax.swing.BoxLayout;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.SwingUtilities;
 
 /** The control panel of the paper's Fig. 1: the robot, its sensors and its faults, one below the other. */
 public final class ControlPanel extends JPanel {
@@ -86,6 +89,16 @@ public final class ControlPanel extends JPanel {
         echoes.told(world.sensors());
         sensors.show(world.sensors());
         chosen.show(world.sensors());
+    }
+
+    /**
+     * Takes a number that is being typed, as if the field were left.
+     *
+     * @return whether that changed anything
+     */
+    public boolean settle() {
+        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        return SwingUtilities.getAncestorOfClass(NumberSpinner.class, owner) instanceof NumberSpinner typed && isAncestorOf(typed) && typed.settle();
     }
 
     /**

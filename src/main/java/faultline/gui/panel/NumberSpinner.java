@@ -102,13 +102,15 @@ final class NumberSpinner extends JSpinner {
         }
     }
 
-    /** Ends the typing: takes what was typed, or drops it where it is not allowed. */
-    void settle() {
+    /** Ends the typing: takes what was typed, or drops it where it is not allowed; says whether the number is another one now. */
+    boolean settle() {
+        double before = value();
         try {
             commitEdit();
         } catch (ParseException notAllowed) {
             text().setValue(getValue());
         }
+        return value() != before;
     }
 
     private void set(double value) {

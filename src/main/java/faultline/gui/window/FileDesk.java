@@ -15,6 +15,7 @@ import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 
 /** Opening and saving, with the questions that go with it. */
 final class FileDesk {
@@ -23,11 +24,14 @@ final class FileDesk {
     private final Bench bench;
     private final Filing filing;
     private final FileQuestions questions;
+    private final BooleanSupplier settle;
 
-    FileDesk(Component parent, Bench bench) {
+    /** For a bench; {@code settle} takes what is being typed, and says whether that changed anything. */
+    FileDesk(Component parent, Bench bench, BooleanSupplier settle) {
         this.parent = parent;
         this.bench = bench;
         this.filing = new Filing(bench);
+        this.settle = settle;
         this.questions = new FileQuestions(parent);
     }
 
@@ -101,6 +105,7 @@ final class FileDesk {
     }
 
     private void save() {
+        settle.getAsBoolean();
         save(FileDesk::nothing);
     }
 
@@ -131,7 +136,9 @@ final class FileDesk {
 
     /** Does something that would lose unsaved changes, after asking what is to become of them. */
     void unlessLost(Runnable deed) {
-        if (!bench.isChanged()) {
+        // What is taken only now is on its way to the run, and no change yet.
+        boolean changed = settle.getAsBoolean() || bench.isChanged();
+        if (!changed) {
             deed.run();
             return;
         }

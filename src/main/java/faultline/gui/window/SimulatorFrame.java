@@ -46,7 +46,7 @@ public final class SimulatorFrame extends JFrame {
     private final transient EditActions editActions = new EditActions(edits);
     private final transient UiActions actions = new UiActions();
     private final transient Dialogs dialogs = new Dialogs(this);
-    private final transient FileDesk files = new FileDesk(this, bench);
+    private final transient FileDesk files = new FileDesk(this, bench, this::settle);
     private final SimulationCanvas canvas = new SimulationCanvas(edits);
     private final transient RunActions runActions;
     private final transient WindowMemory memory;
@@ -101,6 +101,10 @@ public final class SimulatorFrame extends JFrame {
         dialogs.addTo(actions);
         new ChoiceActions(this, memory).addTo(actions);
         actions.get("dark").drawn(Theme.current() == Theme.DARK ? Glyph.SUN : Glyph.MOON);
+    }
+
+    private boolean settle() {
+        return area.panel().settle();
     }
 
     private void note(String sentence) {

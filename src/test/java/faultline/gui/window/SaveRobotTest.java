@@ -61,6 +61,25 @@ class SaveRobotTest {
     }
 
     @Test
+    void aNumberThatIsStillBeingTypedIsSaved() throws ScenarioException {
+        driver.typeInto("Linear velocity", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_4, KeyEvent.VK_1);
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        driver.waitForTitle("office.xml");
+        assertEquals(0.41, Scenario.load(file).setup().robot().speed());
+    }
+
+    @Test
+    void aNumberThatIsStillBeingTypedIsNotLostWithoutAQuestion() {
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        driver.waitForTitle("office.xml");
+        driver.typeInto("Linear velocity", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_4, KeyEvent.VK_1);
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
+        driver.answer("Unsaved changes", "Cancel");
+        driver.waitForTitle("office.xml*");
+        assertEquals(0.41, driver.frame().world().robot().speed());
+    }
+
+    @Test
     void saveAsWritesANewFileAndTheOldOneStaysAsItWas() throws ScenarioException {
         Path other = folder.resolve("other.xml");
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);

@@ -81,7 +81,7 @@ class WorkAreaTest {
             EditDesk edits = new EditDesk(run::send, () -> {
             });
             canvas = new SimulationCanvas(edits);
-            FileDesk files = new FileDesk(canvas, bench);
+            FileDesk files = new FileDesk(canvas, bench, () -> false);
             files.addTo(actions, () -> {
             });
             new EditActions(edits).addTo(actions);
