@@ -206,8 +206,8 @@ public final class Bench implements AutoCloseable {
         work = work.map(now -> now.session() == before.session() ? now.with(change.apply(now.document())) : now);
     }
 
-    /** Somebody else has written the file: what is here is unsaved from now on, unless it is read again. */
-    void fileHolds(Scenario found) {
+    /** Somebody else has written the file, or broken it: what is here is unsaved from now on, unless it is the same or read again. */
+    void fileHolds(Optional<Scenario> found) {
         work = work.map(now -> now.with(now.document().withSaved(found)));
         listener.renamed();
     }

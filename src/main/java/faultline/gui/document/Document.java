@@ -24,8 +24,8 @@ record Document(Optional<Path> file, Optional<Scenario> saved, Scenario begun, S
         return new Document(file, saved, begun, newEdited);
     }
 
-    Document withSaved(Scenario newSaved) {
-        return new Document(file, Optional.of(newSaved), begun, edited);
+    Document withSaved(Optional<Scenario> newSaved) {
+        return new Document(file, newSaved, begun, edited);
     }
 
     Document savedAs(Path newFile, Scenario newSaved) {

@@ -95,13 +95,16 @@ public final class FileWatch implements AutoCloseable {
     private void holds(Scenario found) {
         settled = last;
         if (!bench.saved().equals(Optional.of(found))) {
-            changed.accept(last.orElseThrow().file());
-            bench.fileHolds(found);
+            if (!bench.scenario().equals(Optional.of(found))) {
+                changed.accept(last.orElseThrow().file());
+            }
+            bench.fileHolds(Optional.of(found));
         }
     }
 
     private void isBroken(ScenarioException wrong) {
         settled = last;
+        bench.fileHolds(Optional.empty());
         broken.accept(wrong);
     }
 

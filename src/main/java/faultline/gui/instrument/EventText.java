@@ -2,9 +2,9 @@ package faultline.gui.instrument;
 
 import faultline.engine.record.RunEvent;
 import faultline.gui.panel.ReadingText;
-import faultline.gui.text.Wordings;
 import faultline.gui.text.StateText;
 import faultline.gui.text.Texts;
+import faultline.gui.text.Wordings;
 import faultline.world.Command;
 import java.util.Locale;
 

@@ -15,7 +15,9 @@ public final class Wordings {
 
     /** The keys of all texts that are known by their wording begin like one of these. */
     private static final List<String> KINDS = List.of("refused.", "complaint.", "allowed.");
-    private static final Pattern GAP = Pattern.compile("(\"?)\\{(\\d)}");
+    private static final Pattern GAP = Pattern.compile("([\"<]?)\\{(\\d)}");
+    /** What fills the gaps of these are names. */
+    private static final String OF_NAMES = "refused.";
 
     /** Those that say most come first, because others would take their words for what fills a gap. */
     private static final List<Wording> KNOWN = Texts.keys(Language.ENGLISH).filter(key -> KINDS.stream().anyMatch(key::startsWith))
@@ -30,7 +32,7 @@ public final class Wordings {
      * @param key of the text
      * @param wording with a group for each gap
      * @param gaps which gap each group is
-     * @param quoted whether each group is in quotes: such are somebody's own words and never translated
+     * @param quoted whether each group is somebody's own words or a name, as those in quotes and angle brackets are: never translated
      * @param said how many letters are not in gaps
      */
     private record Wording(String key, Pattern wording, List<Integer> gaps, List<Boolean> quoted, int said) {
@@ -45,7 +47,7 @@ public final class Wordings {
             for (; gap.find(); end = gap.end()) {
                 pattern.append(Pattern.quote(text.substring(end, gap.end(1)))).append("(.*?)");
                 gaps.add(Integer.valueOf(gap.group(2)));
-                quoted.add(!gap.group(1).isEmpty());
+                quoted.add(!gap.group(1).isEmpty() || key.startsWith(OF_NAMES));
             }
             pattern.append(Pattern.quote(text.substring(end)));
             return new Wording(key, Pattern.compile(pattern.toString()), gaps, quoted, text.length() - 3 * gaps.size());

@@ -183,6 +183,11 @@ class CrashTest {
         assertEquals(1, broken.get(0).complaints().get(0).place().line());
         assertEquals(List.of(), told);
         assertTrue(onEdt(() -> bench.scenario().isPresent()), "what is open stays");
+        assertTrue(onEdt(bench::isChanged), "no file holds it now");
+        rewrite(whole);
+        look(watch, 4);
+        assertFalse(onEdt(bench::isChanged));
+        assertEquals(List.of(), told, "it is what is open");
         rewrite(whole.replaceFirst("seed=\"\\d+\"", "").replaceFirst("<scenario ", "<scenario seed=\"4711\" "));
         look(watch, 4);
         assertEquals(List.of(file), told);

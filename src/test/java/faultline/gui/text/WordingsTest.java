@@ -86,6 +86,8 @@ class WordingsTest {
             kind of <fault> is "stick", allowed is off, stuck; did you mean "stuck"? | kind w <fault> to "stick", dozwolone: off, stuck; czy chodziło o "stuck"?
             width of <world> is "-6", allowed is a number from 0.000001 to 100000 metres | width w <world> to "-6", dozwolone: liczba od 0.000001 do 100000 (metry)
             name of <x> is "a number from 1 to 2", allowed is none | name w <x> to "a number from 1 to 2", dozwolone: brak
+            there is no obstacle none | nie ma przeszkody none
+            <world> may not hold <text>, allowed is circle | <world> nie może zawierać <text>, dozwolone: circle
             this is not well-formed XML, after "<a", inside <world> of line 3 | to nie jest poprawny XML, za "<a", wewnątrz <world> z wiersza 3
             the scenario cannot be saved: it would not read back the same | nie można zapisać scenariusza: po wczytaniu byłby inny
             """)
