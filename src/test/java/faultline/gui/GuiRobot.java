@@ -7,6 +7,7 @@ import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Dialog;
 import java.awt.EventQueue;
+import java.awt.Frame;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Robot;
@@ -21,7 +22,9 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 
 /**
@@ -81,13 +84,33 @@ public final class GuiRobot {
         for (long nudges = 1; !onEdt(condition); action.run()) {
             long waited = System.nanoTime() - begun;
             if (waited > TimeUnit.SECONDS.toNanos(DEADLINE_SECONDS)) {
-                fail("waited " + DEADLINE_SECONDS + " s in vain until " + what);
+                fail("waited " + DEADLINE_SECONDS + " s in vain until " + what + "; " + onEdt(GuiRobot::whatShows));
             }
             if (waited > nudges * NUDGE_NANOS) {
                 nudges++;
                 edt(GuiRobot::focusSomething);
             }
         }
+    }
+
+    /** What a failure is understood by: the windows that show, and what the keys go to. */
+    private static String whatShows() {
+        KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        String windows = Stream.of(Window.getWindows()).filter(Window::isShowing).map(GuiRobot::named).collect(Collectors.joining(", "));
+        String menus = Stream.of(MenuSelectionManager.defaultManager().getSelectedPath()).map(menu -> named(menu.getComponent()))
+                .collect(Collectors.joining(", "));
+        return "showing: " + windows + "; active: " + named(focus.getActiveWindow()) + "; focused: " + named(focus.getFocusOwner())
+                + "; open menus: " + menus;
+    }
+
+    /** The class, and the title or name; where there is no component, "nothing". */
+    private static String named(Component component) {
+        if (component == null) {
+            return "nothing";
+        }
+        String title = component instanceof Frame frame ? frame.getTitle() : component instanceof Dialog dialog ? dialog.getTitle()
+                : Components.name(component);
+        return component.getClass().getName() + " \"" + title + "\"";
     }
 
     /** On a busy machine a window manager now and then gives the focus to nobody when a dialog closes. */
