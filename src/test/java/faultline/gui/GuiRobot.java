@@ -36,7 +36,7 @@ public final class GuiRobot {
     /** How long a condition may take to come true; generous, because only a failing test waits that long. */
     private static final long DEADLINE_SECONDS = 60;
 
-    /** So often a window is given the focus that the window manager has left with nobody, as a user would click on it. */
+    /** So often, in a wait, a window is given the focus, as a user would click on it. */
     private static final long NUDGE_NANOS = TimeUnit.SECONDS.toNanos(3);
 
     /** How many moves a drag is made of, so that components see a hand and not a jump. */
@@ -81,14 +81,14 @@ public final class GuiRobot {
     /** Does something again and again until a condition, asked on the event dispatch thread, holds. */
     public void repeatUntil(String what, Callable<Boolean> condition, Runnable action) {
         long begun = System.nanoTime();
-        for (long nudges = 1; !onEdt(condition); action.run()) {
+        for (int nudges = 1; !onEdt(condition); action.run()) {
             long waited = System.nanoTime() - begun;
             if (waited > TimeUnit.SECONDS.toNanos(DEADLINE_SECONDS)) {
                 fail("waited " + DEADLINE_SECONDS + " s in vain until " + what + "; " + onEdt(GuiRobot::whatShows));
             }
             if (waited > nudges * NUDGE_NANOS) {
-                nudges++;
-                edt(GuiRobot::focusSomething);
+                int turn = nudges++;
+                edt(() -> focusSomething(turn));
             }
         }
     }
@@ -113,15 +113,20 @@ public final class GuiRobot {
         return component.getClass().getName() + " \"" + title + "\"";
     }
 
-    /** On a busy machine a window manager now and then gives the focus to nobody when a dialog closes. */
-    private static void focusSomething() {
-        if (KeyboardFocusManager.getCurrentKeyboardFocusManager().getActiveWindow() == null) {
-            List<Window> showing = Stream.of(Window.getWindows()).filter(Window::isShowing).toList();
-            Stream.concat(showing.stream().filter(window -> window instanceof Dialog dialog && dialog.isModal()), showing.stream())
-                    .findFirst().ifPresent(window -> {
-                        window.toFront();
-                        window.requestFocus();
-                    });
+    /**
+     * Gives the focus to a window as a click on it would: on a busy machine a window manager now and then gives it to nobody when a dialog
+     * closes, and keeps it where it was when one opens late. Where several windows may have it, they take turns.
+     */
+    private static void focusSomething(int turn) {
+        List<Window> showing = Stream.of(Window.getWindows()).filter(window -> window.isShowing() && window.isFocusableWindow()).toList();
+        List<Window> modal = showing.stream().filter(window -> window instanceof Dialog dialog && dialog.isModal()).toList();
+        List<Window> able = modal.isEmpty() ? showing : modal;
+        if (!able.isEmpty()) {
+            Window next = able.get(Math.floorMod(-turn, able.size()));
+            if (!next.isFocused()) {
+                next.toFront();
+                next.requestFocus();
+            }
         }
     }
 
