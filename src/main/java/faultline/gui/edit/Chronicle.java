@@ -25,6 +25,11 @@ final class Chronicle {
         reached = moments.size();
     }
 
+    /** The tick in which an edit was first done; 0 where it was there before the run began. */
+    long begun(CommandEdit edit) {
+        return moments.stream().filter(moment -> moment.edit() == edit).mapToLong(Moment::tick).findFirst().orElse(0);
+    }
+
     /** Something is done now: what was ahead will not happen. Says whether anything was. */
     boolean fork() {
         boolean ahead = reached < moments.size();

@@ -6,7 +6,6 @@ import java.awt.EventQueue;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.IntConsumer;
 import java.util.function.LongSupplier;
 import javax.swing.undo.UndoableEdit;
 
@@ -24,7 +23,7 @@ public final class EditDesk implements Editor {
     private final LongSupplier millis;
     private final EditHistory history = new EditHistory();
     private final Chronicle chronicle = new Chronicle(history);
-    private IntConsumer forked = count -> { };
+    private Optional<EditNews> news = Optional.empty();
     private int gesture;
     private boolean held;
     private int era;
@@ -121,6 +120,9 @@ public final class EditDesk implements Editor {
     private void replayed(CommandEdit edit, boolean done, List<Outcome> outcomes) {
         if (outcomes.stream().anyMatch(outcome -> outcome.refusal().isEmpty())) {
             noteFork(outcomes);
+            if (!done) {
+                news.ifPresent(told -> told.undone(chronicle.begun(edit)));
+            }
             chronicle.add(outcomes.get(0).tick(), edit, done);
         } else {
             history.takeBack(edit, done);
@@ -130,17 +132,17 @@ public final class EditDesk implements Editor {
 
     private void noteFork(List<Outcome> outcomes) {
         if (outcomes.stream().anyMatch(outcome -> outcome.refusal().isEmpty()) && chronicle.fork()) {
-            forked.accept(history.later().size());
+            news.ifPresent(told -> told.forked(history.later().size()));
         }
     }
 
     /**
-     * Sets who is told when something is done at an earlier moment of the run, so that later edits will not happen by themselves any more.
+     * Sets who is told what becomes of edits.
      *
-     * @param told given how many edits can be redone in their place
+     * @param told on the event dispatch thread
      */
-    public void whenForked(IntConsumer told) {
-        forked = told;
+    public void tell(EditNews told) {
+        news = Optional.of(told);
     }
 
     /**

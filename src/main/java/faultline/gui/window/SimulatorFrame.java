@@ -82,7 +82,7 @@ public final class SimulatorFrame extends JFrame {
         closeWithQuestion();
         edit();
         watch = new FileWatch(bench, files::changedOnDisk, bad -> note(Dialogs.brokenOnDisk(bad)));
-        edits.whenForked(later -> note(Texts.text("edit.forked", Integer.toString(later))));
+        edits.tell(new EditNotes(run, actions, this::note));
         poll.start();
     }
 

@@ -11,6 +11,7 @@ import faultline.geometry.Pose;
 import faultline.gui.EdtChecker;
 import faultline.gui.Patience;
 import faultline.gui.edit.EditDesk;
+import faultline.gui.edit.EditNews;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
 import faultline.world.Command;
@@ -36,11 +37,25 @@ class TimeJumpTest {
     @TempDir
     private Path folder;
     private final List<Integer> forks = new ArrayList<>();
+    private final List<Long> undone = new ArrayList<>();
     private Bench bench;
     private RunDesk run;
     private Filing filing;
     private EditDesk edits;
     private Pose original;
+
+    /** Keeps what the edit desk tells. */
+    private final class Heard implements EditNews {
+        @Override
+        public void forked(int later) {
+            forks.add(later);
+        }
+
+        @Override
+        public void undone(long since) {
+            undone.add(since);
+        }
+    }
 
     @BeforeEach
     void editTwice() {
@@ -49,7 +64,7 @@ class TimeJumpTest {
             run = new RunDesk(bench);
             filing = new Filing(bench);
             edits = new EditDesk(run::send, () -> { });
-            edits.whenForked(forks::add);
+            edits.tell(new Heard());
             filing.open(Path.of("scenarios/collision-on-purpose.xml"));
         });
         Patience.waitFor("the scenario", () -> run.frame().isPresent());
@@ -78,6 +93,17 @@ class TimeJumpTest {
         assertEquals(SECOND, pole());
         assertEquals(Optional.empty(), onEdt(edits::redoName));
         assertEquals(List.of(), forks, "nothing else happened than before");
+    }
+
+    @Test
+    void anUndoTellsSinceWhenTheEditHadStood() {
+        edt(edits::undo);
+        waitForPole(FIRST);
+        edt(run::restart);
+        Patience.waitFor("the restart", () -> run.frame().orElseThrow().world().tick() == 0);
+        edt(edits::undo);
+        waitForPole(original);
+        assertEquals(List.of(21L, 0L), undone);
     }
 
     @Test

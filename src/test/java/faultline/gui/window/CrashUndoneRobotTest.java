@@ -1,0 +1,54 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.onEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.geometry.Vec;
+import faultline.gui.Components;
+import faultline.gui.EdtChecker;
+import faultline.gui.theme.Theme;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.swing.JSlider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** An obstacle that was dragged into the robot's way is taken back after the crash: the window says how to be rid of the crash too. */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+class CrashUndoneRobotTest {
+
+    /** A tick after the drag, seconds before the crash. */
+    private static final int BEFORE = 50;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void theAdviceIsGivenAndHolds() throws IOException {
+        Path scenario = Files.writeString(folder.resolve("beside.xml"),
+                Files.readString(Path.of("scenarios/collision-on-purpose.xml")).replace("y=\"2.05\" radius=\"0.02\"", "y=\"3\" radius=\"0.1\""));
+        try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, scenario)) {
+            double metre = onEdt(() -> driver.canvas().camera().toScreen(new Vec(0, 0)).y() - driver.canvas().camera().toScreen(new Vec(0, 1)).y());
+            driver.drag(0, 0, (int) metre);
+            driver.runFast(frame -> frame.world().collision().isPresent());
+            driver.choose("run");
+            driver.robot().waitFor("time is held", () -> !driver.isRunning());
+            driver.choose("undo");
+            driver.robot().waitFor("the window tells that the crash stays", () -> driver.note().startsWith("The crash stays."));
+            assertEquals("The crash stays. To take it back too: go before it on the time line (key ,) and undo there, or begin anew (key Ctrl+R)",
+                    driver.note());
+            JSlider line = Components.named(driver.window(), JSlider.class, "Moment of the run");
+            edt(() -> line.setValue(BEFORE));
+            driver.waitForFrame("the run is before the crash", frame -> frame.world().tick() == BEFORE);
+            driver.choose("undo");
+            driver.waitForFrame("the way is free", frame -> frame.world().obstacles().get(0).pose().y() == 3);
+            driver.choose("run");
+            driver.waitForFrame("the robot is past the place", frame -> frame.world().pose().x() > 5);
+        }
+    }
+}
