@@ -3,6 +3,7 @@ package faultline.gui.canvas;
 import java.awt.Graphics2D;
 import java.awt.Image;
 import java.awt.Rectangle;
+import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -16,7 +17,8 @@ final class Plate {
     private Optional<BufferedImage> image = Optional.empty();
 
     /**
-     * Paints by way of the plate, as crisp as the device that the graphics belongs to.
+     * Paints by way of the plate, as crisp as the device that the graphics belongs to. Where that has one and a quarter or one and a half
+     * pixels for one of ours, the picture may begin within a device pixel; the plate is laid on whole ones.
      *
      * @param graphics the target; only what it is clipped to is painted
      * @param width of the picture, pixels
@@ -24,16 +26,32 @@ final class Plate {
      * @param painter given a graphics of the same user space
      */
     void paint(Graphics2D graphics, int width, int height, Consumer<Graphics2D> painter) {
-        double scale = graphics.getTransform().getScaleX();
+        AffineTransform device = graphics.getTransform();
+        double scale = device.getScaleX();
         BufferedImage plate = sized((int) Math.ceil(width * scale), (int) Math.ceil(height * scale));
         Graphics2D own = plate.createGraphics();
         own.scale(scale, scale);
-        own.clip(graphics.getClip() == null ? new Rectangle(width, height) : graphics.getClip());
+        own.clip(clip(graphics, width, height));
         painter.accept(own);
         own.dispose();
-        graphics.scale(1 / scale, 1 / scale);
+        graphics.setTransform(AffineTransform.getTranslateInstance(whole(device.getTranslateX()), whole(device.getTranslateY())));
         graphics.drawImage((Image) plate, 0, 0, null);
-        graphics.scale(scale, scale);
+        graphics.setTransform(device);
+    }
+
+    /** The first device pixel of an area that begins here: as everywhere, the first whose middle lies in it. */
+    private static double whole(double edge) {
+        return Math.ceil(edge - 0.5);
+    }
+
+    /** What of the picture is wanted, and a pixel more: its edges may round to others on the plate than on the device. */
+    private static Rectangle clip(Graphics2D graphics, int width, int height) {
+        Rectangle clip = new Rectangle(width, height);
+        if (graphics.getClip() != null) {
+            clip = graphics.getClipBounds();
+            clip.grow(1, 1);
+        }
+        return clip;
     }
 
     private BufferedImage sized(int width, int height) {
