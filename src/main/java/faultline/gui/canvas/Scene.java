@@ -24,11 +24,10 @@ final class Scene {
     /** Takes a newer frame; what it lacks is no longer selected, and what was awaited is. */
     void show(Frame newest) {
         frame = Optional.of(newest);
-        Set<String> ids = ids();
-        if (!awaited.isEmpty() && ids.containsAll(awaited)) {
+        if (!awaited.isEmpty() && hasAll(awaited)) {
             select(awaited);
-        } else if (!ids.containsAll(selection.get())) {
-            selection.set(selection.get().stream().filter(ids::contains).collect(Collectors.toUnmodifiableSet()));
+        } else if (!hasAll(selection.get())) {
+            select(selection.get(), awaited);
         }
         if (selectedSensor().isEmpty()) {
             sensor.set(Optional.empty());
@@ -53,9 +52,18 @@ final class Scene {
         return sensor;
     }
 
+    /** Looked at with every frame: no two obstacles have the same id, so it is enough to count. */
+    private boolean hasAll(Set<String> ids) {
+        return ids.isEmpty() || obstacles().stream().filter(obstacle -> ids.contains(obstacle.id())).count() == ids.size();
+    }
+
     /** Selects obstacles and no others; those that are not there are left out. */
     void select(Collection<String> wanted) {
-        awaited = Set.of();
+        select(wanted, Set.of());
+    }
+
+    private void select(Collection<String> wanted, Set<String> nowAwaited) {
+        awaited = nowAwaited;
         Set<String> there = new LinkedHashSet<>(wanted);
         there.retainAll(ids());
         selection.set(Collections.unmodifiableSet(there));
