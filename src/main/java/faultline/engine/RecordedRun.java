@@ -3,6 +3,8 @@ package faultline.engine;
 import faultline.engine.record.HashRecorder;
 import faultline.engine.record.Hashes;
 import faultline.geometry.Pose;
+import java.util.concurrent.CancellationException;
+import java.util.function.LongPredicate;
 
 /**
  * An earlier run, to be shown beside a later one: where the robot was at every tick, and how the two first differ. Made by running it
@@ -16,7 +18,7 @@ public final class RecordedRun {
     private final Hashes hashes;
     private final Path path;
 
-    private RecordedRun(Journal journal, Simulation simulation) {
+    private RecordedRun(Journal journal, Simulation simulation, LongPredicate onward) {
         int size = (int) Math.min(journal.ticks() + 1, HashRecorder.MOST);
         x = new double[size];
         y = new double[size];
@@ -25,6 +27,9 @@ public final class RecordedRun {
         Replay replay = new Replay(journal);
         record(simulation, recorder);
         while (simulation.ticks() < size - 1) {
+            if (!onward.test(simulation.ticks())) {
+                throw new CancellationException("given up at tick " + simulation.ticks());
+            }
             replay.tick(simulation);
             record(simulation, recorder);
         }
@@ -40,8 +45,21 @@ public final class RecordedRun {
      * @throws RunFailedException if the controller threw
      */
     public static RecordedRun of(Journal journal) {
+        return of(journal, tick -> true);
+    }
+
+    /**
+     * Runs a journal again, at full speed, for as long as that is wanted.
+     *
+     * @param journal of the earlier run
+     * @param onward asked before each tick, on the calling thread, whether to go on; given the tick before
+     * @return the run up to where the journal ends, or as far as {@link HashRecorder#MOST} ticks go
+     * @throws RunFailedException if the controller threw
+     * @throws CancellationException if it was not to go on
+     */
+    public static RecordedRun of(Journal journal, LongPredicate onward) {
         try (Simulation simulation = new Simulation(journal.setup(), ControllerMode.DIRECT)) {
-            return new RecordedRun(journal, simulation);
+            return new RecordedRun(journal, simulation, onward);
         }
     }
 

@@ -6,12 +6,12 @@ import faultline.engine.RecordedRun;
 import faultline.engine.record.Hashes;
 import faultline.gui.document.Bench.Task;
 import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 
 /** Keeps an earlier run beside the one on the bench, and finds where the two first differ. Another scenario on the bench drives it out. */
@@ -21,7 +21,7 @@ public final class GhostDesk {
     private final TimeTravel travel;
     private Optional<Haunting> haunting = Optional.empty();
     private Hashes compared = Hashes.EMPTY;
-    private int orders;
+    private Optional<UnderWay> summoned = Optional.empty();
 
     /**
      * For a bench.
@@ -44,7 +44,7 @@ public final class GhostDesk {
         bench.work().ifPresent(now -> {
             CompletableFuture<Journal> journal = now.session().wholeJournal();
             Document document = now.document();
-            summon(document.name(), () -> ghost(document.begun().name(), journal.join()));
+            summon(document.name(), way -> ghost(document.begun().name(), journal.join(), way));
         });
     }
 
@@ -54,23 +54,41 @@ public final class GhostDesk {
      * @param file the scenario file
      */
     public void open(Path file) {
-        summon(file, () -> {
+        summon(file, way -> {
             Scenario scenario = Scenario.load(file);
-            return ghost(scenario.name(), new Journal(scenario.setup(), List.of(), scenario.setup().ticks()));
+            return ghost(scenario.name(), new Journal(scenario.setup(), List.of(), scenario.setup().ticks()), way);
         });
     }
 
-    private static Ghost ghost(String name, Journal journal) {
-        return new Ghost(name, journal.setup().seed(), journal.setup().dt(), RecordedRun.of(journal));
+    private static Ghost ghost(String name, Journal journal, UnderWay way) {
+        return new Ghost(name, journal.setup().seed(), journal.setup().dt(), RecordedRun.of(journal, tick -> way.isWanted()));
     }
 
-    private void summon(Path name, Callable<Ghost> maker) {
-        int order = ++orders;
-        Background.run(maker, made -> {
-            if (order == orders) {
-                appear(made);
-            }
-        }, why -> bench.listener().failed(Task.GHOST, name, why));
+    /** Runs something in the place of whatever is being run. */
+    private void summon(Path name, Maker maker) {
+        giveUp();
+        UnderWay way = new UnderWay(Task.GHOST, name);
+        summoned = Optional.of(way);
+        Background.run(() -> maker.make(way), made -> settle(way, () -> appear(made)),
+                why -> settle(way, () -> bench.listener().failed(Task.GHOST, name, why)));
+    }
+
+    private void settle(UnderWay way, Runnable outcome) {
+        if (way.isWanted()) {
+            summoned = Optional.empty();
+            outcome.run();
+        }
+    }
+
+    private void giveUp() {
+        summoned.ifPresent(UnderWay::cancel);
+        summoned = Optional.empty();
+    }
+
+    /** Makes a ghost, slowly. */
+    @FunctionalInterface
+    private interface Maker {
+        Ghost make(UnderWay way) throws ScenarioException;
     }
 
     private void appear(Ghost ghost) {
@@ -80,10 +98,19 @@ public final class GhostDesk {
         });
     }
 
-    /** Shows no earlier run any more. */
+    /** Shows no earlier run any more, and gives up the one that is being run. */
     public void remove() {
-        orders++;
+        giveUp();
         haunting = Optional.empty();
+    }
+
+    /**
+     * Whether an earlier run is being run again, to be shown soon.
+     *
+     * @return true until it is there, or has failed or been removed
+     */
+    public boolean isUnderWay() {
+        return summoned.isPresent();
     }
 
     /**

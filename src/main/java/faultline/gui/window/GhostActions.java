@@ -41,9 +41,9 @@ final class GhostActions {
     /** Compares the newest frame, and shows what is new. */
     void show(Frame frame) {
         Optional<Haunting> now = desk.see(frame);
+        remove.setEnabled(now.isPresent() || desk.isUnderWay());
         if (!now.equals(shown)) {
             shown = now;
-            remove.setEnabled(now.isPresent());
             area.haunt(now.map(GhostActions::painted), now.flatMap(GhostActions::event));
         }
     }

@@ -19,6 +19,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.Predicate;
 import java.util.stream.LongStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -32,6 +33,7 @@ class GhostDeskTest {
     private static final Path OFFICE = Path.of("scenarios/office.xml");
     private static final int TICKS = 60;
     private static final int CHANGED = 20;
+    private static final double MANY_HOURS = 80_000;
 
     private final List<String> failures = new ArrayList<>();
     private Bench bench;
@@ -175,6 +177,26 @@ class GhostDeskTest {
     void itCanBeRemoved() {
         edt(desk::remove);
         assertTrue(onEdt(() -> look().isEmpty()));
+    }
+
+    @Test
+    void removedWhileItIsBeingRunItNeverComesAndTheRunStops(@TempDir Path folder) throws Exception {
+        edt(desk::remove);
+        Path file = folder.resolve("long.xml");
+        Scenario office = Scenario.load(OFFICE);
+        office.withSetup(office.setup().withDuration(MANY_HOURS)).save(file);
+        edt(() -> desk.open(file));
+        Patience.waitFor("the ghost's run", () -> ghostRuns());
+        assertTrue(onEdt(desk::isUnderWay));
+        edt(desk::remove);
+        assertFalse(onEdt(desk::isUnderWay));
+        Patience.waitFor("the end of the ghost's run", () -> !ghostRuns());
+        assertTrue(onEdt(() -> look().isEmpty()));
+        assertEquals(List.of(), failures, "to be given up is no failure");
+    }
+
+    private static boolean ghostRuns() {
+        return Thread.getAllStackTraces().values().stream().flatMap(Stream::of).anyMatch(call -> call.getClassName().equals(RecordedRun.class.getName()));
     }
 
     private final class Quiet implements Bench.Listener {
