@@ -7,6 +7,7 @@ import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.Graphics;
+import java.awt.Point;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -138,9 +139,20 @@ public final class EventLogView extends JPanel {
      */
     public void show(Frame frame) {
         assert EventQueue.isDispatchThread();
+        int chosen = table.getSelectedRow();
         boolean added = events.show(frame.recording().events());
-        if (added && table.getSelectedRow() < 0 && table.getRowCount() > 0) {
+        if (table.getSelectedRow() >= 0) {
+            scrollBy(table.getSelectedRow() - chosen);
+        } else if (added && table.getRowCount() > 0) {
             table.scrollRectToVisible(table.getCellRect(table.getRowCount() - 1, 0, true));
+        }
+    }
+
+    /** Where the oldest events are forgotten, what is chosen stays where it is on the screen. */
+    private void scrollBy(int rows) {
+        if (rows != 0) {
+            Point top = scroll.getViewport().getViewPosition();
+            scroll.getViewport().setViewPosition(new Point(top.x, Math.max(0, top.y + rows * table.getRowHeight())));
         }
     }
 
