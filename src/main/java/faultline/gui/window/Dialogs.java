@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.Icon;
 import javax.swing.ImageIcon;
 import javax.swing.JDialog;
@@ -38,6 +39,14 @@ final class Dialogs {
         actions.add(UiAction.of("shortcuts", () -> shortcuts(actions).setVisible(true)).on(Keystrokes.plain(KeyEvent.VK_F1)));
         actions.add(UiAction.of("guide", () -> GuideDialog.open(owner)));
         actions.add(UiAction.of("about", this::about));
+    }
+
+    /** Brings the dialog of a kind to the front, if one is open. Says whether one is. */
+    static boolean isBroughtToFront(Window owner, Class<? extends Window> kind) {
+        Optional<Window> open = Stream.of(owner.getOwnedWindows()).filter(kind::isInstance).filter(Window::isShowing).findFirst();
+        open.ifPresent(Window::toFront);
+        open.ifPresent(Window::requestFocus);
+        return open.isPresent();
     }
 
     /** Says why something asked for was not done. */

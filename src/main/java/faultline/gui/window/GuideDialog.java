@@ -34,8 +34,14 @@ final class GuideDialog extends JDialog {
         setLocationRelativeTo(owner);
     }
 
-    /** Shows the guide, soon. */
+    /** Shows the guide, soon, or brings it to the front where it is open. */
     static void open(Window owner) {
+        if (!Dialogs.isBroughtToFront(owner, GuideDialog.class)) {
+            read(owner);
+        }
+    }
+
+    private static void read(Window owner) {
         new SwingWorker<GuidePage, Void>() {
             @Override
             protected GuidePage doInBackground() {
@@ -45,7 +51,7 @@ final class GuideDialog extends JDialog {
             @Override
             protected void done() {
                 try {
-                    new GuideDialog(owner, get()).setVisible(true);
+                    show(owner, get());
                 } catch (ExecutionException broken) {
                     throw new IllegalStateException(broken.getCause());
                 } catch (InterruptedException broken) {
@@ -53,6 +59,13 @@ final class GuideDialog extends JDialog {
                 }
             }
         }.execute();
+    }
+
+    private static void show(Window owner, GuidePage page) {
+        // Another may have been asked for, and have come, while this page was read.
+        if (!Dialogs.isBroughtToFront(owner, GuideDialog.class)) {
+            new GuideDialog(owner, page).setVisible(true);
+        }
     }
 
     private JPanel buttons() {

@@ -223,7 +223,9 @@ public final class SimulatorFrame extends JFrame {
 
     /** Shows the examples that ship with the program, in front of the window. */
     public void showExamples() {
-        new Gallery(this, files::openShipped, memory.galleryAtStart(), memory::keepGalleryAtStart).setVisible(true);
+        if (!Dialogs.isBroughtToFront(this, Gallery.class)) {
+            new Gallery(this, files::openShipped, memory.galleryAtStart(), memory::keepGalleryAtStart).setVisible(true);
+        }
     }
 
     /**

@@ -11,6 +11,7 @@ import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
+import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
@@ -19,6 +20,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
@@ -30,6 +32,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The ways to open a scenario in a real window, and what is asked before changes are given up for it. */
 @ExtendWith(EdtChecker.class)
@@ -170,6 +174,18 @@ class OpenRobotTest {
         driver.robot().type(KeyEvent.VK_ENTER);
         driver.robot().waitFor("the gallery is gone", () -> !gallery.isShowing());
         driver.robot().waitFor("another scenario is open", () -> !driver.window().getTitle().startsWith("office.xml"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"examples, Examples", "guide, Guide"})
+    void askedForAgainWhatIsOpenComesToTheFront(String action, String title) {
+        driver.choose(action);
+        JDialog open = driver.dialog(title);
+        edt(driver.window()::requestFocus);
+        driver.robot().waitFor("the window has the focus", driver.window()::isFocused);
+        driver.choose(action);
+        driver.robot().waitFor("the dialog has the focus", open::isFocused);
+        assertEquals(1, onEdt(() -> Stream.of(driver.window().getOwnedWindows()).filter(Window::isShowing).count()));
     }
 
     private void choose(String gallery) {
