@@ -1,10 +1,13 @@
 package faultline.gui.action;
 
+import faultline.gui.text.Texts;
 import java.awt.Component;
 import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.stream.Collectors;
 import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
 
@@ -13,6 +16,15 @@ public final class Keystrokes {
 
     private static final int OTHER_MODIFIERS =
             InputEvent.CTRL_DOWN_MASK | InputEvent.ALT_DOWN_MASK | InputEvent.META_DOWN_MASK | InputEvent.ALT_GRAPH_DOWN_MASK;
+
+    /** In the order in which they are written. */
+    private static final List<Modifier> MODIFIERS = List.of(new Modifier(InputEvent.META_DOWN_MASK, "key.meta"),
+            new Modifier(InputEvent.CTRL_DOWN_MASK, "key.ctrl"), new Modifier(InputEvent.ALT_DOWN_MASK, "key.alt"),
+            new Modifier(InputEvent.SHIFT_DOWN_MASK, "key.shift"));
+
+    /** A key that is held, and the key of its name. */
+    private record Modifier(int mask, String name) {
+    }
 
     private Keystrokes() {
     }
@@ -84,15 +96,21 @@ public final class Keystrokes {
     }
 
     /**
-     * A stroke for people.
+     * A stroke for people, in the language of the window; the machine's may be another.
      *
      * @param stroke the stroke
      * @return such as Ctrl+O, or [
      */
     public static String text(KeyStroke stroke) {
-        String modifiers = InputEvent.getModifiersExText(stroke.getModifiers());
-        String key = stroke.getKeyCode() == KeyEvent.VK_UNDEFINED ? String.valueOf(stroke.getKeyChar()) : KeyEvent.getKeyText(stroke.getKeyCode());
-        return modifiers.isEmpty() ? key : modifiers + "+" + key;
+        String held = MODIFIERS.stream().filter(modifier -> (stroke.getModifiers() & modifier.mask()) != 0)
+                .map(modifier -> Texts.text(modifier.name()) + "+").collect(Collectors.joining());
+        return held + (stroke.getKeyCode() == KeyEvent.VK_UNDEFINED ? String.valueOf(stroke.getKeyChar()) : key(stroke.getKeyCode()));
+    }
+
+    /** Keys that are called by a word have it in the texts; others are called by what is printed on them. */
+    private static String key(int code) {
+        String named = plain(code).toString().replace("pressed ", "key.");
+        return Texts.has(named) ? Texts.text(named) : KeyEvent.getKeyText(code);
     }
 
     /**

@@ -3,6 +3,7 @@ package faultline.gui.gallery;
 import faultline.engine.ControllerMode;
 import faultline.engine.Frame;
 import faultline.engine.Simulation;
+import faultline.gui.text.Texts;
 import faultline.paint.FrameImage;
 import faultline.paint.Layer;
 import faultline.paint.Palette;
@@ -34,7 +35,9 @@ record Example(String file, String title, String description, BufferedImage pict
     /** Reads and runs an example; slow. */
     static Example of(String file, Palette palette) throws ScenarioException {
         Scenario scenario = Scenario.shipped(file);
-        return new Example(file, scenario.name(), scenario.description(), picture(frame(scenario), palette));
+        String key = file.substring(0, file.lastIndexOf('.'));
+        return new Example(file, Texts.ofExample(key + ".title", scenario.name()), Texts.ofExample(key + ".text", scenario.description()),
+                picture(frame(scenario), palette));
     }
 
     private static Frame frame(Scenario scenario) {

@@ -13,14 +13,17 @@ import java.util.stream.Stream;
 /** The texts that users see. Numbers in them are written before they get here, so that no locale changes them. */
 public final class Texts {
 
+    private static final String MESSAGES = "Messages";
+    private static final String EXAMPLES = "Examples";
+
     private static volatile Language language = Language.ENGLISH;
-    private static volatile ResourceBundle bundle = bundle(Language.ENGLISH);
+    private static volatile ResourceBundle bundle = bundle(MESSAGES, Language.ENGLISH);
 
     private Texts() {
     }
 
-    private static ResourceBundle bundle(Language language) {
-        return ResourceBundle.getBundle("faultline.gui.Messages", language.locale(),
+    private static ResourceBundle bundle(String name, Language language) {
+        return ResourceBundle.getBundle("faultline.gui." + name, language.locale(),
                 ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
     }
 
@@ -31,7 +34,7 @@ public final class Texts {
      */
     public static void speak(Language chosen) {
         language = chosen;
-        bundle = bundle(chosen);
+        bundle = bundle(MESSAGES, chosen);
     }
 
     static Stream<String> keys() {
@@ -40,12 +43,12 @@ public final class Texts {
 
     /** The keys of all texts in a language, in order. */
     static Stream<String> keys(Language of) {
-        return bundle(of).keySet().stream().sorted();
+        return bundle(MESSAGES, of).keySet().stream().sorted();
     }
 
     /** The text of a key in a language, whichever is spoken. */
     static String text(Language of, String key) {
-        return bundle(of).getString(key);
+        return bundle(MESSAGES, of).getString(key);
     }
 
     /**
@@ -87,6 +90,18 @@ public final class Texts {
      */
     public static String text(String key, String... values) {
         return new MessageFormat(text(key), Locale.ROOT).format(values);
+    }
+
+    /**
+     * What is said of an example, in the user's language.
+     *
+     * @param key as in the examples' properties file
+     * @param own what the example says itself
+     * @return the text of the key, or what it says itself where there is none
+     */
+    public static String ofExample(String key, String own) {
+        ResourceBundle examples = bundle(EXAMPLES, language);
+        return examples.containsKey(key) ? examples.getString(key) : own;
     }
 
     /**

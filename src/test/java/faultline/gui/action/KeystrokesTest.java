@@ -4,11 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.gui.text.Language;
+import faultline.gui.text.Texts;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import javax.swing.JButton;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -30,6 +33,21 @@ class KeystrokesTest {
         assertFalse(Keystrokes.isTypedInto(new JButton(), space));
         assertFalse(Keystrokes.isTypedInto(new JTextField(), KeyStroke.getKeyStroke(KeyEvent.VK_O, InputEvent.CTRL_DOWN_MASK)));
         assertFalse(Keystrokes.isTypedInto(null, space));
+    }
+
+    @AfterEach
+    void speakEnglish() {
+        Texts.speak(Language.ENGLISH);
+    }
+
+    @Test
+    void keysAreCalledAsTheWindowSpeaks() {
+        assertEquals("Space", Keystrokes.text(Keystrokes.plain(KeyEvent.VK_SPACE)));
+        Texts.speak(Language.POLISH);
+        assertEquals("Spacja", Keystrokes.text(Keystrokes.plain(KeyEvent.VK_SPACE)));
+        assertEquals("Ctrl+Shift+S", Keystrokes.text(KeyStroke.getKeyStroke("ctrl shift S")));
+        assertEquals("F1", Keystrokes.text(Keystrokes.plain(KeyEvent.VK_F1)));
+        assertEquals("7", Keystrokes.text(Keystrokes.plain(KeyEvent.VK_7)));
     }
 
     @Test

@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.edt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.scenario.ShippedScenarios;
 import java.io.IOException;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
@@ -65,6 +66,24 @@ class LanguagesTest {
         Texts.speak(Language.POLISH);
         assertEquals(english, tags(Texts.page("guide")));
         assertTrue(english.size() > 20);
+    }
+
+    @Test
+    void everyExampleIsTranslatedAndNoOther() throws IOException {
+        TreeSet<String> wanted = new TreeSet<>();
+        for (String file : ShippedScenarios.names()) {
+            wanted.add(file.replace(".xml", ".title"));
+            wanted.add(file.replace(".xml", ".text"));
+        }
+        assertEquals(wanted, new TreeSet<>(read("Examples_pl.properties").stringPropertyNames()));
+    }
+
+    @Test
+    void anExampleThatIsNotTranslatedSpeaksForItself() {
+        assertEquals("Office", Texts.ofExample("office.title", "Office"));
+        Texts.speak(Language.POLISH);
+        assertEquals("Biuro", Texts.ofExample("office.title", "Office"));
+        assertEquals("Mine", Texts.ofExample("mine.title", "Mine"));
     }
 
     @Test
