@@ -64,7 +64,18 @@ public record Scenario(String name, String description, boolean recorded, Setup 
      * @throws IOException if it cannot be written, or the scenario holds what no file may
      */
     public void save(Path file) throws IOException {
-        byte[] bytes = toBytes();
+        save(file, Remarks.NONE);
+    }
+
+    /**
+     * Writes a scenario file as {@link #save(Path)}, with the comments that a person has put into it.
+     *
+     * @param file the file; one that exists is replaced
+     * @param remarks the comments
+     * @throws IOException if it cannot be written, or the scenario holds what no file may
+     */
+    public void save(Path file, Remarks remarks) throws IOException {
+        byte[] bytes = ScenarioWriter.toBytes(this, remarks);
         try (AtomicFile out = AtomicFile.create(file)) {
             out.stream().write(bytes);
             out.commit();
@@ -78,7 +89,7 @@ public record Scenario(String name, String description, boolean recorded, Setup 
      * @throws IOException if the scenario holds what no file may
      */
     public byte[] toBytes() throws IOException {
-        return ScenarioWriter.toBytes(this);
+        return ScenarioWriter.toBytes(this, Remarks.NONE);
     }
 
     /**

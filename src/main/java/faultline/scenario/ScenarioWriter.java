@@ -16,8 +16,8 @@ final class ScenarioWriter {
      *
      * @throws IOException if the scenario holds what no file may, such as a size beyond the limits
      */
-    static byte[] toBytes(Scenario scenario) throws IOException {
-        byte[] bytes = toText(scenario).getBytes(StandardCharsets.UTF_8);
+    static byte[] toBytes(Scenario scenario, Remarks remarks) throws IOException {
+        byte[] bytes = toText(scenario, remarks).getBytes(StandardCharsets.UTF_8);
         try {
             if (!ScenarioReader.read("", bytes).equals(scenario)) {
                 throw new IOException("the scenario cannot be saved: it would not read back the same");
@@ -28,9 +28,9 @@ final class ScenarioWriter {
         return bytes;
     }
 
-    static String toText(Scenario scenario) {
+    static String toText(Scenario scenario, Remarks remarks) {
         Setup setup = scenario.setup();
-        XmlOut out = new XmlOut();
+        XmlOut out = new XmlOut(remarks);
         out.begin("scenario").set("xmlns", ScenarioSchema.NAMESPACE).set("name", scenario.name())
                 .set("duration", setup.duration()).set("tick", setup.dt()).set("seed", String.valueOf(setup.seed()));
         if (scenario.recorded()) {

@@ -1,27 +1,44 @@
 package faultline.scenario;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
+import java.util.List;
 
-/** Writes indented XML: one element a line, attributes in the order in which they are given. */
+/**
+ * Writes indented XML: one element a line, attributes in the order in which they are given, and a person's comments where they were. A start
+ * tag is held back until it is whole, because the id in it says which comments come before it.
+ */
 final class XmlOut {
 
     private final StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    private final StringBuilder startTag = new StringBuilder();
     private final Deque<String> open = new ArrayDeque<>();
-    private boolean inStartTag;
+    private final ElementPath path = new ElementPath();
+    private final List<Remarks.Remark> unwritten;
+    private String id = "";
+
+    XmlOut() {
+        this(Remarks.NONE);
+    }
+
+    XmlOut(Remarks remarks) {
+        unwritten = new ArrayList<>(remarks.all());
+    }
 
     /** Begins an element. */
     XmlOut begin(String name) {
-        endStartTag();
-        indent();
-        out.append('<').append(name);
+        endStartTag(">\n");
+        startTag.append('<').append(name);
         open.push(name);
-        inStartTag = true;
         return this;
     }
 
     XmlOut set(String name, String value) {
-        out.append(' ').append(name).append("=\"").append(XmlText.attribute(value)).append('"');
+        if (name.equals("id")) {
+            id = value;
+        }
+        startTag.append(' ').append(name).append("=\"").append(XmlText.attribute(value)).append('"');
         return this;
     }
 
@@ -40,33 +57,69 @@ final class XmlOut {
 
     /** Ends the innermost element. */
     XmlOut end() {
-        String name = open.pop();
-        if (inStartTag) {
-            out.append("/>\n");
-            inStartTag = false;
-        } else {
-            indent();
+        boolean empty = !startTag.isEmpty();
+        if (empty) {
+            enter();
+            empty = unwritten.stream().noneMatch(remark -> remark.isInside(path.now()));
+            out.append(empty ? "/>\n" : ">\n");
+        }
+        String name = leave();
+        if (!empty) {
+            indent(open.size());
             out.append("</").append(name).append(">\n");
+        }
+        if (open.isEmpty()) {
+            remarksInside();
         }
         return this;
     }
 
     /** A whole element that holds text only. */
     void text(String name, String text) {
-        endStartTag();
-        indent();
-        out.append('<').append(name).append('>').append(XmlText.element(text)).append("</").append(name).append(">\n");
+        begin(name).endStartTag(">");
+        out.append(XmlText.element(text)).append("</").append(name).append(">\n");
+        open.pop();
+        path.leave();
     }
 
-    private void endStartTag() {
-        if (inStartTag) {
-            out.append(">\n");
-            inStartTag = false;
+    private void endStartTag(String end) {
+        if (!startTag.isEmpty()) {
+            enter();
+            out.append(end);
         }
     }
 
-    private void indent() {
-        out.append("  ".repeat(open.size()));
+    /** Writes what is held back, but for its end. */
+    private void enter() {
+        path.enter(open.peek(), id);
+        id = "";
+        remarks(unwritten.stream().filter(remark -> remark.before().equals(path.now())).toList(), open.size() - 1);
+        indent(open.size() - 1);
+        out.append(startTag);
+        startTag.setLength(0);
+    }
+
+    private String leave() {
+        remarksInside();
+        path.leave();
+        return open.pop();
+    }
+
+    /** What is left to be said inside the element that is open. */
+    private void remarksInside() {
+        remarks(unwritten.stream().filter(remark -> remark.isInside(path.now())).toList(), open.size());
+    }
+
+    private void remarks(List<Remarks.Remark> some, int depth) {
+        for (Remarks.Remark remark : some) {
+            indent(depth);
+            out.append("<!--").append(remark.text()).append("-->\n");
+        }
+        unwritten.removeAll(some);
+    }
+
+    private void indent(int depth) {
+        out.append("  ".repeat(depth));
     }
 
     @Override

@@ -66,7 +66,7 @@ class MutatedFilesTest {
     private static void assertRuns(String text) {
         try {
             Scenario scenario = ScenarioReader.read("room.xml", text.getBytes(StandardCharsets.UTF_8));
-            assertEquals(scenario, ScenarioText.read(ScenarioWriter.toText(scenario)));
+            assertEquals(scenario, ScenarioText.read(ScenarioWriter.toText(scenario, Remarks.NONE)));
             try (Simulation simulation = new Simulation(scenario.setup(), ControllerMode.DIRECT)) {
                 simulation.tick();
                 simulation.tick();

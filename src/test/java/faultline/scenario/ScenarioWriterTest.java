@@ -24,7 +24,7 @@ class ScenarioWriterTest {
     void whateverAScenarioHoldsReadsBackEqual() throws ScenarioException {
         for (int seed = 0; seed < 500; seed++) {
             Scenario scenario = new RandomScenarios(seed).next();
-            assertEquals(scenario, ScenarioText.read(ScenarioWriter.toText(scenario)), "seed " + seed);
+            assertEquals(scenario, ScenarioText.read(ScenarioWriter.toText(scenario, Remarks.NONE)), "seed " + seed);
         }
     }
 
@@ -51,7 +51,7 @@ class ScenarioWriterTest {
                   </timeline>
                   <expect collision="true" states="FOLLOW SEARCH"/>
                 </scenario>
-                """, ScenarioWriter.toText(scenario));
+                """, ScenarioWriter.toText(scenario, Remarks.NONE));
     }
 
     @Test

@@ -2,6 +2,7 @@ package faultline.gui.document;
 
 import faultline.engine.Journal;
 import faultline.gui.document.Bench.Task;
+import faultline.scenario.Remarks;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
 import java.nio.file.Path;
@@ -73,7 +74,7 @@ public final class Filing {
     }
 
     /**
-     * Writes the scenario as it is edited by now, soon.
+     * Writes the scenario as it is edited by now, soon, with the comments of the file that it came from.
      *
      * @param file where to
      * @param then done when it is written, and only then
@@ -83,7 +84,7 @@ public final class Filing {
             CompletableFuture<Journal> journal = now.session().wholeJournal();
             Background.run(() -> {
                 Scenario scenario = now.document().after(journal.join());
-                scenario.save(file);
+                scenario.save(file, now.document().file().map(Remarks::of).orElse(Remarks.NONE));
                 return scenario;
             }, scenario -> {
                 noteSaved(now, file, scenario, EditedSetup.keepsAll(journal.join()));

@@ -110,6 +110,18 @@ class BenchTest {
     }
 
     @Test
+    void aSaveKeepsTheCommentsOfTheFileInThatFileAndInAnother() throws IOException {
+        Files.writeString(file, Files.readString(file).replace("<robot", "<!-- the robot -->\n  <robot"));
+        Path other = folder.resolve("other.xml");
+        move();
+        waitFor("the mark", bench::isChanged);
+        edt(() -> filing.save(file, () -> filing.save(other, () -> begun = 7)));
+        waitFor("the saves", () -> begun == 7);
+        assertTrue(Files.readString(file).contains("  <!-- the robot -->\n  <robot x="), Files.readString(file));
+        assertEquals(Files.readString(file), Files.readString(other));
+    }
+
+    @Test
     void aSaveSaysWhereItLeavesOutWhatWasDoneToSensorsByHand() {
         edt(() -> send(new Command.InjectFault("left", new Fault.Stuck(0.4))));
         edt(() -> filing.save(file, () -> begun = 7));
