@@ -6,8 +6,8 @@ import faultline.paint.Brush;
 import faultline.paint.Words;
 import java.awt.Font;
 
-/** The words on the canvas, in the user's language. */
-final class PictureWords {
+/** The words in pictures of the world, in the user's language. */
+public final class PictureWords {
 
     private PictureWords() {
     }
@@ -17,7 +17,12 @@ final class PictureWords {
         return TextSize.font(Brush.FONT.getStyle(), Brush.FONT.getSize());
     }
 
-    static Words spoken() {
+    /**
+     * What is written in pictures.
+     *
+     * @return in today's language and size of texts
+     */
+    public static Words spoken() {
         return new Words(Texts.text("picture.collision"), Texts.text("picture.faults"), Texts.text("picture.off"), Texts.text("reading.off"),
                 kind -> Texts.text("picture.fault." + kind.fileName()), font());
     }

@@ -3,15 +3,20 @@ package faultline.gui.gallery;
 import faultline.engine.ControllerMode;
 import faultline.engine.Frame;
 import faultline.engine.Simulation;
+import faultline.gui.canvas.PictureWords;
 import faultline.gui.text.Texts;
+import faultline.paint.Brush;
+import faultline.paint.Camera;
 import faultline.paint.FrameImage;
 import faultline.paint.Layer;
 import faultline.paint.Palette;
-import faultline.paint.Shot;
+import faultline.paint.ScenePainter;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
+import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.EnumSet;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -51,8 +56,14 @@ record Example(String file, String title, String description, BufferedImage pict
     }
 
     private static BufferedImage picture(Frame frame, Palette palette) {
-        int width = WIDTH * FINENESS;
-        int height = HEIGHT * FINENESS;
-        return new Shot(frame, FrameImage.camera(frame.world(), width, height), palette, LAYERS).image(1);
+        BufferedImage image = new BufferedImage(WIDTH * FINENESS, HEIGHT * FINENESS, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        try {
+            Camera camera = FrameImage.camera(frame.world(), image.getWidth(), image.getHeight());
+            new ScenePainter(LAYERS, PictureWords.spoken()).paint(new Brush(graphics, camera, palette), frame, Optional.empty());
+        } finally {
+            graphics.dispose();
+        }
+        return image;
     }
 }

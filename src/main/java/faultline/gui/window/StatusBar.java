@@ -25,8 +25,10 @@ import javax.swing.JPanel;
 final class StatusBar extends JPanel {
 
     private static final int GAP = 14;
-    /** For how many snapshots a note stays; at sixty in a second, five seconds. */
+    /** For how many snapshots a note stays at least; at sixty in a second, five seconds. */
     private static final int NOTE_STAYS = 300;
+    /** And for how many of them for each of its letters, so that a long one can be read to its end. */
+    private static final int LETTER_STAYS = 5;
 
     private final StatusCell running = cell("status.running",
             Stream.of("runs", "paused", "collided", "failed").map(state -> Texts.text("status." + state)).toArray(String[]::new));
@@ -87,11 +89,11 @@ final class StatusBar extends JPanel {
         }
     }
 
-    /** Shows a sentence for a few seconds. */
+    /** Shows a sentence for as long as it takes to read. */
     void showNote(String sentence) {
         note.setText(sentence);
         note.setToolTipText(sentence);
-        noteLeft = NOTE_STAYS;
+        noteLeft = Math.max(NOTE_STAYS, LETTER_STAYS * sentence.length());
     }
 
     /** Forgets what belonged to another session. */

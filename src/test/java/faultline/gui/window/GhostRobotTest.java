@@ -64,7 +64,7 @@ class GhostRobotTest {
     void aSensorSwitchedOffMakesTheRunDifferAndTheEventLogLeadsThere() throws Exception {
         step(30);
         driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_G);
-        driver.robot().waitFor("the ghost is there", () -> driver.isEnabled("removeGhost"));
+        driver.waitForGhost();
         driver.choose("restart");
         driver.waitForFrame("the run begins anew", frame -> frame.world().tick() == 0);
         step(CHANGED);

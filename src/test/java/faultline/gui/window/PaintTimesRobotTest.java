@@ -115,7 +115,7 @@ class PaintTimesRobotTest {
 
     private void panBesideAGhost() {
         driver.choose("keepGhost");
-        driver.robot().waitFor("the ghost is there", () -> driver.isEnabled("removeGhost"));
+        driver.waitForGhost();
         repeat(2, turn -> drag(InputEvent.BUTTON2_DOWN_MASK, 20, 20, 320, 220));
     }
 

@@ -102,7 +102,7 @@ public final class Screenshots {
         runAnew(12);
         driver.waitForFrame("the ghost's run is long enough", frame -> frame.world().time() > 40);
         driver.choose("keepGhost");
-        driver.robot().waitFor("the ghost is there", () -> driver.isEnabled("removeGhost"));
+        driver.waitForGhost();
         driver.choose("run");
         runAnew(7);
         driver.waitForFrame("the run follows the wall", frame -> frame.world().time() > 14);

@@ -57,6 +57,17 @@ class StatusBarTest {
     }
 
     @Test
+    void aLongNoteShowsForLonger() {
+        Frame frame = SampleFrames.of(new Pose(1, 1, 0));
+        String sentence = "word ".repeat(30);
+        edt(() -> bar.showNote(sentence));
+        for (int i = 0; i < 700; i++) {
+            show(frame, running(1));
+        }
+        assertTrue(texts().contains(sentence));
+    }
+
+    @Test
     void whyARunBrokeOffStays() {
         Frame frame = SampleFrames.of(new Pose(1, 1, 0));
         for (int i = 0; i < 400; i++) {

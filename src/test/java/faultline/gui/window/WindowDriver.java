@@ -10,6 +10,8 @@ import faultline.gui.Components;
 import faultline.gui.GuiRobot;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.theme.Theme;
+import faultline.paint.Palette;
+import faultline.paint.Shot;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -81,6 +83,11 @@ final class WindowDriver implements AutoCloseable {
     /** The frame that shows; on any thread. */
     Frame frame() {
         return onEdt(() -> canvas().frame().orElseThrow());
+    }
+
+    /** Waits until an earlier run shows beside this one. */
+    void waitForGhost() {
+        robot.waitFor("the ghost is there", () -> canvas().shot(Palette.LIGHT).flatMap(Shot::ghost).isPresent());
     }
 
     /** Chooses a menu item by the key of its action. */
