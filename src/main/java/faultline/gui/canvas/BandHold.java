@@ -3,8 +3,8 @@ package faultline.gui.canvas;
 import faultline.geometry.Vec;
 import faultline.gui.edit.Snap;
 import faultline.paint.Brush;
+import faultline.paint.HandPainter;
 import faultline.paint.ObstacleOutlines;
-import faultline.paint.SelectionPainter;
 import java.awt.geom.Rectangle2D;
 import java.util.LinkedHashSet;
 import java.util.Set;
@@ -43,6 +43,6 @@ final class BandHold implements Hold {
 
     @Override
     public void paint(Brush brush) {
-        SelectionPainter.paintBand(brush, from, to);
+        HandPainter.paintBand(brush, from, to);
     }
 }

@@ -4,7 +4,7 @@ import faultline.geometry.Vec;
 import faultline.gui.edit.Snap;
 import faultline.gui.text.Texts;
 import faultline.paint.Brush;
-import faultline.paint.SelectionPainter;
+import faultline.paint.HandPainter;
 import faultline.world.Obstacle;
 import java.util.List;
 import java.util.Optional;
@@ -70,18 +70,18 @@ final class DragHold implements Hold {
             List<Obstacle> blocked = wanted.there().stream().filter(obstacle -> Room.isBlocked(scene, obstacle)).toList();
             paint(brush, wanted.there(), blocked);
             if (blocked.isEmpty()) {
-                SelectionPainter.paintValues(brush, wanted.values(), wanted.there(), last);
+                HandPainter.paintValues(brush, wanted.values(), wanted.there(), last);
             } else {
-                SelectionPainter.paintRefusal(brush, Texts.text("refused.robot", blocked.get(0).id()), wanted.there(), last);
+                HandPainter.paintRefusal(brush, Texts.text("refused.robot", blocked.get(0).id()), wanted.there(), last);
             }
         });
     }
 
     private static void paint(Brush brush, List<Obstacle> there, List<Obstacle> blocked) {
         if (there.size() <= Picture.FEW) {
-            there.forEach(obstacle -> SelectionPainter.paintWanted(brush, obstacle, blocked.contains(obstacle)));
+            there.forEach(obstacle -> HandPainter.paintWanted(brush, obstacle, blocked.contains(obstacle)));
         } else {
-            SelectionPainter.paintWanted(brush, there, !blocked.isEmpty());
+            HandPainter.paintWanted(brush, there, !blocked.isEmpty());
         }
     }
 }

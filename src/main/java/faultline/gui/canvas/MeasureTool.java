@@ -3,7 +3,7 @@ package faultline.gui.canvas;
 import faultline.geometry.Vec;
 import faultline.gui.text.Texts;
 import faultline.paint.Brush;
-import faultline.paint.SelectionPainter;
+import faultline.paint.HandPainter;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -60,7 +60,7 @@ final class MeasureTool implements Tool {
 
     @Override
     public void paint(Brush brush) {
-        from.ifPresent(start -> SelectionPainter.paintSketch(brush, List.of(start, to), false));
-        measure().ifPresent(text -> SelectionPainter.paintValues(brush, text, List.of(), brush.camera().toScreen(to)));
+        from.ifPresent(start -> HandPainter.paintSketch(brush, List.of(start, to), false));
+        measure().ifPresent(text -> HandPainter.paintValues(brush, text, List.of(), brush.camera().toScreen(to)));
     }
 }

@@ -6,7 +6,7 @@ import faultline.gui.edit.ReadyShape;
 import faultline.gui.edit.ShapeHandles;
 import faultline.gui.text.Texts;
 import faultline.paint.Brush;
-import faultline.paint.SelectionPainter;
+import faultline.paint.HandPainter;
 import faultline.world.Obstacle;
 import java.util.List;
 import java.util.Locale;
@@ -63,11 +63,11 @@ final class PlaceTool implements Tool {
     public void paint(Brush brush) {
         planned.ifPresent(obstacle -> {
             boolean blocked = Room.isBlocked(desk.scene(), obstacle);
-            SelectionPainter.paintWanted(brush, obstacle, blocked);
+            HandPainter.paintWanted(brush, obstacle, blocked);
             if (blocked) {
-                SelectionPainter.paintRefusal(brush, Texts.text("refused.robot", obstacle.id()), List.of(obstacle), Vec.ZERO);
+                HandPainter.paintRefusal(brush, Texts.text("refused.robot", obstacle.id()), List.of(obstacle), Vec.ZERO);
             } else if (pressed.isPresent()) {
-                SelectionPainter.paintValues(brush, ShapeHandles.values(obstacle, 0), List.of(obstacle), Vec.ZERO);
+                HandPainter.paintValues(brush, ShapeHandles.values(obstacle, 0), List.of(obstacle), Vec.ZERO);
             }
         });
     }

@@ -3,7 +3,7 @@ package faultline.gui.canvas;
 import faultline.geometry.Vec;
 import faultline.gui.text.Texts;
 import faultline.paint.Brush;
-import faultline.paint.SelectionPainter;
+import faultline.paint.HandPainter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
@@ -92,6 +92,6 @@ final class PointsTool implements Tool {
     public void paint(Brush brush) {
         List<Vec> sketch = new ArrayList<>(points);
         sketch.add(mouse);
-        SelectionPainter.paintSketch(brush, sketch, closed);
+        HandPainter.paintSketch(brush, sketch, closed);
     }
 }

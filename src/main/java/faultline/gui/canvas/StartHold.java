@@ -6,7 +6,7 @@ import faultline.gui.edit.ShapeHandles;
 import faultline.gui.edit.Snap;
 import faultline.gui.text.Texts;
 import faultline.paint.Brush;
-import faultline.paint.SelectionPainter;
+import faultline.paint.HandPainter;
 import faultline.world.Snapshot;
 import java.util.List;
 import java.util.Locale;
@@ -62,9 +62,9 @@ final class StartHold implements Hold {
     public void paint(Brush brush) {
         wanted.ifPresent(pose -> {
             Optional<String> obstructing = Room.obstructing(world, pose);
-            SelectionPainter.paintRobot(brush, world.robot(), pose, obstructing.isPresent());
-            obstructing.ifPresentOrElse(id -> SelectionPainter.paintRefusal(brush, Texts.text("refused.start", id), List.of(), last),
-                    () -> SelectionPainter.paintValues(brush, values(pose), List.of(), last));
+            HandPainter.paintRobot(brush, world.robot(), pose, obstructing.isPresent());
+            obstructing.ifPresentOrElse(id -> HandPainter.paintRefusal(brush, Texts.text("refused.start", id), List.of(), last),
+                    () -> HandPainter.paintValues(brush, values(pose), List.of(), last));
         });
     }
 
