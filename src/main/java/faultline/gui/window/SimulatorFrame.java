@@ -14,12 +14,7 @@ import faultline.gui.edit.EditDesk;
 import faultline.gui.export.ExportDesk;
 import faultline.gui.gallery.Gallery;
 import faultline.gui.text.Texts;
-import faultline.gui.theme.Glyph;
-import faultline.gui.theme.Theme;
-import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.GraphicsEnvironment;
-import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -29,7 +24,6 @@ import javax.swing.BoundedRangeModel;
 import javax.swing.DefaultBoundedRangeModel;
 import javax.swing.JFrame;
 import javax.swing.JPopupMenu;
-import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 
@@ -37,8 +31,6 @@ import javax.swing.WindowConstants;
 public final class SimulatorFrame extends JFrame {
 
     private static final int POLL_MILLIS = 16;
-    private static final Dimension USUAL = new Dimension(1360, 880);
-    private static final Dimension LEAST = new Dimension(1024, 600);
 
     private final transient Bench bench = new Bench(new Events());
     private final transient RunDesk run = new RunDesk(bench);
@@ -51,6 +43,7 @@ public final class SimulatorFrame extends JFrame {
     private final transient RunActions runActions;
     private final transient WindowMemory memory;
     private final WorkArea area;
+    private final transient WindowPlace place;
     private final transient GhostActions ghosts;
     private final transient FileWatch watch;
     private final transient Waiting waiting = new Waiting(this, bench::cancel);
@@ -77,8 +70,8 @@ public final class SimulatorFrame extends JFrame {
         setIconImages(AppIcon.images());
         setTransferHandler(new FileDrop(files::open));
         setTitle(files.title());
-        setMinimumSize(LEAST);
-        placeWindow();
+        place = new WindowPlace(this, area, memory);
+        place.restore();
         closeWithQuestion();
         edit();
         watch = new FileWatch(bench, files::changedOnDisk, bad -> note(Dialogs.brokenOnDisk(bad)));
@@ -94,13 +87,13 @@ public final class SimulatorFrame extends JFrame {
         new ObstacleActions(canvas.tools(), edits, this::note, now -> WaySpeed.ask(this, now), memory).addTo(actions);
         new SensorActions(bench, run, edits).addTo(actions);
         new ExportDesk(this, bench, canvas, files::fileFor, file -> noteSaved("saved", file)).actions().forEach(actions::add);
-        ViewActions.addTo(actions, canvas, this::setTheme);
+        ViewActions.addTo(actions, canvas);
         ViewActions.bindTo(getRootPane(), actions);
         actions.add(UiAction.toggle("instruments", memory.isDockShown(), this::showDock).on(Keystrokes.plain(KeyEvent.VK_I)));
         runActions.addTo(actions, this::toggleSensor);
         dialogs.addTo(actions);
         new ChoiceActions(this, memory).addTo(actions);
-        actions.get("dark").drawn(Theme.current() == Theme.DARK ? Glyph.SUN : Glyph.MOON);
+        actions.add(new ThemeSwitch(this, canvas, memory).action());
     }
 
     private boolean settle() {
@@ -137,27 +130,6 @@ public final class SimulatorFrame extends JFrame {
         area.panel().toggleSensor(index);
     }
 
-    private void placeWindow() {
-        setSize(USUAL);
-        setLocationByPlatform(true);
-        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        memory.bounds().filter(screen::intersects).ifPresent(this::setBounds);
-        setSize(Math.min(getWidth(), screen.width), Math.min(getHeight(), screen.height));
-        validate();
-        placeDivider();
-        placeDock();
-    }
-
-    private void placeDivider() {
-        area.setPanelWidth(memory.panelWidth().orElse(area.panel().usualWidth()));
-    }
-
-    private void placeDock() {
-        memory.dockHeight().ifPresent(area::setDockHeight);
-        memory.chartWidth().ifPresent(width -> area.instruments().split().place(size -> width));
-        area.setDockShown(memory.isDockShown());
-    }
-
     private void closeWithQuestion() {
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
@@ -168,9 +140,7 @@ public final class SimulatorFrame extends JFrame {
 
             @Override
             public void windowOpened(WindowEvent event) {
-                // Only now is it known how much of the window its frame takes.
-                validate();
-                placeDivider();
+                place.opened();
                 canvas.requestFocusInWindow();
             }
         });
@@ -178,9 +148,7 @@ public final class SimulatorFrame extends JFrame {
 
     private void quit() {
         files.unlessLost(() -> {
-            memory.keepBounds(getBounds());
-            memory.keepPanelWidth(area.panel().getWidth());
-            memory.keepDock(area.instruments().isVisible(), area.dockHeight(), area.instruments().split().getDividerLocation());
+            place.keep();
             dispose();
         });
     }
@@ -243,14 +211,6 @@ public final class SimulatorFrame extends JFrame {
             }
         });
         Rescuer.start(recovery, files::offer, otherwise);
-    }
-
-    private void setTheme(Theme theme) {
-        theme.install();
-        actions.get("dark").drawn(theme == Theme.DARK ? Glyph.SUN : Glyph.MOON);
-        canvas.setPalette(theme.palette());
-        SwingUtilities.updateComponentTreeUI(this);
-        memory.keepTheme(theme);
     }
 
     private void poll() {

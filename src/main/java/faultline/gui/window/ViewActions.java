@@ -8,21 +8,19 @@ import static faultline.gui.action.Keystrokes.plain;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.theme.Glyph;
-import faultline.gui.theme.Theme;
 import faultline.paint.Layer;
 import java.awt.event.KeyEvent;
-import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 
-/** The actions on what is shown: zoom, layers, following, and the theme. */
+/** The actions on what is shown: zoom, layers and following. */
 final class ViewActions {
 
     private ViewActions() {
     }
 
-    static void addTo(UiActions actions, SimulationCanvas canvas, Consumer<Theme> theme) {
+    static void addTo(UiActions actions, SimulationCanvas canvas) {
         actions.add(UiAction.of("fit", canvas::fit).on(menu(KeyEvent.VK_0)).drawn(Glyph.FIT));
         actions.add(UiAction.of("zoomIn", canvas::zoomIn).on(menuSign('+')));
         actions.add(UiAction.of("zoomOut", canvas::zoomOut).on(menuSign('-')));
@@ -35,8 +33,6 @@ final class ViewActions {
         actions.add(layer("labels", canvas, Layer.LABELS));
         actions.add(layer("grid", canvas, Layer.GRID).on(plain(KeyEvent.VK_G)));
         actions.add(layer("scaleBar", canvas, Layer.SCALE_BAR));
-        boolean dark = Theme.current() == Theme.DARK;
-        actions.add(UiAction.toggle("dark", dark, on -> theme.accept(on ? Theme.DARK : Theme.LIGHT)).drawn(Glyph.MOON));
     }
 
     /** The keys that are plus and minus on one keyboard or another. */

@@ -91,8 +91,9 @@ class WorkAreaTest {
             new ExportDesk(canvas, bench, canvas, files::fileFor, file -> { }).actions().forEach(actions::add);
             actions.add(UiAction.of("examples", () -> {
             }));
-            ViewActions.addTo(actions, canvas, theme -> {
-            });
+            ViewActions.addTo(actions, canvas);
+            actions.add(UiAction.toggle("dark", false, on -> {
+            }));
             new RunActions(run, speed).addTo(actions, sensor -> {
             });
             new Dialogs(null).addTo(actions);
