@@ -17,13 +17,18 @@ public final class PictureWords {
         return TextSize.font(Brush.FONT.getStyle(), Brush.FONT.getSize());
     }
 
+    static Words spoken() {
+        return spoken(font());
+    }
+
     /**
      * What is written in pictures.
      *
-     * @return in today's language and size of texts
+     * @param font how
+     * @return in today's language
      */
-    public static Words spoken() {
+    public static Words spoken(Font font) {
         return new Words(Texts.text("picture.collision"), Texts.text("picture.faults"), Texts.text("picture.off"), Texts.text("reading.off"),
-                kind -> Texts.text("picture.fault." + kind.fileName()), font());
+                kind -> Texts.text("picture.fault." + kind.fileName()), font);
     }
 }

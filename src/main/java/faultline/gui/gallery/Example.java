@@ -13,6 +13,7 @@ import faultline.paint.Palette;
 import faultline.paint.ScenePainter;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
+import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.EnumSet;
@@ -35,6 +36,8 @@ record Example(String file, String title, String description, BufferedImage pict
 
     /** How long the robot drives before its picture is taken, seconds: far enough to show what it is about. */
     private static final double SECONDS = 25;
+    /** Small enough for the report of a collision to have room in any language. */
+    private static final Font FONT = Brush.FONT.deriveFont(0.9F * Brush.FONT.getSize2D());
     private static final Set<Layer> LAYERS = EnumSet.of(Layer.PATH, Layer.CONES, Layer.ROUTES);
 
     /** Reads and runs an example; slow. */
@@ -60,7 +63,7 @@ record Example(String file, String title, String description, BufferedImage pict
         Graphics2D graphics = image.createGraphics();
         try {
             Camera camera = FrameImage.camera(frame.world(), image.getWidth(), image.getHeight());
-            new ScenePainter(LAYERS, PictureWords.spoken()).paint(new Brush(graphics, camera, palette), frame, Optional.empty());
+            new ScenePainter(LAYERS, PictureWords.spoken(FONT)).paint(new Brush(graphics, camera, palette), frame, Optional.empty());
         } finally {
             graphics.dispose();
         }
