@@ -11,7 +11,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JOptionPane;
 
-/** The choice of language and of the size of texts. Both are made when the window is, so a change shows in the next one. */
+/** The choice of language and of the size of texts. Both are made when the window is, so a change shows in the next one, which is told at once. */
 final class ChoiceActions {
 
     private final Component parent;
@@ -39,7 +39,9 @@ final class ChoiceActions {
             actions[i] = UiAction.toggle(key(group, option), option == now, on -> {
                 Arrays.stream(actions).forEach(action -> action.putValue(UiAction.SELECTED_KEY, action.key().equals(key(group, option))));
                 keep.accept(option);
-                JOptionPane.showMessageDialog(parent, Texts.text("choice.later"), Texts.text("choice.title"), JOptionPane.INFORMATION_MESSAGE);
+                if (option != now) {
+                    JOptionPane.showMessageDialog(parent, Texts.text("choice.later"), Texts.text("choice.title"), JOptionPane.INFORMATION_MESSAGE);
+                }
             });
         }
         return List.of(actions);

@@ -13,10 +13,12 @@ import faultline.gui.theme.Theme;
 import faultline.paint.Layer;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JTextField;
@@ -25,6 +27,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The control panel and the keys in a real window, as a user finds them: mouse and keyboard only. */
 @ExtendWith(EdtChecker.class)
@@ -165,6 +169,16 @@ class ControlsRobotTest {
         long tick = driver.frame().world().tick();
         driver.waitForFrame("time still runs", frame -> frame.world().tick() > tick);
         assertEquals(Theme.DARK.colours().background().getRGB(), onEdt(() -> driver.window().getContentPane().getBackground().getRGB()));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"languagePolish, languageEnglish", "textSizeLarge, textSizeNormal"})
+    void aChoiceThatShowsLaterIsToldAtOnceAndOneThatShowsAlreadyIsNot(String later, String now) {
+        driver.chooseLater(later);
+        assertTrue(WindowDriver.text(driver.dialog("From the next start on")).contains("This shows when Faultline is started again."));
+        driver.answer("From the next start on", "OK");
+        driver.chooseLater(now);
+        assertEquals(0, onEdt(() -> Stream.of(driver.window().getOwnedWindows()).filter(Window::isShowing).count()));
     }
 
     private void focusCanvas() {
