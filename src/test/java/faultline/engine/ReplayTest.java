@@ -3,6 +3,7 @@ package faultline.engine;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
@@ -13,8 +14,10 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalLong;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
@@ -136,5 +139,15 @@ class ReplayTest {
         assertEquals(OptionalLong.empty(), ORIGINAL.hashes().firstDifference(RecordedRun.of(new Journal(ROOM,
                 JOURNAL.entries().subList(0, 1), 399)).hashes(), 0));
         assertNotEquals(ORIGINAL.hashes().at(400), RecordedRun.of(without).hashes().at(400));
+    }
+
+    @Test
+    void anEarlierRunThatIsNoLongerWantedIsGivenUp() {
+        List<Long> asked = new ArrayList<>();
+        assertThrows(CancellationException.class, () -> RecordedRun.of(JOURNAL, tick -> {
+            asked.add(tick);
+            return tick < 3;
+        }));
+        assertEquals(List.of(0L, 1L, 2L, 3L), asked);
     }
 }
