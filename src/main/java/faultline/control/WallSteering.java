@@ -6,9 +6,15 @@ final class WallSteering {
     /** A reading this much beyond the wanted one is not of the wall that is followed, metres. */
     private static final double GATE = 0.06;
 
-    /** The innovation that counts as a bend, as a share of what a corner gives in the end; five times the noise at least. */
+    /** The innovation that counts as a bend, as a share of what a corner gives in the end. */
     private static final double BEND = 0.6;
-    private static final double NOISE_FACTOR = 5;
+
+    /**
+     * How many deviations of the noise a bend is at least, in one reading and in two running. Noise is known from a hundred readings only,
+     * and may be a third more than that; a run has thousands of readings.
+     */
+    private static final double NOISE_FACTOR = 8;
+    private static final double NOISE_FACTOR_OF_TWO = 4;
     private static final double DRIFT_NOISE_FACTOR = 4;
 
     private final Perception perception;
@@ -74,11 +80,17 @@ final class WallSteering {
     }
 
     boolean bendsAway() {
-        return tracker.innovation() > bendInnovation();
+        return isBend(tracker.innovation(), tracker.innovationBefore());
     }
 
     boolean bendsBack() {
-        return tracker.innovation() < -bendInnovation() || tracker.drift() < -bendDrift();
+        return isBend(-tracker.innovation(), -tracker.innovationBefore()) || tracker.drift() < -bendDrift();
+    }
+
+    private boolean isBend(double innovation, double before) {
+        double noise = perception.leftNoise();
+        return innovation > bendWithoutNoise()
+                && (innovation > NOISE_FACTOR * noise || Math.min(innovation, before) > NOISE_FACTOR_OF_TWO * noise);
     }
 
     /**
@@ -87,10 +99,6 @@ final class WallSteering {
      */
     private double bendDrift() {
         return Math.max(bendWithoutNoise(), DRIFT_NOISE_FACTOR * perception.leftNoise() * WallTracker.driftNoise(perception.rolled()));
-    }
-
-    private double bendInnovation() {
-        return Math.max(bendWithoutNoise(), NOISE_FACTOR * perception.leftNoise());
     }
 
     private double bendWithoutNoise() {

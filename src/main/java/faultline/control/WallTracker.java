@@ -23,14 +23,14 @@ final class WallTracker {
     private double distance;
     private double heading;
     private double innovation;
+    private double innovationBefore;
     private double drift;
 
     /** Starts anew at a reading, parallel to the wall. */
     void start(double reading) {
         distance = reading;
         heading = 0;
-        innovation = 0;
-        drift = 0;
+        forget();
     }
 
     /** Predicts across a piece of way. */
@@ -38,6 +38,7 @@ final class WallTracker {
         double middle = heading + (turned - curvature * rolled) / 2;
         heading += turned - curvature * rolled;
         distance -= rolled * StrictMath.sin(middle);
+        innovationBefore = innovation;
         innovation = 0;
     }
 
@@ -61,7 +62,12 @@ final class WallTracker {
     /** Turns the tracked heading because the wall is seen to go another way. */
     void bend(double angle) {
         heading += angle;
+        forget();
+    }
+
+    private void forget() {
         innovation = 0;
+        innovationBefore = 0;
         drift = 0;
     }
 
@@ -78,6 +84,11 @@ final class WallTracker {
     /** How much farther than predicted the last reading was, metres. */
     double innovation() {
         return innovation;
+    }
+
+    /** How much farther than predicted the reading before that was, metres. */
+    double innovationBefore() {
+        return innovationBefore;
     }
 
     /**

@@ -71,6 +71,17 @@ class WallSteeringTest {
     }
 
     @Test
+    void noiseOfTenMinutesAlongAStraightWallIsNeverTakenForABend() {
+        SplittableRandom random = new SplittableRandom(5);
+        steering.begin();
+        for (int i = 0; i < 60_000; i++) {
+            roll(WANTED + 0.001 * random.nextGaussian());
+            steering.trackWall();
+            assertFalse(steering.bendsAway(), "reading " + i);
+        }
+    }
+
+    @Test
     void rollingStraightPastACornerItIsSeenToBendAwayWithinSixCentimetres() {
         steering.begin();
         double way = 0;

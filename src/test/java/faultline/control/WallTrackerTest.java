@@ -49,6 +49,17 @@ class WallTrackerTest {
     }
 
     @Test
+    void theInnovationBeforeThatIsKept() {
+        tracker.predict(STEP, 0, 0);
+        tracker.correct(0.252, STEP, RADIUS);
+        assertEquals(0, tracker.innovationBefore());
+        tracker.predict(STEP, 0, 0);
+        assertEquals(0.002, tracker.innovationBefore(), 1e-12);
+        tracker.bend(0.1);
+        assertEquals(0, tracker.innovationBefore());
+    }
+
+    @Test
     void aWallThatComesNearerBy1In10IsHeadedFor() {
         for (int i = 1; i <= 100; i++) {
             tracker.predict(STEP, 0, 0);
