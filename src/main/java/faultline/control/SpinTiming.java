@@ -15,9 +15,9 @@ import java.util.List;
  */
 final class SpinTiming {
 
-    /** A reading has turned round when it is this far from its extreme, metres, or four times what noise is left in it. */
+    /** A reading has turned round when it is this far from its extreme, metres, or five times what noise is left in it. */
     private static final double LEAST_TURN = 0.001;
-    private static final double NOISE_FACTOR = 4;
+    private static final double NOISE_FACTOR = 5;
 
     /**
      * Noisy readings are averaged over no more than this turn, radians. Between the walls of a corner of 150 degrees the reading rises by 4

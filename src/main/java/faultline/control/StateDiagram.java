@@ -9,6 +9,9 @@ public final class StateDiagram {
     public static final List<Arrow> ARROWS = WallFollower.TRANSITIONS.stream()
             .map(transition -> new Arrow(transition.from(), transition.to(), transition.condition())).toList();
 
+    /** The state that the follower begins in. */
+    public static final FollowerState FIRST = WallFollower.FIRST;
+
     private StateDiagram() {
     }
 

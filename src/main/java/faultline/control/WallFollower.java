@@ -34,6 +34,9 @@ final class WallFollower implements Controller {
             new Transition(ROUND, FOLLOW, "wall seen again", WallFollower::wallSeenAgain),
             new Transition(ROUND, SEARCH, "turned all round", WallFollower::wallLost));
 
+    /** The state that it begins in. */
+    static final FollowerState FIRST = SEARCH;
+
     /** More than a whole turn: what has not been seen by then is not there. */
     private static final double ALL_ROUND = StrictMath.toRadians(400);
 
@@ -58,7 +61,7 @@ final class WallFollower implements Controller {
     private final SpinManoeuvre spin;
     private final WallSteering steering;
 
-    private FollowerState state = SEARCH;
+    private FollowerState state = FIRST;
     private String condition = "";
     private long since;
     private int transitions;

@@ -33,7 +33,7 @@ final class DriveMoves implements Figure {
     private static final List<Move> MOVES = List.of(
             new Move("ahead", 0.3, 0.3), new Move("bend to the left", 0.2, 0.36), new Move("bend to the right", 0.36, 0.2),
             new Move("about the left wheels", 0, 0.22), new Move("backwards", -0.3, -0.3), new Move("backwards in a bend", -0.2, -0.36),
-            new Move("pivot to the left", -0.08, 0.08), new Move("pivot to the right", 0.08, -0.08));
+            new Move("pivot to the left", -0.12, 0.12), new Move("pivot to the right", 0.12, -0.12));
 
     @Override
     public void make(FigureFolder folder) throws IOException {
@@ -65,14 +65,14 @@ final class DriveMoves implements Figure {
         return path;
     }
 
-    /** An arrow beside the wheels, as long as they roll in a third of a second. */
+    /** An arrow beside the wheels, as long as they roll in half a second; farther out than a corner of the body can turn. */
     private static void wheelSpeed(Plan plan, Move move, double speed, double side) {
         Pose start = move.after(0);
-        Vec from = new Vec(0, 1.9 * side);
+        Vec from = new Vec(0, 2.2 * side);
         if (speed == 0) {
             plan.dot(start.toOuter(from), 2.5);
         } else {
-            plan.arrow(start.toOuter(from), start.toOuter(from.plus(new Vec(speed / 3, 0))), Pen.solid(Sheet.THEME.series().get(1), 2));
+            plan.arrow(start.toOuter(from), start.toOuter(from.plus(new Vec(speed / 2, 0))), Pen.solid(Sheet.THEME.series().get(1), 2));
         }
     }
 

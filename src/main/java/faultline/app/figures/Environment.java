@@ -36,6 +36,7 @@ record Environment(String name, String scenario, Rectangle2D bounds) implements 
         plan.line(journey.path(), Sheet.PATH);
         plan.robot(journey.setup().robot(), journey.setup().start(), 0.4);
         plan.robot(journey.setup().robot(), journey.last(), 1);
+        journey.result().collision().ifPresent(collision -> plan.ring(collision.point(), 7));
         plan.label("start", journey.setup().start().position().plus(new Vec(0.1, -0.3)), 0, 0, Sheet.SMALL);
         plan.scaleBar(bounds.getWidth() > 5 ? 1 : 0.5, WIDTH - 2 * MARGIN, height + 40);
         sheet.text(numbers(journey), MARGIN, height + MARGIN + 40, Sheet.TEXT);

@@ -20,7 +20,7 @@ final class NoiseWhileFollowing implements Figure {
 
     private static final String SCENARIO = "noisy-sensors.xml";
     private static final int STEPS = 13;
-    private static final int SEEDS = 4;
+    private static final int SEEDS = 12;
 
     @Override
     public void make(FigureFolder folder) throws IOException {
@@ -36,7 +36,7 @@ final class NoiseWhileFollowing implements Figure {
         }
         Axis y = Axis.covering("distance error, RMS (mm)", DoubleStream.concat(DoubleStream.of(0), errors.stream().mapToDouble(Vec::y)));
         Chart chart = new Chart("Following with noisy sensors", Axis.linear("standard deviation of the noise (mm)", 0, STEPS - 1), y,
-                List.of(new Mark.Line("error as large as the noise", List.of(Vec.ZERO, new Vec(STEPS, STEPS)), 1),
+                List.of(new Mark.Line("half of the noise", List.of(Vec.ZERO, new Vec(STEPS, STEPS / 2.0)), 1),
                         new Mark.Points("runs", errors, 0)));
         folder.csv("noise-following", table);
         folder.svg("noise-following", Sheet.of(chart, 480, 360));

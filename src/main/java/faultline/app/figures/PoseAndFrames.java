@@ -43,8 +43,8 @@ final class PoseAndFrames implements Figure {
     private static void ownFrame(Plan plan) {
         plan.arrow(POSE.position(), POSE.toOuter(new Vec(REACH + 0.04, 0)), AXIS);
         plan.arrow(POSE.position(), POSE.toOuter(new Vec(0, REACH)), AXIS);
-        plan.label("x (ahead)", POSE.toOuter(new Vec(REACH + 0.04, 0)), 5, 2, Sheet.TEXT);
-        plan.label("y (left)", POSE.toOuter(new Vec(0, REACH)), -22, -7, Sheet.TEXT);
+        plan.label("X_r (ahead)", POSE.toOuter(new Vec(REACH + 0.04, 0)), 5, 2, Sheet.TEXT);
+        plan.label("Y_r (left)", POSE.toOuter(new Vec(0, REACH)), -22, -7, Sheet.TEXT);
     }
 
     private static void coordinates(Plan plan) {

@@ -35,7 +35,17 @@ final class StateChart implements Figure {
         for (FollowerState state : FollowerState.values()) {
             draw(sheet, layout.place(state), state);
         }
+        begin(sheet.drawing(), layout.place(StateDiagram.FIRST));
         folder.svg("fig8-states", sheet.drawing());
+    }
+
+    /** A dot and an arrow from above the state that the follower begins in. */
+    private static void begin(SvgDrawing drawing, Vec state) {
+        Vec dot = state.minus(new Vec(60, RADIUS - 8));
+        Vec way = state.minus(dot);
+        Vec tip = state.minus(way.times((RADIUS + 2) / way.length()));
+        drawing.disc(dot, 5, BOX.colour());
+        draw(drawing, List.of(dot, dot.plus(tip).times(0.5), tip));
     }
 
     private static void draw(SvgDrawing drawing, List<Vec> curve) {

@@ -24,6 +24,7 @@ final class StepResponse implements Figure {
     private static final Setup BASE = Shipped.load("studies/moved-wall.xml").setup();
     private static final double MOVED_BY = 0.055;
     private static final double TICK = 0.01;
+    private static final Axis DISTANCE_ERROR = Axis.linear("distance error (m)", -0.06, 0.06);
 
     @Override
     public void make(FigureFolder folder) throws IOException {
@@ -43,7 +44,7 @@ final class StepResponse implements Figure {
             marks.add(line(name + (marks.isEmpty() ? " (chosen)" : ""), errors.subList(0, (int) Math.min(errors.size(), SECONDS / TICK)),
                     marks.size(), table));
         }
-        return new Chart("PD law and motors alone", Axis.linear("time (s)", 0, SECONDS), Axis.linear("distance error (m)", -0.02, 0.06), marks);
+        return new Chart("PD law and motors alone", Axis.linear("time (s)", 0, SECONDS), DISTANCE_ERROR, marks);
     }
 
     private static Chart follower(Table table) {
@@ -51,7 +52,7 @@ final class StepResponse implements Figure {
                 line("wall moved away: taken for its end, ROUND", moved(MOVED_BY), 0, table),
                 line("wall moved nearer", moved(-MOVED_BY), 1, table));
         return new Chart("The whole follower, its wall moved by 55 mm", Axis.linear("time (s)", 0, SECONDS),
-                Axis.linear("distance error (m)", -0.06, 0.14), marks);
+                DISTANCE_ERROR, marks);
     }
 
     private static Mark line(String name, List<Double> errors, int style, Table table) {

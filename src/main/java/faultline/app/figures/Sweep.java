@@ -79,13 +79,13 @@ record Sweep(String name, String title, String label, List<Double> values, int v
         List<Point> letter = points.stream().filter(point -> point.timing() == Timing.RANGE).toList();
         List<Point> equal = points.stream().filter(point -> point.timing() == Timing.EQUAL_READINGS).toList();
         List<Mark> marks = List.of(
-                new Mark.Band("", means(letter, 1), means(letter, -1), 1),
-                new Mark.Line("theory, paper to the letter", means(letter, 0), 1),
+                new Mark.Band("\u00b1 \u03c9T/2", means(letter, 1), means(letter, -1), 1),
+                new Mark.Line("theory, to the letter", means(letter, 0), 1),
+                new Mark.Points("to the letter", letter.stream().map(Point::measured).toList(), 1),
                 new Mark.Line("theory, equal readings", means(equal, 0), 0),
-                new Mark.Points("paper to the letter", letter.stream().map(Point::measured).toList(), 1),
                 new Mark.Points("equal readings", equal.stream().map(Point::measured).toList(), 0));
         DoubleStream errors = DoubleStream.concat(DoubleStream.of(0.5, -1), points.stream().flatMapToDouble(
-                point -> DoubleStream.of(point.error(), point.expected(0).y())));
+                point -> DoubleStream.of(point.error(), point.expected(1).y(), point.expected(-1).y())));
         Chart chart = new Chart(title, Axis.covering(label, values.stream().mapToDouble(value -> value)),
                 Axis.covering("heading error (degrees)", errors), marks);
         return Sheet.of(chart, WIDTH, HEIGHT);

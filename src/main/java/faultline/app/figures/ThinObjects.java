@@ -43,7 +43,7 @@ final class ThinObjects implements Figure {
             marks.add(new Mark.Points("cones of " + Numbers.text(cone, 0) + " degrees", points, CONES.indexOf(cone)));
         }
         Chart chart = new Chart("A pole beside the wall", new Axis("diameter (mm)", 0.4, 60, true),
-                Axis.linear("runs that end at it (%)", 0, 60), marks);
+                Axis.linear("runs that end at it (%)", 0, 40), marks);
         folder.csv("thin-objects", table);
         folder.svg("thin-objects", Sheet.of(chart, 480, 360));
     }

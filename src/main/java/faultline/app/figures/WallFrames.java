@@ -29,6 +29,8 @@ final class WallFrames implements Figure {
     private static final String SCENARIO = "beside-a-wall.xml";
     private static final int COLUMN = 160;
     private static final double SECONDS = 8;
+    /** How much of the wall a frame shows, metres. */
+    private static final double SHOWN = 1.3;
 
     /** A frame: its name, what happens, and its tick. */
     private record Moment(String name, String what, int tick) {
@@ -61,12 +63,14 @@ final class WallFrames implements Figure {
     }
 
     private static void draw(Sheet sheet, Journey journey, Moment moment, double x) {
-        Rectangle2D bounds = new Rectangle2D.Double(2.45, 1.25, 1.1, 1.85);
-        Plan plan = sheet.plan(new Area(x + 8, 26, COLUMN - 16, 205), bounds);
-        plan.line(List.of(new Vec(2.4, 2.5), new Vec(3.6, 2.5)), Pen.solid(Sheet.THEME.palette().obstacleOutline(), 3));
         Pose pose = journey.poses().get(moment.tick());
         SensorSpec sensor = journey.setup().robot().sensor(moment.name().equals("F1") ? "front" : "left").orElseThrow();
-        plan.cone(Sector.of(pose.toOuter(sensor.seat()), pose.heading() + sensor.bearing(), sensor.cone(), sensor.range()), 1);
+        Sector cone = Sector.of(pose.toOuter(sensor.seat()), pose.heading() + sensor.bearing(), sensor.cone(), sensor.range());
+        // Robot and cone in the middle, so that neither reaches into the neighbouring frame.
+        double left = (pose.x() + cone.apex().plus(cone.axis().times(cone.range())).x() - SHOWN) / 2;
+        Plan plan = sheet.plan(new Area(x + 6, 26, COLUMN - 12, 205), new Rectangle2D.Double(left, 1.25, SHOWN, 1.85));
+        plan.line(List.of(new Vec(left, 2.5), new Vec(left + SHOWN, 2.5)), Pen.solid(Sheet.THEME.palette().obstacleOutline(), 3));
+        plan.cone(cone, 1);
         plan.robot(journey.setup().robot(), pose, 1);
         double middle = x + COLUMN / 2.0;
         sheet.text(moment.name(), middle, 18, Sheet.TEXT.inBold().anchored(Anchor.MIDDLE));

@@ -193,6 +193,16 @@ public final class Plan {
     }
 
     /**
+     * Circles a point of the world.
+     *
+     * @param at metres
+     * @param radius pixels
+     */
+    public void ring(Vec at, double radius) {
+        drawing.ring(place(at), radius, Pen.solid(theme.palette().hit(), 1.8));
+    }
+
+    /**
      * Draws a bar of a length.
      *
      * @param metres how long it is

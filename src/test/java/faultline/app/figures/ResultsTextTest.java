@@ -1,5 +1,8 @@
 package faultline.app.figures;
 
+import static faultline.app.figures.CornerRun.Sensors.FRONT_LEFT;
+import static faultline.app.figures.CornerRun.Sensors.FRONT_RIGHT;
+import static faultline.app.figures.CornerRun.Sensors.TWO;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -87,16 +90,16 @@ class ResultsTextTest {
                 f3, f4, f4 - f3, (f4 - f3) / 2, -moments.where("frame", "P").number("heading_deg"));
     }
 
-    private static double corner(int degrees, int sensors) {
-        return 250 + Csv.of("fig6-angles").where("angle_deg", Integer.toString(degrees)).where("sensors",
-                Integer.toString(sensors)).number("error_mm");
+    private static double corner(int degrees, CornerRun.Sensors sensors) {
+        return 250 + Csv.of("fig6-angles").where("angle_deg", Integer.toString(degrees)).where("sensors", sensors.fileName()).number("error_mm");
     }
 
     @Test
     void theCorners() {
-        assertSaid("%.0f mm at 45 degrees, %.0f mm at 35. The front-right sensor makes that %.0f mm.", corner(45, 2), corner(35, 2), corner(45, 3));
-        assertSaid("%.0f mm without it at 135 degrees, %.0f mm with it", corner(135, 3), corner(135, 4));
-        double worst = Csv.of("fig6-angles").where("sensors", "2").between("angle_deg", 75,
+        assertSaid("%.0f mm at 45 degrees, %.0f mm at 35. The front-right sensor makes that %.0f mm.", corner(45, TWO), corner(35, TWO),
+                corner(45, FRONT_RIGHT));
+        assertSaid("%.0f mm without it at 135 degrees, %.0f mm with it", corner(135, TWO), corner(135, FRONT_LEFT));
+        double worst = Csv.of("fig6-angles").where("sensors", TWO.fileName()).between("angle_deg", 75,
                 105).numbers("error_mm").map(Math::abs).max().orElseThrow();
         assertSaid("From 75 to 105 degrees two sensors are within %d mm", (int) Math.ceil(worst));
         assertTrue(Csv.of("fig6-angles").cells("collided").noneMatch("true"::equals), "no run collides");
@@ -132,7 +135,7 @@ class ResultsTextTest {
                 runs.where("noise_mm", "0").numbers("distance_rms_mm").max().orElseThrow(),
                 runs.where("noise_mm", "4").numbers("distance_rms_mm").max().orElseThrow());
         DoubleStream errors = Csv.of("eq4-noise").where("timing", "equal-readings").numbers("error_deg");
-        assertSaid("none is off by more than %.1f", errors.map(Math::abs).max().orElseThrow());
+        assertSaid("none is off by more than %.1f degrees", errors.map(Math::abs).max().orElseThrow());
     }
 
     @Test

@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.Timing;
+import faultline.engine.ControllerMode;
+import faultline.engine.HeadlessRun;
+import faultline.engine.RunResult;
 import faultline.engine.Setup;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
@@ -16,7 +19,6 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import java.util.List;
 import java.util.Random;
-import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
@@ -46,11 +48,11 @@ class VerdictsTest {
                 new MotorSpec(between(0, 0.12), usual.motor().speedConstant(), usual.motor().maxVoltage()), sensors);
     }
 
-    /** Met nearly head-on, so that the left sensor comes to the wall well after the spin has begun. */
+    /** A wall met at any slant. */
     private Alignment trial(Timing timing) {
         double distance = between(0.15, 0.35);
         double away = distance + between(0.3, 0.5);
-        Pose start = new Pose(Alignment.WALL + between(-0.3, 0.3), Alignment.WALL - away, Math.PI / 2 + Degrees.toRadians(between(-5, 15)));
+        Pose start = new Pose(Alignment.WALL + between(-0.3, 0.3), Alignment.WALL - away, Math.PI / 2 + Degrees.toRadians(between(-75, 75)));
         double period = random.nextInt(1, 11) * Alignment.BASE.dt();
         Setup there = Variation.of(Alignment.BASE, new WallFollowing(distance, WallFollowing.DEFAULT.hand(), period, timing)).withStart(start);
         return new Alignment(Variation.of(there, robot()), 1);
@@ -78,6 +80,37 @@ class VerdictsTest {
     }
 
     @Test
+    void noiseTurnsTheRobotByAFewTenthsOfADegreeAMillimetre() {
+        for (int i = 0; i < TRIALS; i++) {
+            double noise = between(0.001, 0.012);
+            Alignment usual = Alignment.usual(Timing.EQUAL_READINGS, i % 6);
+            Alignment trial = new Alignment(noisy(usual.setup(), noise).withSeed(random.nextInt(1_000_000)), 1);
+            double error = StrictMath.toDegrees(trial.run().orElseThrow().error());
+            assertTrue(Math.abs(error) <= 0.1 + 300 * noise, () -> error + " degrees with noise of " + noise);
+        }
+    }
+
+    @Test
+    void aRoomIsFollowedThroughNoiseOfUpToAHundredthOfAMetreWithHalfOfItForAnError() {
+        Setup room = Shipped.load("noisy-sensors.xml").setup();
+        Obstacle cabinet = Variation.obstacle(room, "cabinet");
+        for (int i = 0; i < TRIALS / 5; i++) {
+            double noise = between(0.001, 0.01);
+            Setup elsewhere = Variation.of(room, cabinet.at(new Pose(between(2, 4), 3.7, 0))).withSeed(random.nextInt(1_000_000));
+            RunResult result = HeadlessRun.run(noisy(elsewhere, noise), ControllerMode.DIRECT, List.of());
+            assertTrue(result.collision().isEmpty() && result.distanceRms().orElseThrow() < noise / 2, () -> noise + ": " + result);
+        }
+    }
+
+    private static Setup noisy(Setup setup, double deviation) {
+        RobotSpec robot = setup.robot();
+        for (SensorSpec sensor : robot.sensors()) {
+            robot = robot.withSensor(new SensorSpec(sensor.id(), sensor.seat(), sensor.bearing(), sensor.range(), sensor.cone(), sensor.on(), deviation));
+        }
+        return Variation.of(setup, robot);
+    }
+
+    @Test
     void whatOtherSensorsSufferFromTheSpinOnDoesNotReachTheTimedTurn() {
         for (int i = 0; i < TRIALS / 3; i++) {
             Alignment trial = trial(i % 2 == 0 ? Timing.RANGE : Timing.EQUAL_READINGS);
@@ -96,8 +129,8 @@ class VerdictsTest {
         for (int i = 0; i < TRIALS / 3; i++) {
             double right = between(75, 105);
             double any = between(35, 150);
-            assertTrue(Math.abs(CornerRun.error(CornerRun.of(right, CornerRun.TWO))) <= 5, right + " degrees with two sensors");
-            Journey four = CornerRun.of(any, CornerRun.FOUR);
+            assertTrue(Math.abs(CornerRun.error(CornerRun.of(right, CornerRun.Sensors.TWO))) <= 5, right + " degrees with two sensors");
+            Journey four = CornerRun.of(any, CornerRun.Sensors.FOUR);
             assertTrue(four.result().collision().isEmpty(), any + " degrees with four");
             // A slight corner may be taken for a bend of the same wall, and is not timed then.
             assertTrue(!(Math.abs(CornerRun.error(four)) > 6), any + " degrees with four: " + CornerRun.error(four));
@@ -109,9 +142,9 @@ class VerdictsTest {
         for (int i = 0; i < TRIALS / 6; i++) {
             double acute = between(35, 65);
             double obtuse = between(115, 135);
-            assertTrue(CornerRun.error(CornerRun.of(acute, CornerRun.TWO)) < -10, acute + " degrees");
-            assertTrue(Math.abs(CornerRun.error(CornerRun.of(acute, CornerRun.THREE))) <= 6, acute + " degrees");
-            assertTrue(CornerRun.error(CornerRun.of(obtuse, Set.of("left", "front"))) < -10, obtuse + " degrees");
+            assertTrue(CornerRun.error(CornerRun.of(acute, CornerRun.Sensors.TWO)) < -10, acute + " degrees");
+            assertTrue(Math.abs(CornerRun.error(CornerRun.of(acute, CornerRun.Sensors.FRONT_RIGHT))) <= 6, acute + " degrees");
+            assertTrue(CornerRun.error(CornerRun.of(obtuse, CornerRun.Sensors.TWO)) < -10, obtuse + " degrees");
         }
     }
 
