@@ -18,7 +18,8 @@ public final class Autosave implements AutoCloseable {
     private final Bench bench;
     private final Recovery recovery;
     private final Timer timer = new Timer(PERIOD_MILLIS, event -> keep());
-    private Optional<Scenario> kept = Optional.empty();
+    private volatile Optional<Scenario> kept = Optional.empty();
+    private volatile boolean closed;
     private boolean certain;
 
     /**
@@ -53,7 +54,11 @@ public final class Autosave implements AutoCloseable {
         }
     }
 
-    private void write(Optional<Path> origin, Optional<Scenario> unsaved) throws IOException {
+    /** One at a time, each for as long as nothing newer is to be kept; and none after the end. */
+    synchronized void write(Optional<Path> origin, Optional<Scenario> unsaved) throws IOException {
+        if (closed || !unsaved.equals(kept)) {
+            return;
+        }
         if (unsaved.isPresent()) {
             recovery.keep(origin, unsaved.get());
         } else {
@@ -65,11 +70,12 @@ public final class Autosave implements AutoCloseable {
     @Override
     public void close() {
         timer.stop();
+        closed = true;
         // Not a daemon: the process may end with the window, and must not before this is done.
         new Thread(this::forget, "faultline-autosave").start();
     }
 
-    private void forget() {
+    private synchronized void forget() {
         try {
             recovery.forget();
         } catch (IOException why) {

@@ -10,21 +10,25 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * A folder where each running window keeps its unsaved scenario under its process's number; what is there of a process that is gone was
- * left by a crash. All of it is slow, and for other threads than the event dispatch thread.
+ * A folder where each running window keeps its unsaved scenario under its process's number and beginning, because numbers are given out
+ * again; what is there of a process that is gone was left by a crash. All of it is slow, and for other threads than the event dispatch
+ * thread.
  */
 public final class Recovery {
 
     private static final String SCENARIO = ".xml";
     private static final String ORIGIN = ".origin";
+    private static final Pattern KEPT = Pattern.compile("(\\d+)-(\\d+)\\.xml");
     /** When a process began is known to about a second; a clock that is set changes it by more. */
     private static final Duration SLACK = Duration.ofMinutes(1);
 
     private final Path folder;
-    private final long process;
+    private final String process;
 
     /**
      * Unsaved edits that a crash has left.
@@ -36,9 +40,19 @@ public final class Recovery {
     public record Rescue(Path kept, Optional<Path> origin, Scenario scenario) {
     }
 
-    Recovery(Path folder, long process) {
+    /** For a process of a number that began at a time. */
+    Recovery(Path folder, long number, Instant begun) {
         this.folder = folder;
-        this.process = process;
+        this.process = number + "-" + begun.toEpochMilli();
+    }
+
+    /** For this process. */
+    Recovery(Path folder) {
+        this(folder, ProcessHandle.current().pid(), begun(ProcessHandle.current()).orElse(Instant.EPOCH));
+    }
+
+    private static Optional<Instant> begun(ProcessHandle process) {
+        return process.info().startInstant();
     }
 
     /**
@@ -47,7 +61,7 @@ public final class Recovery {
      * @return nothing is written yet
      */
     public static Recovery ofUser() {
-        return new Recovery(Path.of(System.getProperty("user.home"), ".faultline", "recovery"), ProcessHandle.current().pid());
+        return new Recovery(Path.of(System.getProperty("user.home"), ".faultline", "recovery"));
     }
 
     void keep(Optional<Path> origin, Scenario scenario) throws IOException {
@@ -66,10 +80,7 @@ public final class Recovery {
     /** Keeps what was left by another process as this one's own from now on. */
     void adopt(Rescue rescue) throws IOException {
         keep(rescue.origin(), rescue.scenario());
-        // A process that is gone may have had the number that this one has.
-        if (!rescue.kept().equals(own())) {
-            forget(rescue.kept());
-        }
+        forget(rescue.kept());
     }
 
     /** Nothing is unsaved any more. */
@@ -107,25 +118,19 @@ public final class Recovery {
             return Optional.empty();
         }
         try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> file.getFileName().toString().matches("\\d+\\.xml")).filter(Recovery::isOrphan).sorted()
-                    .flatMap(file -> rescue(file).stream()).findFirst();
+            return files.filter(Recovery::isOrphan).sorted().flatMap(file -> rescue(file).stream()).findFirst();
         }
     }
 
-    /** Whether the process that kept it is gone; where another has its number now, that one began later than the file was written. */
-    private static boolean isOrphan(Path kept) {
-        long owner = Long.parseLong(kept.getFileName().toString().replace(SCENARIO, ""));
-        return ProcessHandle.of(owner).map(process -> process.info().startInstant().filter(start -> start.isAfter(written(kept).plus(SLACK)))
-                .isPresent()).orElse(true);
+    /** Whether it was kept by a process that is gone, even where another has its number by now. */
+    private static boolean isOrphan(Path file) {
+        Matcher name = KEPT.matcher(file.getFileName().toString());
+        return name.matches() && ProcessHandle.of(Long.parseLong(name.group(1))).filter(alive -> isBegun(alive, Long.parseLong(name.group(2)))).isEmpty();
     }
 
-    private static Instant written(Path kept) {
-        try {
-            return Files.getLastModifiedTime(kept).toInstant();
-        } catch (IOException gone) {
-            // Its owner has just taken it away.
-            return Instant.now();
-        }
+    /** Whether a process began at a time; where nobody knows when it did, it may have. */
+    private static boolean isBegun(ProcessHandle process, long epochMillis) {
+        return begun(process).map(begun -> Duration.between(begun, Instant.ofEpochMilli(epochMillis)).abs().compareTo(SLACK) < 0).orElse(true);
     }
 
     private static Optional<Rescue> rescue(Path kept) {

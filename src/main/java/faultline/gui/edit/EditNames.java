@@ -30,6 +30,9 @@ final class EditNames {
         if (first.redo() instanceof Command.RemoveObstacle) {
             return "edit.removeSeveral";
         }
+        if (first.redo() instanceof Command.ClearFaults) {
+            return "edit.mendSeveral";
+        }
         boolean adds = first.redo() instanceof Command.PutObstacle && first.undo().get(0) instanceof Command.RemoveObstacle;
         return adds ? "edit.addSeveral" : first.redo() instanceof Command.PutObstacle ? "edit.changeSeveral" : "edit.several";
     }

@@ -2,6 +2,7 @@ package faultline.gui.export;
 
 import faultline.paint.Shot;
 import faultline.paint.ShotPage;
+import java.awt.print.PrinterAbortException;
 import java.awt.print.PrinterException;
 import java.awt.print.PrinterJob;
 import java.util.concurrent.ExecutionException;
@@ -39,7 +40,10 @@ final class Printout extends SwingWorker<Void, Void> {
         try {
             get();
         } catch (ExecutionException broken) {
-            failed.accept(broken.getCause());
+            // A user who cancels a print that has begun knows of it.
+            if (!(broken.getCause() instanceof PrinterAbortException)) {
+                failed.accept(broken.getCause());
+            }
         } catch (InterruptedException broken) {
             Thread.currentThread().interrupt();
         }

@@ -1,5 +1,6 @@
 package faultline.gui.panel;
 
+import faultline.gui.edit.Editor;
 import faultline.gui.text.Texts;
 import faultline.sensor.FaultKind;
 import faultline.world.Command;
@@ -27,7 +28,7 @@ public final class ChosenSensorPanel extends JPanel {
 
     private static final int PARTS = 8;
 
-    private final transient Consumer<Command> commands;
+    private final transient Editor editor;
     private final transient MountFields mount;
     private final transient List<Consumer<Optional<String>>> listeners = new ArrayList<>();
     private final JComboBox<String> sensor = new JComboBox<>();
@@ -43,13 +44,13 @@ public final class ChosenSensorPanel extends JPanel {
      * Without sensors at first.
      *
      * @param echoes what was asked of each sensor
-     * @param commands where changes and faults go
+     * @param editor where changes and faults go
      */
-    ChosenSensorPanel(SensorEchoes echoes, Consumer<Command> commands) {
+    ChosenSensorPanel(SensorEchoes echoes, Editor editor) {
         super(new BorderLayout(0, PARTS));
-        this.commands = commands;
-        this.mount = new MountFields(echoes, commands);
-        this.list = new FaultList(commands);
+        this.editor = editor;
+        this.mount = new MountFields(echoes, editor);
+        this.list = new FaultList(editor);
         prepare();
         add(form(), BorderLayout.NORTH);
         add(list, BorderLayout.CENTER);
@@ -119,7 +120,7 @@ public final class ChosenSensorPanel extends JPanel {
     }
 
     private void inject() {
-        chosen().ifPresent(id -> commands.accept(new Command.InjectFault(id, kind().fault(value.value()))));
+        chosen().ifPresent(id -> editor.send(new Command.InjectFault(id, kind().fault(value.value()))));
     }
 
     private Optional<String> chosen() {

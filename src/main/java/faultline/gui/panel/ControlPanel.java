@@ -1,8 +1,8 @@
 package faultline.gui.panel;
 
+import faultline.gui.edit.Editor;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.TextSize;
-import faultline.world.Command;
 import faultline.world.Snapshot;
 import java.awt.BorderLayout;
 import java.awt.Component;
@@ -33,14 +33,14 @@ public final class ControlPanel extends JPanel {
     /**
      * A panel that shows nothing yet.
      *
-     * @param commands where all changes go
+     * @param editor where all changes go
      * @param path shows or hides the path
      */
-    public ControlPanel(Consumer<Command> commands, Action path) {
+    public ControlPanel(Editor editor, Action path) {
         super(new BorderLayout());
-        robot = new RobotPanel(commands, path);
-        sensors = new SensorsPanel(echoes, commands);
-        chosen = new ChosenSensorPanel(echoes, commands);
+        robot = new RobotPanel(editor, path);
+        sensors = new SensorsPanel(echoes, editor);
+        chosen = new ChosenSensorPanel(echoes, editor);
         sensors.addSelectionListener(chosen::choose);
         chosen.addChoiceListener(sensors::choose);
         JPanel column = new JPanel();

@@ -1,5 +1,6 @@
 package faultline.gui.panel;
 
+import faultline.gui.edit.Editor;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
@@ -10,7 +11,6 @@ import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -22,16 +22,16 @@ final class FaultList extends JPanel {
     private static final GlyphIcon SIGN = new GlyphIcon(Glyph.WARNING, 16, colours -> Optional.of(colours.warning()));
     private static final GlyphIcon CROSS = new GlyphIcon(Glyph.REMOVE, 14, colours -> Optional.of(colours.text()));
 
-    private final transient Consumer<Command> commands;
+    private final transient Editor editor;
     private transient List<Active> shown = List.of();
 
     /** One fault of one sensor. */
     private record Active(String sensor, Fault fault) {
     }
 
-    FaultList(Consumer<Command> commands) {
+    FaultList(Editor editor) {
         super(new GridBagLayout());
-        this.commands = commands;
+        this.editor = editor;
         rebuild();
     }
 
@@ -67,14 +67,13 @@ final class FaultList extends JPanel {
         mend.setBorder(BorderFactory.createEmptyBorder(3, 5, 3, 5));
         mend.setToolTipText(Texts.text("faults.mend", text));
         mend.getAccessibleContext().setAccessibleName(Texts.text("faults.mend", text));
-        mend.addActionListener(event -> commands.accept(new Command.ClearFault(active.sensor(), active.fault())));
+        mend.addActionListener(event -> editor.send(new Command.ClearFault(active.sensor(), active.fault())));
         add(mend, Grid.cell(1, row));
     }
 
     private void addClearAll(int row) {
         JButton all = new JButton(Texts.text("faults.mendAll"));
-        all.addActionListener(event -> shown.stream().map(Active::sensor).distinct()
-                .forEach(sensor -> commands.accept(new Command.ClearFaults(sensor))));
+        all.addActionListener(event -> editor.send(shown.stream().map(Active::sensor).distinct().<Command>map(Command.ClearFaults::new).toList()));
         GridBagConstraints place = Grid.rest(0, row);
         place.fill = GridBagConstraints.NONE;
         place.anchor = GridBagConstraints.LINE_END;

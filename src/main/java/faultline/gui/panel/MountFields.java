@@ -2,11 +2,11 @@ package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
 import faultline.geometry.Vec;
+import faultline.gui.edit.Editor;
 import faultline.gui.text.Texts;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
@@ -23,7 +23,7 @@ final class MountFields {
     private static final double NOISE_STEP = 0.001;
 
     private final SensorEchoes echoes;
-    private final Consumer<Command> commands;
+    private final Editor editor;
     private final NumberSpinner bearing = new NumberSpinner("0.##", -MOST_BEARING, MOST_BEARING, BEARING_STEP,
             degrees -> tune(spec -> spec.withBearing(Degrees.toRadians(degrees))));
     private final NumberSpinner noise = new NumberSpinner("0.000##", 0, MOST_NOISE, NOISE_STEP, metres -> tune(spec -> spec.withNoise(metres)));
@@ -34,9 +34,9 @@ final class MountFields {
     private final ShownDegrees shownBearing = new ShownDegrees();
     private Optional<String> sensor = Optional.empty();
 
-    MountFields(SensorEchoes echoes, Consumer<Command> commands) {
+    MountFields(SensorEchoes echoes, Editor editor) {
         this.echoes = echoes;
-        this.commands = commands;
+        this.editor = editor;
         fields().forEach(field -> field.columns(5).setEnabled(false));
     }
 
@@ -63,7 +63,7 @@ final class MountFields {
     }
 
     private void tune(UnaryOperator<SensorSpec> change) {
-        sensor.ifPresent(id -> commands.accept(new Command.TuneSensor(echoes.ask(change.apply(echoes.of(id))))));
+        sensor.ifPresent(id -> editor.send(new Command.TuneSensor(echoes.ask(change.apply(echoes.of(id))))));
     }
 
     /** Goes over to another sensor, after taking what was being typed for the one before. */

@@ -1,5 +1,6 @@
 package faultline.gui.panel;
 
+import faultline.gui.edit.Editor;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.TextSize;
 import faultline.robot.RobotSpec;
@@ -8,7 +9,6 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
-import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
@@ -23,7 +23,7 @@ public final class RobotPanel extends JPanel {
     private static final int UNIT_WIDTH = 30;
 
     private final transient Echo<Command.SetPlatform> platform = new Echo<>(platform(RobotSpec.DEFAULT));
-    private final transient Consumer<Command> commands;
+    private final transient Editor editor;
     private final NumberSpinner speed = new NumberSpinner("0.00##", LEAST, MOST_SPEED, 0.05, value -> {
         Command.SetPlatform now = platform.value();
         set(new Command.SetPlatform(now.length(), now.width(), value));
@@ -40,12 +40,12 @@ public final class RobotPanel extends JPanel {
     /**
      * The robot's controls.
      *
-     * @param commands where changes go
+     * @param editor where changes go
      * @param path shows or hides the path
      */
-    public RobotPanel(Consumer<Command> commands, Action path) {
+    public RobotPanel(Editor editor, Action path) {
         super(new GridBagLayout());
-        this.commands = commands;
+        this.editor = editor;
         addRow(0, "robot.speed", speed, "m/s");
         addRow(1, "robot.length", length, "m");
         addRow(2, "robot.width", width, "m");
@@ -80,7 +80,7 @@ public final class RobotPanel extends JPanel {
     }
 
     private void set(Command.SetPlatform wanted) {
-        commands.accept(platform.ask(wanted));
+        editor.send(platform.ask(wanted));
     }
 
     /**

@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
+import faultline.gui.edit.Editor;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.TextSize;
 import faultline.sensor.SensorSpec;
@@ -33,13 +34,13 @@ final class SensorRow {
     private final ReadingBar reported;
     private final String id;
     private final SensorEchoes echoes;
-    private final Consumer<Command> commands;
+    private final Editor editor;
     private final ShownDegrees shownCone = new ShownDegrees();
 
-    SensorRow(int index, String id, SensorEchoes echoes, Consumer<Command> commands, Consumer<String> chosen) {
+    SensorRow(int index, String id, SensorEchoes echoes, Editor editor, Consumer<String> chosen) {
         this.id = id;
         this.echoes = echoes;
-        this.commands = commands;
+        this.editor = editor;
         swatch = new Swatch(index);
         range = new NumberSpinner("0.00##", LEAST_RANGE, MOST_RANGE, 0.05, metres -> tune(spec().withRange(metres)));
         cone = new NumberSpinner("0.##", LEAST_CONE, MOST_CONE, 1, degrees -> tune(spec().withCone(Degrees.toRadians(degrees))));
@@ -101,11 +102,11 @@ final class SensorRow {
 
     private void switchTo(boolean on) {
         echoes.ask(spec().withOn(on));
-        commands.accept(new Command.SwitchSensor(id, on));
+        editor.send(new Command.SwitchSensor(id, on));
     }
 
     private void tune(SensorSpec wanted) {
-        commands.accept(new Command.TuneSensor(echoes.ask(wanted)));
+        editor.send(new Command.TuneSensor(echoes.ask(wanted)));
     }
 
     /** Switches the sensor the other way. */

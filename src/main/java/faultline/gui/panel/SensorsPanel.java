@@ -1,9 +1,9 @@
 package faultline.gui.panel;
 
+import faultline.gui.edit.Editor;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Smooth;
 import faultline.gui.theme.Theme;
-import faultline.world.Command;
 import faultline.world.SensorSnapshot;
 import java.awt.Color;
 import java.awt.EventQueue;
@@ -23,7 +23,7 @@ public final class SensorsPanel extends JPanel {
     private static final int MARK_ALPHA = 40;
 
     private final transient SensorEchoes echoes;
-    private final transient Consumer<Command> commands;
+    private final transient Editor editor;
     private final transient List<SensorRow> rows = new ArrayList<>();
     private final transient List<Consumer<Optional<String>>> listeners = new ArrayList<>();
     private List<String> ids = List.of();
@@ -33,12 +33,12 @@ public final class SensorsPanel extends JPanel {
      * Without sensors at first.
      *
      * @param echoes what was asked of each sensor
-     * @param commands where switching and tuning goes
+     * @param editor where switching and tuning goes
      */
-    SensorsPanel(SensorEchoes echoes, Consumer<Command> commands) {
+    SensorsPanel(SensorEchoes echoes, Editor editor) {
         super(new GridBagLayout());
         this.echoes = echoes;
-        this.commands = commands;
+        this.editor = editor;
     }
 
     /**
@@ -125,7 +125,7 @@ public final class SensorsPanel extends JPanel {
         add(new MutedLabel(Texts.text("sensors.true")), Grid.cell(4, 0));
         add(new MutedLabel(Texts.text("sensors.reported")), Grid.cell(5, 0));
         for (int i = 0; i < sensors.size(); i++) {
-            SensorRow row = new SensorRow(i, ids.get(i), echoes, commands, id -> choose(Optional.of(id)));
+            SensorRow row = new SensorRow(i, ids.get(i), echoes, editor, id -> choose(Optional.of(id)));
             row.addTo(this, i + 1);
             rows.add(row);
         }

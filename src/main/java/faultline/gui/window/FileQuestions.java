@@ -5,10 +5,14 @@ import java.awt.Component;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
+import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** Asks which file. */
@@ -41,7 +45,7 @@ final class FileQuestions {
     }
 
     private JFileChooser chooser(String action, String extension) {
-        JFileChooser chooser = new JFileChooser(folder);
+        JFileChooser chooser = new Chooser(folder);
         chooser.setDialogTitle(Texts.text("files." + action));
         chooser.setFileFilter(new FileNameExtensionFilter(Texts.text("files.filter." + extension), extension));
         return chooser;
@@ -55,9 +59,25 @@ final class FileQuestions {
         return Optional.of(chooser.getSelectedFile().toPath());
     }
 
-    private static Path withExtension(Path file, String extension) {
+    /** The file, with the extension behind its name unless it is there. */
+    static Path withExtension(Path file, String extension) {
         String name = file.getFileName().toString();
-        return name.contains(".") ? file : file.resolveSibling(name + "." + extension);
+        boolean has = name.toLowerCase(Locale.ROOT).endsWith("." + extension);
+        return has ? file : file.resolveSibling(name + "." + extension);
+    }
+
+    /** A file dialog that Escape closes wherever in it the focus is. */
+    private static final class Chooser extends JFileChooser {
+        Chooser(File folder) {
+            super(folder);
+        }
+
+        @Override
+        protected JDialog createDialog(Component parent) {
+            JDialog dialog = super.createDialog(parent);
+            dialog.getRootPane().registerKeyboardAction(event -> cancelSelection(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+            return dialog;
+        }
     }
 
     /**

@@ -48,9 +48,12 @@ final class RecentFiles {
         keep(List.of());
     }
 
+    /** Keeps as many of the newest as the preferences have room for. */
     private void keep(List<Path> files) {
         String lines = files.stream().map(Path::toString).collect(Collectors.joining("\n"));
-        if (lines.length() <= MOST_LETTERS) {
+        if (lines.length() > MOST_LETTERS) {
+            keep(files.subList(0, files.size() - 1));
+        } else {
             store.put(KEY, lines);
         }
     }

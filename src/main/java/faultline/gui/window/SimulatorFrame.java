@@ -61,7 +61,7 @@ public final class SimulatorFrame extends JFrame {
         BoundedRangeModel speed = new DefaultBoundedRangeModel(SpeedScale.REAL_TIME, 0, 0, SpeedScale.MOST);
         runActions = new RunActions(run, speed);
         addActions();
-        area = new WorkArea(canvas, edits::send, actions, speed, run.travel()::goTo);
+        area = new WorkArea(canvas, edits, actions, speed, run.travel()::goTo);
         ghosts = new GhostActions(new GhostDesk(bench, run.travel()), area);
         ghosts.addTo(actions, files::fileForGhost);
         setJMenuBar(Menus.of(actions));

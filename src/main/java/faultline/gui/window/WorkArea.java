@@ -4,18 +4,17 @@ import faultline.engine.Frame;
 import faultline.engine.Session;
 import faultline.engine.record.RunEvent;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.edit.Editor;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.instrument.PlacedSplit;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.Ghost;
-import faultline.world.Command;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JPanel;
@@ -45,15 +44,15 @@ final class WorkArea extends JPanel {
      * Shows nothing yet.
      *
      * @param canvas the canvas
-     * @param commands where the control panel's changes go
+     * @param editor where the control panel's changes go
      * @param actions of the window
      * @param speed positions of {@link SpeedScale}
      * @param jump given the tick of an event that the user wants to go to
      */
-    WorkArea(SimulationCanvas canvas, Consumer<Command> commands, UiActions actions, BoundedRangeModel speed, LongConsumer jump) {
+    WorkArea(SimulationCanvas canvas, Editor editor, UiActions actions, BoundedRangeModel speed, LongConsumer jump) {
         super(new BorderLayout());
         this.canvas = canvas;
-        panel = new ControlPanel(commands, actions.get("path"));
+        panel = new ControlPanel(editor, actions.get("path"));
         instruments = new InstrumentDock(jump);
         dockHeight = instruments.getPreferredSize().height;
         time = new TimeBar(jump, canvas::show);

@@ -15,6 +15,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -63,10 +64,10 @@ class CrashTest {
     void unsavedEditsOutliveACrashAndAreStillUnsavedThen() throws Exception {
         edit();
         Scenario edited = onEdt(() -> bench.scenario().orElseThrow());
-        Recovery dying = new Recovery(folder.resolve("kept"), DEAD);
+        Recovery dying = new Recovery(folder.resolve("kept"), DEAD, Instant.EPOCH);
         autosave(dying);
         Patience.waitFor("the kept edits", () -> dying.left().isPresent());
-        Recovery.Rescue rescue = new Recovery(folder.resolve("kept"), ProcessHandle.current().pid()).left().orElseThrow();
+        Recovery.Rescue rescue = new Recovery(folder.resolve("kept")).left().orElseThrow();
         assertEquals(Optional.of(file.toAbsolutePath()), rescue.origin());
         assertEquals(edited, rescue.scenario());
         edt(() -> filing.open(file));
@@ -80,26 +81,34 @@ class CrashTest {
 
     @Test
     void theEditsOfAWindowThatStillRunsAreNotOffered() throws IOException {
-        Recovery own = new Recovery(folder.resolve("kept"), ProcessHandle.current().pid());
+        Recovery own = new Recovery(folder.resolve("kept"));
         own.keep(Optional.empty(), onEdt(() -> bench.scenario().orElseThrow()));
         assertEquals(Optional.empty(), own.left());
     }
 
     @Test
-    void editsOfAProcessWhoseNumberAnotherHasByNowAreOffered() throws IOException {
-        Recovery own = new Recovery(folder.resolve("kept"), ProcessHandle.current().pid());
-        own.keep(Optional.of(file), onEdt(() -> bench.scenario().orElseThrow()));
-        Path kept = folder.resolve("kept").resolve(ProcessHandle.current().pid() + ".xml");
-        Files.setLastModifiedTime(kept, FileTime.fromMillis(0));
+    void editsOfAProcessWhoseNumberAnotherHasByNowAreOfferedUntilTheyAreAnswered() throws IOException {
+        Recovery before = new Recovery(folder.resolve("kept"), ProcessHandle.current().pid(), Instant.EPOCH);
+        before.keep(Optional.of(file), onEdt(() -> bench.scenario().orElseThrow()));
+        Recovery own = new Recovery(folder.resolve("kept"));
+        own.keep(Optional.empty(), onEdt(() -> bench.scenario().orElseThrow()));
+        own.forget();
         Recovery.Rescue rescue = own.left().orElseThrow();
+        assertEquals(Optional.of(file.toAbsolutePath()), rescue.origin());
         own.adopt(rescue);
-        assertTrue(Files.exists(kept), "they are this process's own now");
         assertEquals(Optional.empty(), own.left());
+        assertEquals(2, kept().size(), "they are this process's own now: " + kept());
+    }
+
+    private List<Path> kept() throws IOException {
+        try (Stream<Path> kept = Files.list(folder.resolve("kept"))) {
+            return kept.toList();
+        }
     }
 
     @Test
     void editsThatCouldNotBeKeptAreKeptAsSoonAsTheyCanBe() throws IOException {
-        Recovery dying = new Recovery(folder.resolve("kept"), DEAD);
+        Recovery dying = new Recovery(folder.resolve("kept"), DEAD, Instant.EPOCH);
         Path obstacle = Files.createFile(folder.resolve("kept"));
         AtomicBoolean failed = new AtomicBoolean();
         Logger log = Logger.getLogger(Autosave.class.getName());
@@ -118,7 +127,7 @@ class CrashTest {
 
     @Test
     void savedEditsAreKeptNoLonger() {
-        Recovery dying = new Recovery(folder.resolve("kept"), DEAD);
+        Recovery dying = new Recovery(folder.resolve("kept"), DEAD, Instant.EPOCH);
         edit();
         Autosave autosave = autosave(dying);
         Patience.waitFor("the kept edits", () -> dying.left().isPresent());
@@ -128,16 +137,24 @@ class CrashTest {
 
     @Test
     void aWindowThatClosesInGoodOrderLeavesNothing() {
-        Recovery dying = new Recovery(folder.resolve("kept"), DEAD);
+        Recovery dying = new Recovery(folder.resolve("kept"), DEAD, Instant.EPOCH);
         edit();
         Autosave autosave = autosave(dying);
         Patience.waitFor("the kept edits", () -> dying.left().isPresent());
         edt(autosave::close);
-        Patience.waitFor("an empty folder", () -> {
-            try (Stream<Path> left = Files.list(folder.resolve("kept"))) {
-                return left.findAny().isEmpty();
-            }
-        });
+        Patience.waitFor("an empty folder", () -> kept().isEmpty());
+    }
+
+    @Test
+    void whatIsStillToBeWrittenWhenAWindowClosesIsNotWrittenAfterwards() throws IOException {
+        Recovery dying = new Recovery(folder.resolve("kept"), DEAD, Instant.EPOCH);
+        edit();
+        Autosave autosave = autosave(dying);
+        Patience.waitFor("the kept edits", () -> dying.left().isPresent());
+        edt(autosave::close);
+        Patience.waitFor("an empty folder", () -> kept().isEmpty());
+        autosave.write(Optional.empty(), onEdt(bench::scenario));
+        assertEquals(List.of(), kept());
     }
 
     @Test

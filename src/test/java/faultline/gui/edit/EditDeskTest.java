@@ -187,6 +187,16 @@ class EditDeskTest {
     }
 
     @Test
+    void mendingSeveralSensorsIsOneEditThatBreaksThemAgainWhenItIsUndone() {
+        edt(() -> desk.send(List.of(new Command.InjectFault("left", new Fault.Dead()), new Command.InjectFault("front", new Fault.Dead()))));
+        edt(() -> desk.send(List.of(new Command.ClearFaults("left"), new Command.ClearFaults("front"))));
+        assertEquals(Optional.of("Mend 2 sensors"), undoName());
+        edt(desk::undo);
+        assertEquals(List.of("front", "left"), world.snapshot().sensors().stream().filter(sensor -> !sensor.faults().isEmpty())
+                .map(sensor -> sensor.spec().id()).sorted().toList());
+    }
+
+    @Test
     void anotherScenarioBeginsWithoutEdits() {
         edt(() -> desk.send(moveTo(4.1)));
         edt(desk::forget);

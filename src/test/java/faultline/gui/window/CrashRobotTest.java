@@ -31,7 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 class CrashRobotTest {
 
     /** No process has such a number: a window that kept its edits under it has crashed. */
-    private static final String DEAD = Integer.toString(Integer.MAX_VALUE - 7);
+    private static final String DEAD = Integer.MAX_VALUE - 7 + "-0";
 
     private final String home = System.getProperty("user.home");
     @TempDir

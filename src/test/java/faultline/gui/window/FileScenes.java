@@ -67,7 +67,7 @@ final class FileScenes {
     void recover() throws IOException {
         String home = System.getProperty("user.home");
         System.setProperty("user.home", folder.toString());
-        String dead = Integer.toString(Integer.MAX_VALUE - 7);
+        String dead = Integer.MAX_VALUE - 7 + "-0";
         Path kept = Files.createDirectories(folder.resolve(".faultline/recovery"));
         Files.copy(office, kept.resolve(dead + ".xml"));
         Files.writeString(kept.resolve(dead + ".origin"), office.toString());

@@ -109,6 +109,19 @@ class FilesRobotTest {
     }
 
     @Test
+    void escapeClosesAFileDialogWhereverInItTheFocusIs() {
+        driver.chooseLater("open");
+        JDialog dialog = driver.dialog("Open a scenario");
+        edt(() -> {
+            dialog.getRootPane().setFocusable(true);
+            dialog.getRootPane().requestFocusInWindow();
+        });
+        driver.robot().waitFor("nothing of the dialog has the focus", () -> dialog.getRootPane().isFocusOwner());
+        driver.robot().type(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+    }
+
+    @Test
     void theSheetOfKeysListsEveryKey() {
         driver.robot().type(KeyEvent.VK_F1);
         JDialog dialog = dialog("Keys and mouse");

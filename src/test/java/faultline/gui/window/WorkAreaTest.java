@@ -100,7 +100,7 @@ class WorkAreaTest {
             actions.add(UiAction.toggle("instruments", true, shown -> {
             }));
             new ChoiceActions(null, WindowMemory.none()).addTo(actions);
-            area = new WorkArea(canvas, edits::send, actions, speed, tick -> {
+            area = new WorkArea(canvas, edits, actions, speed, tick -> {
             });
             new GhostActions(new GhostDesk(bench, run.travel()), area).addTo(actions, Optional::empty);
             menus = Menus.of(actions);
