@@ -6,6 +6,7 @@ import static faultline.app.figures.CornerRun.Sensors.TWO;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.geometry.Angles;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -88,6 +89,16 @@ class ResultsTextTest {
         double f4 = moments.where("frame", "F4").number("t_s");
         assertSaid("F3 is at %.2f s and F4 at %.2f s, so t_D = %.2f s and t_p = %.2f s; the robot ends %.1f degrees short of parallel",
                 f3, f4, f4 - f3, (f4 - f3) / 2, -moments.where("frame", "P").number("heading_deg"));
+    }
+
+    @Test
+    void betweenF3AndF4TheRobotTurnsByOneAndTheSameAngleEveryTick() {
+        Journey journey = Journey.of(Shipped.load("beside-a-wall.xml").setup());
+        for (int tick = journey.states().indexOf("MEASURE"); tick < journey.states().indexOf("ALIGN"); tick++) {
+            double turned = journey.poses().get(tick - 1).heading() - journey.poses().get(tick).heading();
+            assertEquals(0.600, StrictMath.toDegrees(Angles.normalize(turned)), 0.0005);
+        }
+        assertSaid("0.600 degrees every 10 ms from F3 to F4");
     }
 
     private static double corner(int degrees, CornerRun.Sensors sensors) {
