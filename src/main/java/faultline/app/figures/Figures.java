@@ -33,6 +33,8 @@ public final class Figures {
 
     static List<Figure> all() {
         List<Figure> figures = new ArrayList<>();
+        // The longest first, so that no core waits for it in the end.
+        figures.add(new NoiseWhileFollowing());
         figures.add(new PanelPicture());
         figures.add(new DriveMoves());
         figures.add(new PoseAndFrames());
@@ -48,7 +50,6 @@ public final class Figures {
         figures.add(new StepResponse());
         figures.add(new SpecularMap());
         figures.add(new ThinObjects());
-        figures.add(new NoiseWhileFollowing());
         figures.add(new Environment("rules-glass", "glass-partition.xml", new Rectangle2D.Double(1.9, 0.5, 3, 2.8)));
         figures.add(new Environment("rules-mirror", "mirror.xml", new Rectangle2D.Double(1.9, 0.5, 3, 2.8)));
         figures.add(new Environment("rules-table-leg", "pole-and-table-leg.xml", new Rectangle2D.Double(-0.1, -0.1, 6.2, 4.2)));
