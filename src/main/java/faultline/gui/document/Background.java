@@ -3,6 +3,7 @@ package faultline.gui.document;
 import java.awt.EventQueue;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import javax.swing.SwingWorker;
 
@@ -20,8 +21,17 @@ final class Background {
      * @param failed told the exception in its place, on the event dispatch thread
      */
     static <T> void run(Callable<T> slow, Consumer<T> done, Consumer<Throwable> failed) {
+        begin(slow, done, failed);
+    }
+
+    /** Does the same, and keeps the program from ending before it is done. */
+    static <T> void finish(Callable<T> slow, Consumer<T> done, Consumer<Throwable> failed) {
+        Guard.until(begin(slow, done, failed));
+    }
+
+    private static <T> Future<T> begin(Callable<T> slow, Consumer<T> done, Consumer<Throwable> failed) {
         assert EventQueue.isDispatchThread();
-        new SwingWorker<T, Void>() {
+        SwingWorker<T, Void> worker = new SwingWorker<>() {
             @Override
             protected T doInBackground() throws Exception {
                 return slow.call();
@@ -41,6 +51,8 @@ final class Background {
                 }
                 done.accept(result);
             }
-        }.execute();
+        };
+        worker.execute();
+        return worker;
     }
 }

@@ -48,6 +48,6 @@ record Document(Optional<Path> file, Optional<Scenario> saved, Scenario begun, S
 
     /** What to call it by: its file, or its name where it has none. */
     Path name() {
-        return file.orElse(Path.of(begun.name()));
+        return file.orElseGet(() -> Path.of(FileName.of(begun.name())));
     }
 }

@@ -82,7 +82,7 @@ public final class Filing {
     public void save(Path file, Runnable then) {
         bench.work().ifPresent(now -> {
             CompletableFuture<Journal> journal = now.session().wholeJournal();
-            Background.run(() -> {
+            Background.finish(() -> {
                 Scenario scenario = now.document().after(journal.join());
                 scenario.save(file, now.document().file().map(Remarks::of).orElse(Remarks.NONE));
                 return scenario;
@@ -109,7 +109,7 @@ public final class Filing {
      * @param file where to
      */
     public void saveJournal(Path file) {
-        bench.replay().ifPresent(replay -> Background.run(() -> {
+        bench.replay().ifPresent(replay -> Background.finish(() -> {
             replay.join().save(file);
             return file;
         }, bench.listener()::journalSaved, why -> bench.listener().failed(Task.SAVE_JOURNAL, file, why)));

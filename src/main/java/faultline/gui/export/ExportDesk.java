@@ -4,6 +4,7 @@ import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
+import faultline.gui.text.Reasons;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Glyph;
 import faultline.paint.Palette;
@@ -132,7 +133,6 @@ public final class ExportDesk {
     }
 
     private void failed(Throwable why) {
-        String reason = Optional.ofNullable(why.getMessage()).orElse(why.getClass().getSimpleName());
-        JOptionPane.showMessageDialog(parent, Texts.text("export.failed", reason), Texts.text("failed.title"), JOptionPane.ERROR_MESSAGE);
+        JOptionPane.showMessageDialog(parent, Texts.text("export.failed", Reasons.of(why)), Texts.text("failed.title"), JOptionPane.ERROR_MESSAGE);
     }
 }

@@ -1,5 +1,6 @@
 package faultline.gui.export;
 
+import faultline.gui.document.Guard;
 import faultline.gui.text.Texts;
 import faultline.scenario.AtomicFile;
 import java.awt.Component;
@@ -40,17 +41,7 @@ final class ExportTask extends SwingWorker<Void, Void> {
     /** Begins, and keeps the program from ending before it is done: a window may be closed meanwhile. */
     void begin() {
         execute();
-        new Thread(this::await, "export").start();
-    }
-
-    private void await() {
-        try {
-            get();
-        } catch (ExecutionException | CancellationException told) {
-            // Those who wait for the result on the event dispatch thread are told.
-        } catch (InterruptedException ended) {
-            Thread.currentThread().interrupt();
-        }
+        Guard.until(this);
     }
 
     private void show(int percent) {

@@ -1,5 +1,6 @@
 package faultline.gui.gallery;
 
+import faultline.gui.text.Reasons;
 import faultline.gui.text.Texts;
 import faultline.gui.theme.Theme;
 import java.awt.BorderLayout;
@@ -141,7 +142,7 @@ public final class Gallery extends JDialog {
     }
 
     private void failed(Throwable why) {
-        description.setText(Texts.text("gallery.failed", String.valueOf(why.getMessage())));
+        description.setText(Texts.text("gallery.failed", Reasons.of(why)));
     }
 
     /** Ends the taking of pictures too. */

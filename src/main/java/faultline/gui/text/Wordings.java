@@ -45,7 +45,8 @@ public final class Wordings {
             Matcher gap = GAP.matcher(text);
             int end = 0;
             for (; gap.find(); end = gap.end()) {
-                pattern.append(Pattern.quote(text.substring(end, gap.end(1)))).append("(.*?)");
+                // Somebody's own words may hold what follows them; what we say after them does not.
+                pattern.append(Pattern.quote(text.substring(end, gap.end(1)))).append(gap.group(1).equals("\"") ? "(.*)" : "(.*?)");
                 gaps.add(Integer.valueOf(gap.group(2)));
                 quoted.add(!gap.group(1).isEmpty() || key.startsWith(OF_NAMES));
             }

@@ -3,6 +3,7 @@ package faultline.gui.window;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.Bench;
+import faultline.gui.text.Reasons;
 import faultline.gui.text.Texts;
 import faultline.gui.text.Wordings;
 import faultline.gui.theme.Glyph;
@@ -55,14 +56,8 @@ final class Dialogs {
             badFile(file, bad.complaints()).setVisible(true);
             return;
         }
-        String sentence = Texts.text("failed." + task, String.valueOf(file.getFileName()), Wordings.text(reason(why).replace(file + ": ", "")));
+        String sentence = Texts.text("failed." + task, String.valueOf(file.getFileName()), Reasons.of(why, file));
         JOptionPane.showMessageDialog(owner, Lines.broken(sentence), Texts.text("failed.title"), JOptionPane.ERROR_MESSAGE);
-    }
-
-    /** A file that cannot be read at all has one complaint, about the whole of it. */
-    private static String reason(Throwable why) {
-        return why instanceof ScenarioException bad ? bad.complaints().get(0).text()
-                : Optional.ofNullable(why.getMessage()).orElse(why.getClass().getSimpleName());
     }
 
     /** Says of the open file that somebody else has made it unreadable. */

@@ -5,6 +5,7 @@ import static faultline.gui.action.Keystrokes.menuShift;
 
 import faultline.gui.action.UiAction;
 import faultline.gui.document.Bench;
+import faultline.gui.document.FileName;
 import faultline.gui.document.Filing;
 import faultline.gui.document.Recovery;
 import faultline.gui.document.Rescuer;
@@ -128,7 +129,7 @@ final class FileDesk {
 
     /** The name of the open file, or of the scenario, with something behind it. */
     private Path suggestion(String ending) {
-        String scenario = bench.scenario().map(open -> open.name().replaceAll("[^\\p{L}\\p{N} ._-]", "_")).orElse("scenario");
+        String scenario = FileName.of(bench.scenario().map(Scenario::name).orElse(""));
         Path file = bench.file().orElse(Path.of(scenario + ".xml"));
         String name = file.getFileName().toString().replaceFirst("\\.xml$", "");
         return file.resolveSibling(name + ending);

@@ -1,8 +1,8 @@
 package faultline.gui.window;
 
+import faultline.gui.text.Reasons;
 import faultline.gui.text.Texts;
 import java.awt.EventQueue;
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.logging.Level;
 import java.util.logging.Logger;
@@ -28,8 +28,7 @@ public final class UncaughtDialog implements Thread.UncaughtExceptionHandler {
 
     private void show(Throwable fault) {
         try {
-            String reason = Optional.ofNullable(fault.getMessage()).orElse(fault.getClass().getSimpleName());
-            String sentence = Lines.broken(Texts.text("uncaught.sentence", reason));
+            String sentence = Lines.broken(Texts.text("uncaught.sentence", Reasons.of(fault)));
             JOptionPane.showMessageDialog(null, sentence, Texts.text("uncaught.title"), JOptionPane.ERROR_MESSAGE);
         } finally {
             showing.set(false);

@@ -171,11 +171,11 @@ class ExportDeskTest {
         }, file, written::add, why -> {
         }));
         task.begin();
-        assertTrue(Thread.getAllStackTraces().keySet().stream().anyMatch(thread -> thread.getName().equals("export") && !thread.isDaemon()));
+        assertTrue(Thread.getAllStackTraces().keySet().stream().anyMatch(thread -> thread.getName().equals("faultline-guard") && !thread.isDaemon()));
         released.countDown();
         Patience.waitFor("the word that it is written", () -> written.contains(file));
         Patience.waitFor("the end of the thread that keeps the program", () -> Thread.getAllStackTraces().keySet().stream()
-                .noneMatch(thread -> thread.getName().equals("export")));
+                .noneMatch(thread -> thread.getName().equals("faultline-guard")));
     }
 
     @Test

@@ -3,6 +3,7 @@ package faultline.gui.text;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
 import faultline.geometry.Vec;
@@ -63,11 +64,25 @@ class WordingsTest {
         assertEquals("the sky fell", Wordings.text("the sky fell"));
     }
 
-    /** The sentences of {@code ComplaintsTest}, which holds one for each mistake that a file can have. */
+    /**
+     * The sentences of {@code ComplaintsTest}, which holds one for each mistake that a file can have, and of {@code HostileFilesTest}, which
+     * has those about whole files.
+     */
     private static Stream<String> complaints() throws IOException {
-        Pattern sentence = Pattern.compile("\\| *\\d+:\\d+: (\\S.+)");
-        return Files.readAllLines(Path.of("src/test/java/faultline/scenario/ComplaintsTest.java")).stream().map(sentence::matcher)
-                .filter(Matcher::find).map(found -> found.group(1).strip()).distinct();
+        return Stream.concat(sentences("ComplaintsTest", "\\| *\\d+:\\d+: (\\S.+)"),
+                sentences("HostileFilesTest", "\"(?:\\w+\\.xml[:\\d]*: )?((?:the|there|this|<world>) [^\"\\\\]+)\"[,;)]")).distinct();
+    }
+
+    private static Stream<String> sentences(String test, String pattern) throws IOException {
+        Pattern sentence = Pattern.compile(pattern);
+        return Files.readAllLines(Path.of("src/test/java/faultline/scenario", test + ".java")).stream().map(sentence::matcher)
+                .filter(Matcher::find).map(found -> found.group(1).strip());
+    }
+
+    @Test
+    void theSentencesAboutWholeFilesAreFound() throws IOException {
+        assertTrue(complaints().toList().containsAll(List.of("there is no such file", "the file has a DOCTYPE, allowed is none",
+                "<world> holds too much, allowed is 100000 obstacles and points together")), complaints().toList().toString());
     }
 
     @ParameterizedTest
@@ -85,6 +100,7 @@ class WordingsTest {
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
             kind of <fault> is "stick", allowed is off, stuck; did you mean "stuck"? | kind w <fault> to "stick", dozwolone: off, stuck; czy chodziło o "stuck"?
             width of <world> is "-6", allowed is a number from 0.000001 to 100000 metres | width w <world> to "-6", dozwolone: liczba od 0.000001 do 100000 (metry)
+            kind of <fault> is "a", allowed is "b", allowed is off, stuck; did you mean "stuck"? | kind w <fault> to "a", allowed is "b", dozwolone: off, stuck; czy chodziło o "stuck"?
             name of <x> is "a number from 1 to 2", allowed is none | name w <x> to "a number from 1 to 2", dozwolone: brak
             there is no obstacle none | nie ma przeszkody none
             <world> may not hold <text>, allowed is circle | <world> nie może zawierać <text>, dozwolone: circle
