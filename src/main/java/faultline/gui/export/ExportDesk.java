@@ -36,7 +36,6 @@ public final class ExportDesk {
     private final UiAction record = UiAction.toggle("record", false, this::record).on(Keystrokes.menu(KeyEvent.VK_M)).drawn(Glyph.RECORD);
     private Palette palette = Palette.LIGHT;
     private long recordedFrom;
-    private Optional<Path> recordedOf = Optional.empty();
 
     /** Asks which file to write. */
     public interface FileChoice {
@@ -108,12 +107,15 @@ public final class ExportDesk {
     private void record(boolean on) {
         if (on) {
             recordedFrom = tick();
-            recordedOf = bench.file();
         } else {
-            // A run that was begun anew since has nothing before its own beginning, and another one none of it.
-            boolean isThere = recordedFrom <= tick() && recordedOf.equals(bench.file());
-            withShot(shot -> film(shot, isThere ? recordedFrom : 0));
+            // A run that was begun anew since has nothing before its own beginning.
+            withShot(shot -> film(shot, recordedFrom <= tick() ? recordedFrom : 0));
         }
+    }
+
+    /** Another scenario is on the bench, and none of what was being recorded. */
+    public void opened() {
+        recordedFrom = 0;
     }
 
     private long tick() {

@@ -40,6 +40,7 @@ public final class SimulatorFrame extends JFrame {
     private final transient Dialogs dialogs = new Dialogs(this);
     private final transient FileDesk files = new FileDesk(this, bench, this::settle);
     private final SimulationCanvas canvas = new SimulationCanvas(edits);
+    private final transient ExportDesk exports = new ExportDesk(this, bench, canvas, files::fileFor, file -> noteSaved("saved", file));
     private final transient RunActions runActions;
     private final transient WindowMemory memory;
     private final WorkArea area;
@@ -86,7 +87,7 @@ public final class SimulatorFrame extends JFrame {
         editActions.bindTo(getRootPane());
         new ObstacleActions(canvas.tools(), edits, this::note, now -> WaySpeed.ask(this, now), memory).addTo(actions);
         new SensorActions(bench, run, edits).addTo(actions);
-        new ExportDesk(this, bench, canvas, files::fileFor, file -> noteSaved("saved", file)).actions().forEach(actions::add);
+        exports.actions().forEach(actions::add);
         ViewActions.addTo(actions, canvas);
         ViewActions.bindTo(getRootPane(), actions);
         actions.add(UiAction.toggle("instruments", memory.isDockShown(), this::showDock).on(Keystrokes.plain(KeyEvent.VK_I)));
@@ -231,6 +232,7 @@ public final class SimulatorFrame extends JFrame {
         @Override
         public void opened() {
             edits.forget();
+            exports.opened();
             bench.file().ifPresent(memory.recent()::add);
         }
 

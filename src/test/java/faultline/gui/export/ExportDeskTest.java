@@ -27,6 +27,7 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.StringWriter;
@@ -59,6 +60,8 @@ class ExportDeskTest {
     private Bench bench;
     private RunDesk run;
     private SimulationCanvas canvas;
+    private ExportDesk desk;
+    private Filing filing;
     private List<UiAction> actions;
     private final List<Path> written = new ArrayList<>();
     private final List<Throwable> failures = new ArrayList<>();
@@ -72,15 +75,20 @@ class ExportDeskTest {
             canvas = new SimulationCanvas(new EditDesk(run::send, () -> {
             }));
             canvas.setSize(300, 200);
-            actions = new ExportDesk(canvas, bench, canvas, (action, extension) -> Optional.of(folder.resolve("out" + extension)), written::add)
-                    .actions();
-            new Filing(bench).open(Path.of("scenarios/office.xml"));
+            desk = new ExportDesk(canvas, bench, canvas, (action, extension) -> Optional.of(folder.resolve("out" + extension)), written::add);
+            actions = desk.actions();
+            filing = new Filing(bench);
+            filing.open(Path.of("scenarios/office.xml"));
         });
         Patience.waitFor("the scenario", () -> run.frame().isPresent());
-        for (int i = 0; i < STEPS; i++) {
+        stepTo(STEPS);
+    }
+
+    private void stepTo(int tick) {
+        for (long i = onEdt(() -> run.frame().orElseThrow().world().tick()); i < tick; i++) {
             edt(run::step);
         }
-        Patience.waitFor("the last tick", () -> run.frame().orElseThrow().world().tick() == STEPS);
+        Patience.waitFor("the last tick", () -> run.frame().orElseThrow().world().tick() == tick);
         edt(() -> canvas.show(run.frame().orElseThrow()));
     }
 
@@ -137,6 +145,36 @@ class ExportDeskTest {
         assertEquals(2, pictures(film(4)), "ticks 4 and 9 of 12");
     }
 
+    @Test
+    void aFilmBeginsWhereItsRecordingDidThoughTheFileIsAnotherByThen() throws IOException {
+        edt(() -> switchRecording(true));
+        stepTo(STEPS + 6);
+        Path other = folder.resolve("other.xml");
+        edt(() -> filing.save(other, () -> written.add(other)));
+        Patience.waitFor("the save", () -> written.remove(other));
+        assertEquals(2, recorded(), "ticks 12 and 17 of 18");
+    }
+
+    @Test
+    void ofARecordingThatAnotherScenarioEndedNothingIsLeft() throws IOException {
+        edt(() -> switchRecording(true));
+        edt(desk::opened);
+        assertEquals(3, recorded(), "ticks 0, 5 and 10 of 12");
+    }
+
+    private void switchRecording(boolean on) {
+        action("record").putValue(UiAction.SELECTED_KEY, on);
+        perform("record");
+    }
+
+    /** The pictures of the film that ends now. */
+    private int recorded() throws IOException {
+        edt(() -> switchRecording(false));
+        Path file = folder.resolve("out.gif");
+        Patience.waitFor("the film", () -> written.remove(file));
+        return pictures(Files.readAllBytes(file));
+    }
+
     private FilmExport film(long from) {
         return onEdt(() -> new FilmExport(canvas.shot(Palette.LIGHT).orElseThrow(), bench.replay().orElseThrow(), from));
     }
@@ -145,8 +183,12 @@ class ExportDeskTest {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         film.write(out, share -> {
         });
+        return pictures(out.toByteArray());
+    }
+
+    private static int pictures(byte[] gif) throws IOException {
         ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
-        reader.setInput(ImageIO.createImageInputStream(new java.io.ByteArrayInputStream(out.toByteArray())));
+        reader.setInput(ImageIO.createImageInputStream(new ByteArrayInputStream(gif)));
         return reader.getNumImages(true);
     }
 
