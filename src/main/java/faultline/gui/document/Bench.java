@@ -17,78 +17,10 @@ import java.util.function.UnaryOperator;
  */
 public final class Bench implements AutoCloseable {
 
-    private final Listener listener;
+    private final BenchListener listener;
     private final List<Desk> desks = new ArrayList<>();
     private Optional<Work> work = Optional.empty();
     private Optional<UnderWay> underWay = Optional.empty();
-
-    /** Told of what happens on the bench. */
-    public interface Listener {
-
-        /** A new session has begun: of another file, or of the same scenario anew. */
-        void begun();
-
-        /** The name of the file, or whether there are unsaved changes, is another now. */
-        void renamed();
-
-        /**
-         * Something asked for could not be done; all is as it was before.
-         *
-         * @param what was being done
-         * @param file with which file
-         * @param why the exception
-         */
-        void failed(Task what, Path file, Throwable why);
-
-        /** Another scenario is on the bench; told before its session begins. */
-        default void opened() {
-        }
-
-        /** The same scenario begins anew as it is edited by now; told before its session begins. */
-        default void restarted() {
-        }
-
-        /**
-         * The run stands at another moment of its own; what was done later is still ahead. Told before its session begins.
-         *
-         * @param tick that has passed
-         */
-        default void travelled(long tick) {
-        }
-
-        /**
-         * A scenario is in its file as it was edited when that was asked for.
-         *
-         * @param file that one; by now another may be open
-         * @param whole whether that is all that was done to the run; switches and faults are no part of a scenario
-         */
-        default void saved(Path file, boolean whole) {
-        }
-
-        /**
-         * The journal is in a file.
-         *
-         * @param file that one
-         */
-        default void journalSaved(Path file) {
-        }
-    }
-
-    /** What takes a while. */
-    public enum Task {
-        /** Reading a scenario. */
-        OPEN,
-        /** Writing the scenario. */
-        SAVE,
-        /** Writing the journal. */
-        SAVE_JOURNAL,
-        /** Beginning anew. */
-        RESTART,
-        /** Going to another moment of the run. */
-        GO_TO,
-        /** Running an earlier run again, to be shown beside this one. */
-        GHOST
-    }
 
     /** A part of the bench, told before everybody else. */
     interface Desk {
@@ -114,11 +46,11 @@ public final class Bench implements AutoCloseable {
      *
      * @param listener told of everything, on the event dispatch thread
      */
-    public Bench(Listener listener) {
+    public Bench(BenchListener listener) {
         this.listener = Objects.requireNonNull(listener, "listener");
     }
 
-    Listener listener() {
+    BenchListener listener() {
         return listener;
     }
 

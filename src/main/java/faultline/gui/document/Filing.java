@@ -1,7 +1,6 @@
 package faultline.gui.document;
 
 import faultline.engine.Journal;
-import faultline.gui.document.Bench.Task;
 import faultline.scenario.Remarks;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;

@@ -4,7 +4,6 @@ import faultline.engine.Frame;
 import faultline.engine.Journal;
 import faultline.engine.RecordedRun;
 import faultline.engine.record.Hashes;
-import faultline.gui.document.Bench.Task;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
 import java.awt.EventQueue;

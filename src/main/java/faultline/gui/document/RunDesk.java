@@ -5,7 +5,6 @@ import faultline.engine.Journal;
 import faultline.engine.Session;
 import faultline.engine.Setup;
 import faultline.geometry.Pose;
-import faultline.gui.document.Bench.Task;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.awt.EventQueue;

@@ -3,7 +3,6 @@ package faultline.gui.document;
 import faultline.engine.Frame;
 import faultline.engine.Journal;
 import faultline.engine.Session;
-import faultline.gui.document.Bench.Task;
 import faultline.scenario.Scenario;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;

@@ -9,12 +9,12 @@ public final class UnderWay {
 
     private static final double UNKNOWN = -1;
 
-    private final Bench.Task task;
+    private final Task task;
     private final Path name;
     private volatile double share = UNKNOWN;
     private volatile boolean cancelled;
 
-    UnderWay(Bench.Task task, Path name) {
+    UnderWay(Task task, Path name) {
         this.task = task;
         this.name = name;
     }
@@ -24,7 +24,7 @@ public final class UnderWay {
      *
      * @return the task
      */
-    public Bench.Task task() {
+    public Task task() {
         return task;
     }
 

@@ -2,7 +2,7 @@ package faultline.gui.window;
 
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
-import faultline.gui.document.Bench;
+import faultline.gui.document.Task;
 import faultline.gui.text.Reasons;
 import faultline.gui.text.Texts;
 import faultline.gui.text.Wordings;
@@ -51,7 +51,7 @@ final class Dialogs {
     }
 
     /** Says why something asked for was not done. */
-    void failed(Bench.Task task, Path file, Throwable why) {
+    void failed(Task task, Path file, Throwable why) {
         if (why instanceof ScenarioException bad && bad.complaints().stream().anyMatch(complaint -> complaint.place().line() > 0)) {
             badFile(file, bad.complaints()).setVisible(true);
             return;

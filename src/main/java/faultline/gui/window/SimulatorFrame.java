@@ -5,11 +5,13 @@ import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Autosave;
 import faultline.gui.document.Bench;
+import faultline.gui.document.BenchListener;
 import faultline.gui.document.FileWatch;
 import faultline.gui.document.GhostDesk;
 import faultline.gui.document.Recovery;
 import faultline.gui.document.Rescuer;
 import faultline.gui.document.RunDesk;
+import faultline.gui.document.Task;
 import faultline.gui.edit.EditDesk;
 import faultline.gui.export.ExportDesk;
 import faultline.gui.gallery.Gallery;
@@ -228,7 +230,7 @@ public final class SimulatorFrame extends JFrame {
     }
 
     /** What the bench tells. */
-    private final class Events implements Bench.Listener {
+    private final class Events implements BenchListener {
         @Override
         public void opened() {
             edits.forget();
@@ -270,8 +272,8 @@ public final class SimulatorFrame extends JFrame {
         }
 
         @Override
-        public void failed(Bench.Task what, Path file, Throwable why) {
-            if (what == Bench.Task.OPEN && Files.notExists(file)) {
+        public void failed(Task what, Path file, Throwable why) {
+            if (what == Task.OPEN && Files.notExists(file)) {
                 memory.recent().remove(file);
             }
             dialogs.failed(what, file, why);

@@ -50,7 +50,7 @@ class BenchTest {
     @BeforeEach
     void openAFile() throws IOException {
         file = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("room.xml"));
-        bench = onEdt(() -> new Bench(new Bench.Listener() {
+        bench = onEdt(() -> new Bench(new BenchListener() {
             @Override
             public void begun() {
                 begun++;
@@ -72,7 +72,7 @@ class BenchTest {
             }
 
             @Override
-            public void failed(Bench.Task what, Path with, Throwable why) {
+            public void failed(Task what, Path with, Throwable why) {
                 failures.add(why);
             }
         }));
@@ -212,7 +212,7 @@ class BenchTest {
         CompletableFuture<Work> made = new CompletableFuture<>();
         edt(() -> {
             Work now = bench.work().orElseThrow();
-            bench.begin(Bench.Task.RESTART, file, way -> made.get());
+            bench.begin(Task.RESTART, file, way -> made.get());
             filing.noteSaved(now, other, now.document().edited(), true);
             made.complete(Work.begin(now.document()));
         });
@@ -226,7 +226,7 @@ class BenchTest {
         CompletableFuture<Work> made = new CompletableFuture<>();
         edt(() -> {
             Document document = bench.work().orElseThrow().document();
-            bench.begin(Bench.Task.OPEN, file, way -> {
+            bench.begin(Task.OPEN, file, way -> {
                 made.complete(Work.begin(document));
                 return made.join();
             });

@@ -248,7 +248,7 @@ class CrashTest {
     }
 
     /** Nothing here fails. */
-    private static final class Quiet implements Bench.Listener {
+    private static final class Quiet implements BenchListener {
         @Override
         public void begun() {
             // Asked for.
@@ -260,7 +260,7 @@ class CrashTest {
         }
 
         @Override
-        public void failed(Bench.Task what, Path with, Throwable why) {
+        public void failed(Task what, Path with, Throwable why) {
             throw new AssertionError(why);
         }
     }

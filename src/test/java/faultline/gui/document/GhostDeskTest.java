@@ -199,7 +199,7 @@ class GhostDeskTest {
         return Thread.getAllStackTraces().values().stream().flatMap(Stream::of).anyMatch(call -> call.getClassName().equals(RecordedRun.class.getName()));
     }
 
-    private final class Quiet implements Bench.Listener {
+    private final class Quiet implements BenchListener {
         @Override
         public void begun() {
             // The test looks.
@@ -211,7 +211,7 @@ class GhostDeskTest {
         }
 
         @Override
-        public void failed(Bench.Task what, Path file, Throwable why) {
+        public void failed(Task what, Path file, Throwable why) {
             failures.add(what + " " + file.getFileName());
         }
     }

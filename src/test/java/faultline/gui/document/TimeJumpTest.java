@@ -257,7 +257,7 @@ class TimeJumpTest {
     }
 
     /** Passes on what the edit desk must know, as the window does. */
-    private final class Passing implements Bench.Listener {
+    private final class Passing implements BenchListener {
         @Override
         public void begun() {
             // Frames are asked for.
@@ -279,7 +279,7 @@ class TimeJumpTest {
         }
 
         @Override
-        public void failed(Bench.Task what, Path file, Throwable why) {
+        public void failed(Task what, Path file, Throwable why) {
             throw new AssertionError(why);
         }
     }

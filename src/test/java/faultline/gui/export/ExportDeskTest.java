@@ -15,8 +15,10 @@ import faultline.gui.Patience;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
+import faultline.gui.document.BenchListener;
 import faultline.gui.document.Filing;
 import faultline.gui.document.RunDesk;
+import faultline.gui.document.Task;
 import faultline.gui.edit.EditDesk;
 import faultline.gui.theme.Theme;
 import faultline.paint.Palette;
@@ -278,7 +280,7 @@ class ExportDeskTest {
     }
 
     /** Nothing here fails. */
-    private static final class Quiet implements Bench.Listener {
+    private static final class Quiet implements BenchListener {
         @Override
         public void begun() {
             // Frames are asked for.
@@ -290,7 +292,7 @@ class ExportDeskTest {
         }
 
         @Override
-        public void failed(Bench.Task what, Path file, Throwable why) {
+        public void failed(Task what, Path file, Throwable why) {
             throw new AssertionError(why);
         }
     }

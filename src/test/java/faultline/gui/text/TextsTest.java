@@ -3,7 +3,7 @@ package faultline.gui.text;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.gui.document.Bench;
+import faultline.gui.document.Task;
 import faultline.sensor.FaultKind;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -49,7 +49,7 @@ class TextsTest {
     @Test
     void everyKindOfFaultAndEveryTaskHasAText() {
         Stream.of(FaultKind.values()).forEach(kind -> assertTrue(Texts.has("fault." + kind.fileName()), kind.fileName()));
-        Stream.of(Bench.Task.values()).forEach(task -> assertTrue(Texts.has("failed." + task), task.name()));
+        Stream.of(Task.values()).forEach(task -> assertTrue(Texts.has("failed." + task), task.name()));
     }
 
     @Test

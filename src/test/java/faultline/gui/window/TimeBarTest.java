@@ -10,8 +10,10 @@ import faultline.gui.Components;
 import faultline.gui.EdtChecker;
 import faultline.gui.Patience;
 import faultline.gui.document.Bench;
+import faultline.gui.document.BenchListener;
 import faultline.gui.document.Filing;
 import faultline.gui.document.RunDesk;
+import faultline.gui.document.Task;
 import faultline.gui.theme.Theme;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
@@ -131,7 +133,7 @@ class TimeBarTest {
     }
 
     /** Nothing here fails. */
-    private static final class Quiet implements Bench.Listener {
+    private static final class Quiet implements BenchListener {
         @Override
         public void begun() {
             // Frames are asked for.
@@ -143,7 +145,7 @@ class TimeBarTest {
         }
 
         @Override
-        public void failed(Bench.Task what, Path file, Throwable why) {
+        public void failed(Task what, Path file, Throwable why) {
             throw new AssertionError(why);
         }
     }

@@ -12,8 +12,10 @@ import faultline.gui.Components;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Bench;
+import faultline.gui.document.BenchListener;
 import faultline.gui.document.GhostDesk;
 import faultline.gui.document.RunDesk;
+import faultline.gui.document.Task;
 import faultline.gui.edit.EditDesk;
 import faultline.gui.export.ExportDesk;
 import faultline.gui.text.Language;
@@ -278,7 +280,7 @@ class WorkAreaTest {
     }
 
     /** Nothing is opened here. */
-    private static final class Deaf implements Bench.Listener {
+    private static final class Deaf implements BenchListener {
         @Override
         public void begun() {
             throw new AssertionError();
@@ -290,7 +292,7 @@ class WorkAreaTest {
         }
 
         @Override
-        public void failed(Bench.Task what, Path file, Throwable why) {
+        public void failed(Task what, Path file, Throwable why) {
             throw new AssertionError(why);
         }
     }
