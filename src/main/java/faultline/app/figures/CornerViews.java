@@ -26,8 +26,8 @@ final class CornerViews implements Figure {
     private static final double SECOND_WALL = 1.5;
     private static final double SHOWN_BEFORE = 0.6;
     private static final int COLUMN = 260;
-    private static final int ROW = 208;
-    private static final Area VIEW = new Area(12, 30, COLUMN - 24, 142);
+    private static final int ROW = 218;
+    private static final Area VIEW = new Area(12, 40, COLUMN - 24, 142);
 
     @Override
     public void make(FigureFolder folder) throws IOException {
