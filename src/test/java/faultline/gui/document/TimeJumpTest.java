@@ -109,7 +109,7 @@ class TimeJumpTest {
     @Test
     void theScenarioStaysAsEditedAtWhateverMomentTheRunIs() throws ScenarioException {
         goTo(5);
-        assertEquals(SECOND, edited());
+        waitForEdited(SECOND);
         Path file = folder.resolve("saved.xml");
         edt(() -> filing.save(file, () -> { }));
         Patience.waitFor("the save", () -> !bench.isChanged());
@@ -240,8 +240,12 @@ class TimeJumpTest {
         return onEdt(() -> run.frame().orElseThrow().world().tick());
     }
 
-    private Pose edited() {
-        return onEdt(() -> pole(bench.scenario().orElseThrow().setup().world().obstacles()));
+    /** What commands have made of the scenario is found out without waiting for it. */
+    private void waitForEdited(Pose pose) {
+        Patience.waitFor("the scenario's pole at " + pose, () -> {
+            run.frame();
+            return pole(bench.scenario().orElseThrow().setup().world().obstacles()).equals(pose);
+        });
     }
 
     private Pose pole() {

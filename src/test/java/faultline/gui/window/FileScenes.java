@@ -97,4 +97,11 @@ final class FileScenes {
         Files.createDirectory(office);
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
     }
+
+    /** The file as it was, and open. */
+    void whole() throws IOException {
+        Files.delete(office);
+        Files.copy(Path.of("scenarios/office.xml"), office);
+        openOffice();
+    }
 }

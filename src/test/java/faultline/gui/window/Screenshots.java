@@ -162,6 +162,7 @@ public final class Screenshots {
         writeDialog("wait");
         scenes.failedSave();
         writeDialog("failed-save");
+        scenes.whole();
     }
 
     private void writeDialog(String name) throws IOException, AWTException {
