@@ -69,7 +69,7 @@ public final class ChosenSensorPanel extends JPanel {
         });
         kind.addActionListener(event -> showKind());
         kind.setSelectedItem(FaultKind.STUCK);
-        value.named(Texts.text("faults.value")).columns(5);
+        value.named(Texts.text("faults.value")).columns(6);
         inject.setToolTipText(Texts.text("faults.inject.tip"));
         inject.addActionListener(event -> inject());
         name(sensor, "faults.sensor");

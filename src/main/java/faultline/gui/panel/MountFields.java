@@ -37,7 +37,7 @@ final class MountFields {
     MountFields(SensorEchoes echoes, Editor editor) {
         this.echoes = echoes;
         this.editor = editor;
-        fields().forEach(field -> field.columns(5).setEnabled(false));
+        fields().forEach(field -> field.columns(6).setEnabled(false));
     }
 
     private Stream<NumberSpinner> fields() {
