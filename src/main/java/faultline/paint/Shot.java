@@ -12,17 +12,13 @@ import java.util.Set;
  * @param frame what to paint
  * @param camera what part of the world, and how large the picture is
  * @param palette the colours; {@link Palette#LIGHT} for files
- * @param layers the layers that show
+ * @param scene the layers that show, and the words in them
  * @param ghost an earlier run beside the frame's, empty for none
  */
-public record Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layers, Optional<Ghost> ghost) {
-
-    public Shot {
-        layers = Set.copyOf(layers);
-    }
+public record Shot(Frame frame, Camera camera, Palette palette, ScenePainter scene, Optional<Ghost> ghost) {
 
     /**
-     * A picture without an earlier run.
+     * A picture without an earlier run, in English.
      *
      * @param frame what to paint
      * @param camera what part of the world, and how large the picture is
@@ -30,7 +26,7 @@ public record Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layer
      * @param layers the layers that show
      */
     public Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layers) {
-        this(frame, camera, palette, layers, Optional.empty());
+        this(frame, camera, palette, new ScenePainter(layers, Words.ENGLISH), Optional.empty());
     }
 
     /**
@@ -40,7 +36,7 @@ public record Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layer
      * @return the same shot otherwise
      */
     public Shot of(Frame other) {
-        return new Shot(other, camera, palette, layers, ghost);
+        return new Shot(other, camera, palette, scene, ghost);
     }
 
     /**
@@ -53,7 +49,7 @@ public record Shot(Frame frame, Camera camera, Palette palette, Set<Layer> layer
     }
 
     private void paint(Brush brush) {
-        new ScenePainter(layers, Words.ENGLISH).paint(brush, frame, ghost);
+        scene.paint(brush, frame, ghost);
     }
 
     /**

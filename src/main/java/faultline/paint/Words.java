@@ -16,6 +16,6 @@ import java.util.function.Function;
  */
 public record Words(String collision, String faults, String off, String switchedOff, Function<FaultKind, String> fault, Font font) {
 
-    /** For files. */
+    /** For files that no window writes. */
     public static final Words ENGLISH = new Words("First collision", "Faults then", "Switched off then", "off", FaultKind::fileName, Brush.FONT);
 }

@@ -23,15 +23,11 @@ public final class Remarks {
     /**
      * One comment.
      *
+     * @param number from 0, in the file's order
      * @param before the path of the element that follows it in the same parent; where none does, the parent's path and a slash
      * @param text all between the comment's marks
      */
-    record Remark(String before, String text) {
-
-        /** Whether it stands somewhere inside the element of a path. */
-        boolean isInside(String path) {
-            return before.startsWith(path + "/");
-        }
+    record Remark(int number, String before, String text) {
     }
 
     private final List<Remark> all;
@@ -104,7 +100,7 @@ public final class Remarks {
         }
 
         private void settle(String before) {
-            waiting.forEach(text -> found.add(new Remark(before, text)));
+            waiting.forEach(text -> found.add(new Remark(found.size(), before, text)));
             waiting.clear();
         }
     }

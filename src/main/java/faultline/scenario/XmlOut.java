@@ -1,9 +1,15 @@
 package faultline.scenario;
 
+import faultline.scenario.Remarks.Remark;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /**
  * Writes indented XML: one element a line, attributes in the order in which they are given, and a person's comments where they were. A start
@@ -15,7 +21,8 @@ final class XmlOut {
     private final StringBuilder startTag = new StringBuilder();
     private final Deque<String> open = new ArrayDeque<>();
     private final ElementPath path = new ElementPath();
-    private final List<Remarks.Remark> unwritten;
+    /** By the path that each stands before. */
+    private final NavigableMap<String, List<Remark>> unwritten;
     private String id = "";
 
     XmlOut() {
@@ -23,7 +30,7 @@ final class XmlOut {
     }
 
     XmlOut(Remarks remarks) {
-        unwritten = new ArrayList<>(remarks.all());
+        unwritten = remarks.all().stream().collect(Collectors.groupingBy(Remark::before, TreeMap::new, Collectors.toList()));
     }
 
     /** Begins an element. */
@@ -60,7 +67,7 @@ final class XmlOut {
         boolean empty = !startTag.isEmpty();
         if (empty) {
             enter();
-            empty = unwritten.stream().noneMatch(remark -> remark.isInside(path.now()));
+            empty = inside().isEmpty();
             out.append(empty ? "/>\n" : ">\n");
         }
         String name = leave();
@@ -93,7 +100,7 @@ final class XmlOut {
     private void enter() {
         path.enter(open.peek(), id);
         id = "";
-        remarks(unwritten.stream().filter(remark -> remark.before().equals(path.now())).toList(), open.size() - 1);
+        Optional.ofNullable(unwritten.remove(path.now())).ifPresent(before -> remarks(before, open.size() - 1));
         indent(open.size() - 1);
         out.append(startTag);
         startTag.setLength(0);
@@ -107,15 +114,20 @@ final class XmlOut {
 
     /** What is left to be said inside the element that is open. */
     private void remarksInside() {
-        remarks(unwritten.stream().filter(remark -> remark.isInside(path.now())).toList(), open.size());
+        remarks(inside().values().stream().flatMap(List::stream).sorted(Comparator.comparingInt(Remark::number)).toList(), open.size());
+        inside().clear();
     }
 
-    private void remarks(List<Remarks.Remark> some, int depth) {
-        for (Remarks.Remark remark : some) {
+    /** All whose paths begin with that of the open element and a slash. */
+    private Map<String, List<Remark>> inside() {
+        return unwritten.subMap(path.now() + "/", path.now() + (char) ('/' + 1));
+    }
+
+    private void remarks(List<Remark> some, int depth) {
+        for (Remark remark : some) {
             indent(depth);
             out.append("<!--").append(remark.text()).append("-->\n");
         }
-        unwritten.removeAll(some);
     }
 
     private void indent(int depth) {

@@ -56,7 +56,7 @@ class ShotTest {
     void anEarlierRunShowsItsPathItsOutlineWhereTheyDifferAndItsCaption() throws Exception {
         Shot without = shot(FRAME);
         Ghost ghost = SampleGhosts.ofTheOffice();
-        Document svg = parse(new Shot(FRAME, without.camera(), Palette.LIGHT, Layer.usual(), Optional.of(ghost)).svg());
+        Document svg = parse(new Shot(FRAME, without.camera(), Palette.LIGHT, new ScenePainter(Layer.usual(), Words.ENGLISH), Optional.of(ghost)).svg());
         List<Element> strokes = elements(svg, "path").filter(path -> path.getAttribute("stroke").equals("#7a4fa3")).toList();
         assertTrue(strokes.stream().anyMatch(path -> path.getAttribute("stroke-width").equals("1")), "its path");
         assertTrue(strokes.stream().anyMatch(path -> !path.getAttribute("stroke-dasharray").isEmpty()), "its outline");

@@ -10,6 +10,7 @@ import faultline.paint.Camera;
 import faultline.paint.Ghost;
 import faultline.paint.Layer;
 import faultline.paint.Palette;
+import faultline.paint.ScenePainter;
 import faultline.paint.Shot;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -104,7 +105,7 @@ public final class SimulationCanvas extends JComponent {
      */
     public Optional<Shot> shot(Palette colours) {
         assert EventQueue.isDispatchThread();
-        return frame().map(now -> new Shot(now, camera(), colours, layers, scene.ghost().get()));
+        return frame().map(now -> new Shot(now, camera(), colours, new ScenePainter(layers, PictureWords.spoken(Brush.FONT)), scene.ghost().get()));
     }
 
     /**

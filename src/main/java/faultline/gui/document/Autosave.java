@@ -71,15 +71,14 @@ public final class Autosave implements AutoCloseable {
     public void close() {
         timer.stop();
         closed = true;
-        // Not a daemon: the process may end with the window, and must not before this is done.
-        new Thread(this::forget, "faultline-autosave").start();
+        Background.finish(() -> {
+            forget();
+            return recovery;
+        }, done -> {
+        }, why -> LOG.log(Level.WARNING, "kept edits cannot be taken away", why));
     }
 
-    private synchronized void forget() {
-        try {
-            recovery.forget();
-        } catch (IOException why) {
-            LOG.log(Level.WARNING, "kept edits cannot be taken away", why);
-        }
+    private synchronized void forget() throws IOException {
+        recovery.forget();
     }
 }

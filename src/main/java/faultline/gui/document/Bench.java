@@ -33,14 +33,6 @@ public final class Bench implements AutoCloseable {
         }
     }
 
-    /** Makes something for the bench, off the event dispatch thread. */
-    @FunctionalInterface
-    interface Maker {
-
-        /** Says how far it has come, and gives up where it is no longer wanted. */
-        Work make(UnderWay way) throws Exception;
-    }
-
     /**
      * An empty bench.
      *
@@ -78,7 +70,7 @@ public final class Bench implements AutoCloseable {
      * Makes something off the event dispatch thread and puts it in the place of what is here, unless something else is asked for in
      * between.
      */
-    void begin(Task task, Path name, Maker maker) {
+    void begin(Task task, Path name, Maker<Work> maker) {
         UnderWay way = new UnderWay(task, name);
         underWay.ifPresent(UnderWay::cancel);
         underWay = Optional.of(way);

@@ -1,7 +1,6 @@
 package faultline.gui.document;
 
-import java.util.Set;
-import java.util.TreeSet;
+import java.util.regex.Pattern;
 
 /** Makes a file's name of a scenario's, which may hold any letters; the name is one that every system takes. */
 public final class FileName {
@@ -9,15 +8,7 @@ public final class FileName {
     private static final String NONE = "scenario";
     private static final int LONGEST = 100;
     /** Windows has devices of these names in every folder, with any extension. */
-    private static final Set<String> DEVICES = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
-
-    static {
-        DEVICES.addAll(Set.of("CON", "PRN", "AUX", "NUL"));
-        for (int i = 0; i < 10; i++) {
-            DEVICES.add("COM" + i);
-            DEVICES.add("LPT" + i);
-        }
-    }
+    private static final Pattern DEVICE = Pattern.compile("(?i)(con|prn|aux|nul|com\\d|lpt\\d)(\\..*)?");
 
     private FileName() {
     }
@@ -32,6 +23,6 @@ public final class FileName {
         String letters = scenario.replaceAll("[^\\p{L}\\p{N} ._-]", "_");
         String name = letters.substring(0, letters.offsetByCodePoints(0, Math.min(LONGEST, letters.codePointCount(0, letters.length()))))
                 .replaceAll("^[ .]+|[ .]+$", "");
-        return name.isEmpty() ? NONE : DEVICES.contains(name.replaceFirst("\\..*", "")) ? "_" + name : name;
+        return name.isEmpty() ? NONE : DEVICE.matcher(name).matches() ? "_" + name : name;
     }
 }

@@ -64,7 +64,7 @@ public final class GhostDesk {
     }
 
     /** Runs something in the place of whatever is being run. */
-    private void summon(Path name, Maker maker) {
+    private void summon(Path name, Maker<Ghost> maker) {
         giveUp();
         UnderWay way = new UnderWay(Task.GHOST, name);
         summoned = Optional.of(way);
@@ -82,12 +82,6 @@ public final class GhostDesk {
     private void giveUp() {
         summoned.ifPresent(UnderWay::cancel);
         summoned = Optional.empty();
-    }
-
-    /** Makes a ghost, slowly. */
-    @FunctionalInterface
-    private interface Maker {
-        Ghost make(UnderWay way) throws ScenarioException;
     }
 
     private void appear(Ghost ghost) {

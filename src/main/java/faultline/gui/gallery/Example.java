@@ -11,10 +11,10 @@ import faultline.paint.FrameImage;
 import faultline.paint.Layer;
 import faultline.paint.Palette;
 import faultline.paint.ScenePainter;
+import faultline.paint.Shot;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
 import java.awt.Font;
-import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.EnumSet;
 import java.util.Optional;
@@ -59,14 +59,7 @@ record Example(String file, String title, String description, BufferedImage pict
     }
 
     private static BufferedImage picture(Frame frame, Palette palette) {
-        BufferedImage image = new BufferedImage(WIDTH * FINENESS, HEIGHT * FINENESS, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = image.createGraphics();
-        try {
-            Camera camera = FrameImage.camera(frame.world(), image.getWidth(), image.getHeight());
-            new ScenePainter(LAYERS, PictureWords.spoken(FONT)).paint(new Brush(graphics, camera, palette), frame, Optional.empty());
-        } finally {
-            graphics.dispose();
-        }
-        return image;
+        Camera camera = FrameImage.camera(frame.world(), WIDTH * FINENESS, HEIGHT * FINENESS);
+        return new Shot(frame, camera, palette, new ScenePainter(LAYERS, PictureWords.spoken(FONT)), Optional.empty()).image(1);
     }
 }

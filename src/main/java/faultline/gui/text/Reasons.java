@@ -34,9 +34,8 @@ public final class Reasons {
         if (why instanceof FileSystemException file) {
             return ofFile(file);
         }
-        String message = Optional.ofNullable(why.getMessage()).filter(text -> !text.isBlank()).orElse(why.getClass().getSimpleName());
-        boolean foreseen = why instanceof Exception && !(why instanceof RuntimeException) || message.contains(" ");
-        return foreseen ? Wordings.text(message) : Texts.text("reason.inside", message);
+        return Optional.ofNullable(why.getMessage()).filter(message -> !message.isBlank()).map(Wordings::text)
+                .orElseGet(() -> Texts.text("reason.inside", why.getClass().getSimpleName()));
     }
 
     /**

@@ -136,17 +136,7 @@ class CrashTest {
     }
 
     @Test
-    void aWindowThatClosesInGoodOrderLeavesNothing() {
-        Recovery dying = new Recovery(folder.resolve("kept"), DEAD, Instant.EPOCH);
-        edit();
-        Autosave autosave = autosave(dying);
-        Patience.waitFor("the kept edits", () -> dying.left().isPresent());
-        edt(autosave::close);
-        Patience.waitFor("an empty folder", () -> kept().isEmpty());
-    }
-
-    @Test
-    void whatIsStillToBeWrittenWhenAWindowClosesIsNotWrittenAfterwards() throws IOException {
+    void aWindowThatClosesInGoodOrderLeavesNothingAndWritesNothingAfterwards() throws IOException {
         Recovery dying = new Recovery(folder.resolve("kept"), DEAD, Instant.EPOCH);
         edit();
         Autosave autosave = autosave(dying);

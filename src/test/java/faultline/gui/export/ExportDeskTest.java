@@ -20,6 +20,8 @@ import faultline.gui.document.Filing;
 import faultline.gui.document.RunDesk;
 import faultline.gui.document.Task;
 import faultline.gui.edit.EditDesk;
+import faultline.gui.text.Language;
+import faultline.gui.text.Texts;
 import faultline.gui.theme.Theme;
 import faultline.paint.Palette;
 import faultline.scenario.Scenario;
@@ -125,6 +127,14 @@ class ExportDeskTest {
         Path file = exported("exportSvg", ".svg");
         assertEquals("300", DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(file.toFile()).getDocumentElement()
                 .getAttribute("width"));
+    }
+
+    @Test
+    void whatIsWrittenInPicturesIsInTheLanguageOfTheWindow() {
+        edt(() -> Texts.speak(Language.POLISH));
+        String off = onEdt(() -> canvas.shot(Palette.LIGHT).orElseThrow().scene().words().switchedOff());
+        edt(() -> Texts.speak(Language.ENGLISH));
+        assertEquals("wył.", off);
     }
 
     @Test
