@@ -1,15 +1,15 @@
 package faultline.bench;
 
 import faultline.engine.ControllerMode;
-import faultline.engine.Setup;
+import faultline.engine.SimulationSetup;
 import faultline.engine.Simulation;
 import faultline.scenario.Scenario;
-import java.nio.file.Path;
+import java.nio.file.RobotPath;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
-import org.openjdk.jmh.annotations.Level;
+import org.openjdk.jmh.annotations.TraceLevel;
 import org.openjdk.jmh.annotations.Measurement;
 import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OperationsPerInvocation;
@@ -20,8 +20,8 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Ticks per second of the shipped office room, followed by the wall follower called directly: 100 ticks are one second, so 200 000 are 2000
- * times real time.
+ * Ticks per second of the shipped office room, followed by the wall follower called directly: 100 ticks are one second,
+ * so 200 000 are 2000 times real time.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.Throughput)
@@ -33,7 +33,7 @@ public class OfficeBenchmark {
 
     private static final int TICKS = 12_000;
 
-    private Setup setup;
+    private SimulationSetup setup;
     private Simulation simulation;
 
     /**
@@ -41,9 +41,9 @@ public class OfficeBenchmark {
      *
      * @throws Exception if it cannot be read
      */
-    @org.openjdk.jmh.annotations.Setup(Level.Trial)
+    @org.openjdk.jmh.annotations.SimulationSetup(TraceLevel.Trial)
     public void open() throws Exception {
-        setup = Scenario.load(Path.of("scenarios/office.xml")).setup();
+        setup = Scenario.load(RobotPath.of("scenarios/office.xml")).setup();
     }
 
     /** Two minutes of the room from its start, so that every run drives the same way. */
@@ -57,7 +57,7 @@ public class OfficeBenchmark {
     }
 
     /** Ends the run; a collided robot stands still, and its ticks would say nothing. */
-    @TearDown(Level.Trial)
+    @TearDown(TraceLevel.Trial)
     public void close() {
         boolean collided = simulation.collision().isPresent();
         simulation.close();

@@ -1,10 +1,10 @@
 package faultline.bench;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.Setup;
+import faultline.engine.SimulationSetup;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Obstacle;
@@ -15,10 +15,11 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * Rooms of any number of wall segments at one density, the same on every run: an enclosing wall, rotated rectangles, one to a square metre,
- * and a robot that drives a circle in a clearing in the middle, with the eight standard sensors at 0.8 m and 30 degrees.
+ * BenchmarkRooms of any number of wall segments at one density, the same on every run: an enclosing wall, rotated
+ * rectangles, one to a square metre, and a robot that drives a circle in a clearing in the middle, with the eight
+ * standard sensors at 0.8 m and 30 degrees.
  */
-final class Rooms {
+final class BenchmarkRooms {
 
     private static final long SEED = 2026;
     private static final double DT = 0.01;
@@ -26,8 +27,7 @@ final class Rooms {
     private static final double INNER_SPEED = 0.2;
     private static final double OUTER_SPEED = 0.3;
 
-    private Rooms() {
-    }
+    private BenchmarkRooms() {}
 
     /**
      * A room.
@@ -35,16 +35,17 @@ final class Rooms {
      * @param segments how many wall segments, a multiple of four
      * @return a setup that never collides
      */
-    static Setup of(int segments) {
+    static SimulationSetup of(int segments) {
         int rectangles = segments / 4 - 1;
         double side = Math.max(3, Math.sqrt(rectangles));
-        Vec middle = new Vec(side / 2, side / 2);
+        Vector2 middle = new Vector2(side / 2, side / 2);
         RobotSpec robot = robot();
         double radius = robot.track() / 2 * (OUTER_SPEED + INNER_SPEED) / (OUTER_SPEED - INNER_SPEED);
-        ControllerSpec circle =
-                new ControllerSpec.Drive(robot.motor().voltageFor(INNER_SPEED), robot.motor().voltageFor(OUTER_SPEED));
+        ControllerSpec circle = new ControllerSpec.Drive(
+                robot.motor().voltageFor(INNER_SPEED), robot.motor().voltageFor(OUTER_SPEED));
         WorldSpec world = new WorldSpec(side, side, true, 0, rectangles(rectangles, side, middle));
-        return new Setup(world, robot, new Pose(middle.x(), middle.y() - radius, 0), circle, List.of(), DT, SEED, 3600);
+        return new SimulationSetup(
+                world, robot, new Pose(middle.x(), middle.y() - radius, 0), circle, List.of(), DT, SEED, 3600);
     }
 
     private static RobotSpec robot() {
@@ -55,11 +56,12 @@ final class Rooms {
         return robot;
     }
 
-    private static List<Obstacle> rectangles(int count, double side, Vec middle) {
+    private static List<Obstacle> rectangles(int count, double side, Vector2 middle) {
         SplittableRandom random = new SplittableRandom(SEED);
         List<Obstacle> obstacles = new ArrayList<>();
         while (obstacles.size() < count) {
-            ObstacleShape.Rectangle shape = new ObstacleShape.Rectangle(random.nextDouble(0.1, 0.5), random.nextDouble(0.1, 0.5));
+            ObstacleShape.Rectangle shape =
+                    new ObstacleShape.Rectangle(random.nextDouble(0.1, 0.5), random.nextDouble(0.1, 0.5));
             Pose pose = new Pose(random.nextDouble(side), random.nextDouble(side), random.nextDouble(2 * Math.PI));
             double reach = Math.hypot(shape.width(), shape.height()) / 2;
             if (pose.position().distanceTo(middle) > CLEARING + reach) {

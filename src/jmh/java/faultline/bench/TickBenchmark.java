@@ -6,18 +6,21 @@ import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
-import org.openjdk.jmh.annotations.Level;
+import org.openjdk.jmh.annotations.TraceLevel;
 import org.openjdk.jmh.annotations.Measurement;
 import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
-import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.SimulationSetup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Whole ticks per second with eight sensors and the controller called directly, in rooms of more and more wall segments. */
+/**
+ * Whole ticks per second with eight sensors and the controller called directly, in rooms of more and more wall
+ * segments.
+ */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)
@@ -33,13 +36,13 @@ public class TickBenchmark {
     private Simulation simulation;
 
     /** Makes the room. */
-    @Setup(Level.Trial)
+    @SimulationSetup(TraceLevel.Trial)
     public void open() {
-        simulation = new Simulation(Rooms.of(segments), ControllerMode.DIRECT);
+        simulation = new Simulation(BenchmarkRooms.of(segments), ControllerMode.DIRECT);
     }
 
     /** Ends the run; a collided robot stands still, and its ticks would say nothing. */
-    @TearDown(Level.Trial)
+    @TearDown(TraceLevel.Trial)
     public void close() {
         boolean collided = simulation.snapshot().collision().isPresent();
         simulation.close();

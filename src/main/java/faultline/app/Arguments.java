@@ -1,7 +1,7 @@
 package faultline.app;
 
-import faultline.scenario.Quoting;
-import faultline.scenario.Spelling;
+import faultline.io.DidYouMean;
+import faultline.io.MessageText;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -32,7 +32,7 @@ final class Arguments {
                 continue;
             }
             String[] parts = argument.split("=", 2);
-            check(parts[0], known);
+            requireKnown(parts[0], known);
             if (parts.length == 1 && next == arguments.size()) {
                 throw new UsageException(parts[0] + " needs a value");
             }
@@ -40,10 +40,10 @@ final class Arguments {
         }
     }
 
-    private void check(String option, List<String> known) throws UsageException {
+    private void requireKnown(String option, List<String> known) throws UsageException {
         if (!known.contains(option)) {
-            throw new UsageException("there is no option " + Quoting.quoted(option) + " here, allowed is "
-                    + (known.isEmpty() ? "none" : String.join(", ", known)) + Spelling.hint(option, known));
+            throw new UsageException("there is no option " + MessageText.quoted(option) + " here, allowed is "
+                    + (known.isEmpty() ? "none" : String.join(", ", known)) + DidYouMean.hint(option, known));
         }
         if (options.containsKey(option)) {
             throw new UsageException(option + " is there twice");
@@ -61,13 +61,13 @@ final class Arguments {
     }
 
     /** The file that an option names. */
-    Optional<Path> file(String option) throws UsageException {
+    Optional<Path> fileOption(String option) throws UsageException {
         Optional<String> value = value(option);
-        return value.isEmpty() ? Optional.empty() : Optional.of(path(value.get()));
+        return value.isEmpty() ? Optional.empty() : Optional.of(parsePath(value.get()));
     }
 
     /** A path, or a complaint where the machine can have none of that name. */
-    static Path path(String name) throws UsageException {
+    static Path parsePath(String name) throws UsageException {
         try {
             if (!name.isEmpty()) {
                 return Path.of(name);
@@ -75,6 +75,6 @@ final class Arguments {
         } catch (InvalidPathException e) {
             // Told below, like the empty name.
         }
-        throw new UsageException(Quoting.quoted(name) + " is no name for a file");
+        throw new UsageException(MessageText.quoted(name) + " is no name for a file");
     }
 }

@@ -7,10 +7,10 @@ import java.util.List;
 /** {@code check}: reads scenario files and tells what is wrong with them. */
 final class CheckCommand {
 
-    private final Console console;
+    private final CommandOutput output;
 
-    CheckCommand(Console console) {
-        this.console = console;
+    CheckCommand(CommandOutput console) {
+        this.output = console;
     }
 
     int run(List<String> arguments) throws UsageException {
@@ -18,20 +18,20 @@ final class CheckCommand {
         if (files.isEmpty()) {
             throw new UsageException("check takes one or more scenario files, not none");
         }
-        int code = ExitCode.DONE;
+        int code = ExitCode.SUCCESS;
         for (String file : files) {
-            code = Math.max(code, check(file));
+            code = Math.max(code, checkFile(file));
         }
         return code;
     }
 
-    private int check(String file) throws UsageException {
+    private int checkFile(String file) throws UsageException {
         try {
-            Scenario.load(Arguments.path(file));
-            console.tell(file + ": good");
-            return ExitCode.DONE;
+            Scenario.load(Arguments.parsePath(file));
+            output.println(file + ": good");
+            return ExitCode.SUCCESS;
         } catch (ScenarioException e) {
-            console.complain(e.getMessage());
+            output.printError(e.getMessage());
             return ExitCode.BAD_INPUT;
         }
     }

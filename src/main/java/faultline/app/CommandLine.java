@@ -1,9 +1,9 @@
 package faultline.app;
 
 import faultline.engine.RunFailedException;
-import faultline.scenario.Quoting;
+import faultline.io.DidYouMean;
+import faultline.io.MessageText;
 import faultline.scenario.ScenarioException;
-import faultline.scenario.Spelling;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -15,7 +15,7 @@ import java.util.Map;
 /** Finds the command that the arguments name, runs it, and turns whatever goes wrong into one line and an exit code. */
 final class CommandLine {
 
-    private final Console console;
+    private final CommandOutput output;
     private final Map<String, Command> commands = new LinkedHashMap<>();
 
     /** One command: its arguments in, its exit code out. */
@@ -23,14 +23,14 @@ final class CommandLine {
         int run(List<String> arguments) throws UsageException, ScenarioException, IOException;
     }
 
-    CommandLine(Console console) {
-        this.console = console;
+    CommandLine(CommandOutput console) {
+        this.output = console;
         commands.put("run", new RunCommand(console)::run);
         commands.put("check", new CheckCommand(console)::run);
         commands.put("figures", new FiguresCommand(console)::run);
-        commands.put("--help", arguments -> tell(HelpText.LINES));
-        commands.put("--version", arguments -> tell(HelpText.version()));
-        commands.put("--startup-time", new WindowCommand(console)::time);
+        commands.put("--help", arguments -> println(HelpText.HELP));
+        commands.put("--version", arguments -> println(HelpText.version()));
+        commands.put("--startup-time", new WindowCommand(console)::measureStartup);
     }
 
     /**
@@ -40,61 +40,65 @@ final class CommandLine {
      * @return the exit code, see {@link ExitCode}
      */
     int run(String... args) {
-        int code = guarded(List.of(args));
-        if (!console.arrived()) {
-            console.complain("faultline: standard output cannot be written");
-            return code == ExitCode.DONE ? ExitCode.BAD_INPUT : code;
+        int code = runReportingErrors(List.of(args));
+        if (!output.isWritten()) {
+            output.printError("faultline: standard output cannot be written");
+            return code == ExitCode.SUCCESS ? ExitCode.BAD_INPUT : code;
         }
         return code;
     }
 
-    private int guarded(List<String> args) {
+    private int runReportingErrors(List<String> args) {
         try {
             return dispatch(args);
         } catch (UsageException e) {
-            return failed(ExitCode.BAD_INPUT, "faultline: " + e.getMessage() + " (faultline --help tells more)");
+            return reportError(ExitCode.BAD_INPUT, "faultline: " + e.getMessage() + " (faultline --help tells more)");
         } catch (ScenarioException e) {
-            return failed(ExitCode.BAD_INPUT, e.getMessage());
+            return reportError(ExitCode.BAD_INPUT, e.getMessage());
         } catch (UncheckedIOException e) {
-            return failed(ExitCode.BAD_INPUT, "faultline: an output cannot be written: " + e.getCause().getMessage());
+            return reportError(
+                    ExitCode.BAD_INPUT,
+                    "faultline: an output cannot be written: " + e.getCause().getMessage());
         } catch (IOException e) {
-            return failed(ExitCode.BAD_INPUT, "faultline: " + e.getMessage());
+            return reportError(ExitCode.BAD_INPUT, "faultline: " + e.getMessage());
         } catch (RunFailedException e) {
-            return failed(ExitCode.BROKEN, "faultline: the run broke: " + e.getMessage());
+            return reportError(ExitCode.RUN_FAILED, "faultline: the run broke: " + e.getMessage());
         } catch (RuntimeException | Error e) {
-            return failed(ExitCode.BROKEN, "faultline: the program failed, which is its own fault: " + e);
+            return reportError(ExitCode.RUN_FAILED, "faultline: the program failed, which is its own fault: " + e);
         }
     }
 
-    private int failed(int code, String line) {
-        console.complain(line);
+    private int reportError(int code, String line) {
+        output.printError(line);
         return code;
     }
 
     private int dispatch(List<String> args) throws UsageException, ScenarioException, IOException {
         if (args.isEmpty()) {
-            return new WindowCommand(console).run();
+            return new WindowCommand(output).run();
         }
         String first = args.get(0);
         if (commands.containsKey(first)) {
             return commands.get(first).run(args.subList(1, args.size()));
         }
         if (!looksLikeFile(first)) {
-            throw new UsageException("there is no command " + Quoting.quoted(first) + ", allowed is " + String.join(", ", commands.keySet())
-                    + " or a scenario file" + Spelling.hint(first, commands.keySet()));
+            throw new UsageException("there is no command " + MessageText.quoted(first) + ", allowed is "
+                    + String.join(", ", commands.keySet()) + " or a scenario file"
+                    + DidYouMean.hint(first, commands.keySet()));
         }
         if (args.size() > 1) {
-            throw new UsageException("the window takes one scenario file, not also " + Quoting.quoted(args.get(1)));
+            throw new UsageException("the window takes one scenario file, not also " + MessageText.quoted(args.get(1)));
         }
-        return new WindowCommand(console).run(Path.of(first));
+        return new WindowCommand(output).run(Path.of(first));
     }
 
     private static boolean looksLikeFile(String argument) throws UsageException {
-        return !argument.startsWith("-") && (argument.endsWith(".xml") || java.nio.file.Files.exists(Arguments.path(argument)));
+        return !argument.startsWith("-")
+                && (argument.endsWith(".xml") || java.nio.file.Files.exists(Arguments.parsePath(argument)));
     }
 
-    private int tell(String... lines) {
-        Arrays.stream(lines).forEach(console::tell);
-        return ExitCode.DONE;
+    private int println(String... lines) {
+        Arrays.stream(lines).forEach(output::println);
+        return ExitCode.SUCCESS;
     }
 }

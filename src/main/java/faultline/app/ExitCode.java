@@ -4,14 +4,13 @@ package faultline.app;
 final class ExitCode {
 
     /** Done, and every expectation held. */
-    static final int DONE = 0;
+    static final int SUCCESS = 0;
     /** Done, but an expectation failed. */
-    static final int UNMET = 1;
+    static final int EXPECTATION_FAILED = 1;
     /** Bad usage, a bad file, or an output that cannot be written. */
     static final int BAD_INPUT = 2;
     /** The run broke. */
-    static final int BROKEN = 3;
+    static final int RUN_FAILED = 3;
 
-    private ExitCode() {
-    }
+    private ExitCode() {}
 }

@@ -1,9 +1,9 @@
 package faultline.app;
 
-import faultline.app.figures.Figures;
-import faultline.paint.plot.Appearance;
-import faultline.scenario.Quoting;
-import faultline.scenario.Spelling;
+import faultline.io.DidYouMean;
+import faultline.io.MessageText;
+import faultline.paint.surface.SvgTheme;
+import faultline.studies.Figures;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -13,12 +13,12 @@ import java.util.Locale;
 /** {@code figures}: makes the paper's figures and studies anew. */
 final class FiguresCommand {
 
-    private static final int BAR = 40;
+    private static final int BAR_WIDTH = 40;
 
-    private final Console console;
+    private final CommandOutput output;
 
-    FiguresCommand(Console console) {
-        this.console = console;
+    FiguresCommand(CommandOutput console) {
+        this.output = console;
     }
 
     int run(List<String> arguments) throws UsageException, IOException {
@@ -26,24 +26,30 @@ final class FiguresCommand {
         if (!sorted.files().isEmpty()) {
             throw new UsageException("figures takes no file, only --out DIR and --theme light|dark|adaptive");
         }
-        Path folder = sorted.file("--out").orElseThrow(() -> new UsageException("figures needs --out DIR, the folder that they go to"));
-        Figures.make(folder, appearance(sorted.value("--theme").orElse("adaptive")), this::show);
-        console.tell("figures: " + folder);
-        return ExitCode.DONE;
+        Path folder = sorted.fileOption("--out")
+                .orElseThrow(() -> new UsageException("figures needs --out DIR, the folder that they go to"));
+        Figures.writeAll(folder, parseAppearance(sorted.value("--theme").orElse("adaptive")), this::showProgress);
+        output.println("figures: " + folder);
+        return ExitCode.SUCCESS;
     }
 
-    private static Appearance appearance(String text) throws UsageException {
-        List<String> allowed = Arrays.stream(Appearance.values()).map(value -> value.name().toLowerCase(Locale.ROOT)).toList();
+    private static SvgTheme parseAppearance(String text) throws UsageException {
+        List<String> allowed = Arrays.stream(SvgTheme.values())
+                .map(value -> value.name().toLowerCase(Locale.ROOT))
+                .toList();
         if (!allowed.contains(text)) {
-            throw new UsageException("--theme is " + Quoting.quoted(text) + ", allowed is light, dark or adaptive" + Spelling.hint(text, allowed));
+            throw new UsageException("--theme is " + MessageText.quoted(text) + ", allowed is light, dark or adaptive"
+                    + DidYouMean.hint(text, allowed));
         }
-        return Appearance.valueOf(text.toUpperCase(Locale.ROOT));
+        return SvgTheme.valueOf(text.toUpperCase(Locale.ROOT));
     }
 
     /** A bar that grows in its line. */
-    private void show(int done, int all) {
-        int filled = BAR * done / all;
-        console.err().print("\r[" + "#".repeat(filled) + ".".repeat(BAR - filled) + "] " + done + "/" + all + (done == all ? "\n" : ""));
-        console.err().flush();
+    private void showProgress(int done, int all) {
+        int filled = BAR_WIDTH * done / all;
+        output.err()
+                .print("\r[" + "#".repeat(filled) + ".".repeat(BAR_WIDTH - filled) + "] " + done + "/" + all
+                        + (done == all ? "\n" : ""));
+        output.err().flush();
     }
 }

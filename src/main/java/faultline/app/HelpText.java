@@ -5,7 +5,8 @@ import java.util.Optional;
 /** What {@code --help} and {@code --version} tell. */
 final class HelpText {
 
-    static final String LINES = """
+    static final String HELP =
+            """
             Faultline: a wall-following robot whose infrared sensors fail.
 
             faultline [FILE]               open the window, with a scenario file or the default scenario
@@ -26,10 +27,11 @@ final class HelpText {
             "faultline" stands for: java -jar target/faultline.jar
             Exit codes: 0 done and every expectation held, 1 an expectation failed, 2 bad usage or a bad file, 3 the run broke.""";
 
-    private HelpText() {
-    }
+    private HelpText() {}
 
     static String version() {
-        return "faultline " + Optional.ofNullable(HelpText.class.getPackage().getImplementationVersion()).orElse("(not from a jar)");
+        return "faultline "
+                + Optional.ofNullable(HelpText.class.getPackage().getImplementationVersion())
+                        .orElse("(not from a jar)");
     }
 }

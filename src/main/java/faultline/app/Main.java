@@ -3,8 +3,7 @@ package faultline.app;
 /** Where the program starts. */
 public final class Main {
 
-    private Main() {
-    }
+    private Main() {}
 
     /**
      * Runs one command. The process ends with its exit code; where that is 0 it may go on until the window is closed.
@@ -16,8 +15,8 @@ public final class Main {
             // A picture needs no display, and must not fail for one that does not answer.
             System.setProperty("java.awt.headless", "true");
         }
-        int code = new CommandLine(new Console(System.out, System.err)).run(args);
-        if (code != ExitCode.DONE) {
+        int code = new CommandLine(new CommandOutput(System.out, System.err)).run(args);
+        if (code != ExitCode.SUCCESS) {
             System.exit(code);
         }
     }

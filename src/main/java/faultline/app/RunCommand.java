@@ -1,8 +1,8 @@
 package faultline.app;
 
 import faultline.engine.ControllerMode;
-import faultline.engine.HeadlessRun;
-import faultline.engine.RunResult;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
 import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
@@ -12,33 +12,33 @@ import java.util.List;
 /** {@code run}: a scenario without a window, its summary on standard output. */
 final class RunCommand {
 
-    private final Console console;
+    private final CommandOutput output;
 
-    RunCommand(Console console) {
-        this.console = console;
+    RunCommand(CommandOutput console) {
+        this.output = console;
     }
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        RunOptions options = RunOptions.of(arguments);
+        RunOptions options = RunOptions.parse(arguments);
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
         try (RunOutputs outputs = new RunOutputs(options)) {
             RunResult result = HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
             outputs.finish(scenario, result.ticks());
-            return tell(scenario, result);
+            return printResult(scenario, result);
         }
     }
 
     /** Runs a scenario with nothing to write. */
     int run(Scenario scenario) {
-        return tell(scenario, HeadlessRun.run(scenario.setup(), ControllerMode.DIRECT, List.of()));
+        return printResult(scenario, HeadlessRun.run(scenario.setup(), ControllerMode.DIRECT, List.of()));
     }
 
-    private int tell(Scenario scenario, RunResult result) {
-        List<String> unmet = scenario.expect().unmet(result);
-        console.tell(RunSummary.lines(result));
-        console.tell("expectations: " + (unmet.isEmpty() ? "held" : "failed"));
-        result.refused().forEach(refusal -> console.complain("refused " + refusal));
-        unmet.forEach(console::complain);
-        return unmet.isEmpty() ? ExitCode.DONE : ExitCode.UNMET;
+    private int printResult(Scenario scenario, RunResult result) {
+        List<String> unmet = scenario.expectation().unmet(result);
+        output.println(RunSummary.lines(result));
+        output.println("expectations: " + (unmet.isEmpty() ? "held" : "failed"));
+        result.refusals().forEach(refusal -> output.printError("refused " + refusal));
+        unmet.forEach(output::printError);
+        return unmet.isEmpty() ? ExitCode.SUCCESS : ExitCode.EXPECTATION_FAILED;
     }
 }

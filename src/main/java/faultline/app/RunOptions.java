@@ -1,11 +1,11 @@
 package faultline.app;
 
 import faultline.engine.ControllerMode;
-import faultline.engine.Setup;
-import faultline.scenario.Numbers;
-import faultline.scenario.Quoting;
+import faultline.engine.SimulationSetup;
+import faultline.io.DecimalText;
+import faultline.io.DidYouMean;
+import faultline.io.MessageText;
 import faultline.scenario.Scenario;
-import faultline.scenario.Spelling;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.List;
@@ -24,19 +24,33 @@ import java.util.OptionalLong;
  * @param image where the picture of the last frame goes
  * @param journal where the scenario that replays the run goes
  */
-record RunOptions(Path file, OptionalDouble until, OptionalLong seed, ControllerMode mode, Optional<Path> trace, Optional<Path> image,
+record RunOptions(
+        Path file,
+        OptionalDouble until,
+        OptionalLong seed,
+        ControllerMode mode,
+        Optional<Path> trace,
+        Optional<Path> image,
         Optional<Path> journal) {
 
-    private static final List<String> NAMES = List.of("--until", "--seed", "--threads", "--trace", "--image", "--journal");
-    private static final BigDecimal LONGEST = new BigDecimal("10000000");
+    private static final List<String> OPTION_NAMES =
+            List.of("--until", "--seed", "--threads", "--trace", "--image", "--journal");
+    private static final BigDecimal MAX_DURATION = new BigDecimal("10000000");
 
-    static RunOptions of(List<String> arguments) throws UsageException {
-        Arguments sorted = new Arguments(arguments, NAMES);
+    static RunOptions parse(List<String> arguments) throws UsageException {
+        Arguments sorted = new Arguments(arguments, OPTION_NAMES);
         if (sorted.files().size() != 1) {
-            throw new UsageException("run takes one scenario file, not " + (sorted.files().isEmpty() ? "none" : sorted.files().size()));
+            throw new UsageException("run takes one scenario file, not "
+                    + (sorted.files().isEmpty() ? "none" : sorted.files().size()));
         }
-        RunOptions options = new RunOptions(Arguments.path(sorted.files().get(0)), until(sorted.value("--until")), seed(sorted.value("--seed")),
-                mode(sorted.value("--threads").orElse("none")), sorted.file("--trace"), sorted.file("--image"), sorted.file("--journal"));
+        RunOptions options = new RunOptions(
+                Arguments.parsePath(sorted.files().get(0)),
+                until(sorted.value("--until")),
+                seed(sorted.value("--seed")),
+                mode(sorted.value("--threads").orElse("none")),
+                sorted.fileOption("--trace"),
+                sorted.fileOption("--image"),
+                sorted.fileOption("--journal"));
         options.checkFilesDiffer();
         return options;
     }
@@ -45,18 +59,20 @@ record RunOptions(Path file, OptionalDouble until, OptionalLong seed, Controller
         if (text.isEmpty()) {
             return OptionalDouble.empty();
         }
-        Optional<BigDecimal> seconds = Numbers.parse(text.get()).filter(value -> value.signum() >= 0 && value.compareTo(LONGEST) <= 0);
-        return OptionalDouble.of(seconds.orElseThrow(
-                () -> new UsageException("--until is " + Quoting.quoted(text.get()) + ", allowed is a number from 0 to " + LONGEST
-                + " seconds")).doubleValue());
+        Optional<BigDecimal> seconds = DecimalText.parse(text.get())
+                .filter(value -> value.signum() >= 0 && value.compareTo(MAX_DURATION) <= 0);
+        return OptionalDouble.of(
+                seconds.orElseThrow(() -> new UsageException("--until is " + MessageText.quoted(text.get())
+                                + ", allowed is a number from 0 to " + MAX_DURATION + " seconds"))
+                        .doubleValue());
     }
 
     private static OptionalLong seed(Optional<String> text) throws UsageException {
         try {
             return text.isEmpty() ? OptionalLong.empty() : OptionalLong.of(Long.parseLong(text.get()));
         } catch (NumberFormatException e) {
-            throw new UsageException("--seed is " + Quoting.quoted(text.get()) + ", allowed is a whole number from " + Long.MIN_VALUE
-                    + " to " + Long.MAX_VALUE);
+            throw new UsageException("--seed is " + MessageText.quoted(text.get()) + ", allowed is a whole number from "
+                    + Long.MIN_VALUE + " to " + Long.MAX_VALUE);
         }
     }
 
@@ -64,14 +80,18 @@ record RunOptions(Path file, OptionalDouble until, OptionalLong seed, Controller
         return switch (text) {
             case "controller" -> ControllerMode.OWN_THREAD;
             case "none" -> ControllerMode.DIRECT;
-            default -> throw new UsageException("--threads is " + Quoting.quoted(text) + ", allowed is controller or none"
-                    + Spelling.hint(text, List.of("controller", "none")));
+            default ->
+                throw new UsageException("--threads is " + MessageText.quoted(text) + ", allowed is controller or none"
+                        + DidYouMean.hint(text, List.of("controller", "none")));
         };
     }
 
     private void checkFilesDiffer() throws UsageException {
-        List<Path> all = java.util.stream.Stream.of(Optional.of(file), trace, image, journal).flatMap(Optional::stream)
-                .map(path -> path.toAbsolutePath().normalize()).filter(path -> !path.startsWith("/dev")).toList();
+        List<Path> all = java.util.stream.Stream.of(Optional.of(file), trace, image, journal)
+                .flatMap(Optional::stream)
+                .map(path -> path.toAbsolutePath().normalize())
+                .filter(path -> !path.startsWith("/dev"))
+                .toList();
         if (all.stream().distinct().count() < all.size()) {
             throw new UsageException("one file is named twice, allowed is another one for each output");
         }
@@ -79,8 +99,8 @@ record RunOptions(Path file, OptionalDouble until, OptionalLong seed, Controller
 
     /** A scenario as these options change it. */
     Scenario applyTo(Scenario scenario) {
-        Setup setup = scenario.setup();
-        Setup timed = until.isPresent() ? setup.withDuration(until.getAsDouble()) : setup;
+        SimulationSetup setup = scenario.setup();
+        SimulationSetup timed = until.isPresent() ? setup.withDuration(until.getAsDouble()) : setup;
         return scenario.withSetup(seed.isPresent() ? timed.withSeed(seed.getAsLong()) : timed);
     }
 }

@@ -15,18 +15,18 @@ public sealed interface ControllerSpec {
      *
      * @return as in {@link Telemetry#state()}
      */
-    String firstState();
+    String initialState();
 
     /** The robot stays where it is: file type {@code none}. */
     record None() implements ControllerSpec {
         @Override
         public Controller create() {
-            Decision stay = new Decision(0, 0, Telemetry.named(firstState()));
+            Decision stay = new Decision(0, 0, Telemetry.ofState(initialState()));
             return observation -> stay;
         }
 
         @Override
-        public String firstState() {
+        public String initialState() {
             return "NONE";
         }
     }
@@ -40,12 +40,12 @@ public sealed interface ControllerSpec {
     record Drive(double leftVolts, double rightVolts) implements ControllerSpec {
         @Override
         public Controller create() {
-            Decision drive = new Decision(leftVolts, rightVolts, Telemetry.named(firstState()));
+            Decision drive = new Decision(leftVolts, rightVolts, Telemetry.ofState(initialState()));
             return observation -> drive;
         }
 
         @Override
-        public String firstState() {
+        public String initialState() {
             return "DRIVE";
         }
     }
@@ -54,14 +54,16 @@ public sealed interface ControllerSpec {
      * The paper's six-state wall follower: file type {@code wall-follower}.
      *
      * @param distance the wanted reading of the sensor that faces the wall, metres, positive
-     * @param hand the side that the wall is kept on
+     * @param side the side that the wall is kept on
      * @param period how often it decides, seconds; 0 for every tick; rounded to whole ticks
-     * @param timing which moments are F3 and F4
+     * @param timingRule which moments are F3 and F4
      */
-    record WallFollowing(double distance, Hand hand, double period, Timing timing) implements ControllerSpec {
+    record WallFollowing(double distance, WallSide side, double period, TimingRule timingRule)
+            implements ControllerSpec {
 
         /** The follower that is used where a file gives no values. */
-        public static final WallFollowing DEFAULT = new WallFollowing(0.25, Hand.LEFT, 0, Timing.EQUAL_READINGS);
+        public static final WallFollowing DEFAULT =
+                new WallFollowing(0.25, WallSide.LEFT, 0, TimingRule.EQUAL_READINGS);
 
         public WallFollowing {
             if (!(distance > 0 && Double.isFinite(distance))) {
@@ -74,11 +76,11 @@ public sealed interface ControllerSpec {
 
         @Override
         public Controller create() {
-            return new Periodic(new WallFollower(this), period);
+            return new PeriodicController(new WallFollower(this), period);
         }
 
         @Override
-        public String firstState() {
+        public String initialState() {
             return FollowerState.SEARCH.name();
         }
     }

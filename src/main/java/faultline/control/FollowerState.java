@@ -1,6 +1,9 @@
 package faultline.control;
 
-/** The six states of the wall follower. The paper's Fig. 8 survives as a caption only; this reading of it is decision 0002. */
+/**
+ * The six states of the wall follower. The paper's Fig. 8 survives as a caption only; this reading of it is decision
+ * 0002.
+ */
 public enum FollowerState {
     /** Drive on until a wall is seen. */
     SEARCH,

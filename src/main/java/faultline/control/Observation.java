@@ -8,7 +8,7 @@ import faultline.robot.RobotSpec;
  * @param tick how many ticks have passed
  * @param dt the length of a tick, seconds
  * @param robot the robot as it is built and set now
- * @param readings what each of the robot's sensors reports, in its order, encoded as in {@link faultline.sensor.Reading}; not to be changed
+ * @param readings what each of the robot's sensors reports, in its order, encoded as in
+ *     {@link faultline.sensor.Reading}; not to be changed
  */
-public record Observation(long tick, double dt, RobotSpec robot, double[] readings) {
-}
+public record Observation(long tick, double dt, RobotSpec robot, double[] readings) {}

@@ -5,31 +5,31 @@ import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 
 /**
- * Dead reckoning from the follower's own commands through the motor's model: how far the robot has rolled and turned. In the follower's
- * frame, in which the wall is kept on the left.
+ * Dead reckoning from the follower's own commands through the motor's model: how far the robot has rolled and turned.
+ * In the follower's frame, in which the wall is kept on the left.
  */
 final class Odometer {
 
     private double leftSpeed;
     private double rightSpeed;
     private double heading;
-    private double rolled;
-    private double turned;
+    private double deltaDistance;
+    private double deltaHeading;
 
     /** Lets a command have acted for some ticks. */
     void advance(RobotSpec robot, double v, double omega, double dt, long ticks) {
         MotorSpec motor = robot.motor();
         double decay = motor.decay(dt);
         double half = omega * robot.track() / 2;
-        rolled = 0;
-        turned = 0;
+        deltaDistance = 0;
+        deltaHeading = 0;
         for (long i = 0; i < ticks; i++) {
             leftSpeed = motor.step(leftSpeed, motor.voltageFor(v - half), decay);
             rightSpeed = motor.step(rightSpeed, motor.voltageFor(v + half), decay);
-            rolled += DifferentialDrive.linearVelocity(leftSpeed, rightSpeed) * dt;
-            turned += DifferentialDrive.angularVelocity(leftSpeed, rightSpeed, robot.track()) * dt;
+            deltaDistance += DifferentialDrive.linearVelocity(leftSpeed, rightSpeed) * dt;
+            deltaHeading += DifferentialDrive.angularVelocity(leftSpeed, rightSpeed, robot.track()) * dt;
         }
-        heading += turned;
+        heading += deltaHeading;
     }
 
     /** All the turning so far, radians, positive to the left. */
@@ -38,13 +38,13 @@ final class Odometer {
     }
 
     /** The way of the last {@link #advance}, metres. */
-    double rolled() {
-        return rolled;
+    double deltaDistance() {
+        return deltaDistance;
     }
 
     /** The turn of the last {@link #advance}, radians. */
-    double turned() {
-        return turned;
+    double deltaHeading() {
+        return deltaHeading;
     }
 
     /** The rate of turning now, radians per second. */
@@ -53,10 +53,10 @@ final class Odometer {
     }
 
     /**
-     * How long the motors' lag lasts, seconds: a speed w that is no longer commanded still gives a way of w times this. It is the sum of
-     * the decays of all ticks to come, which for short ticks is the motor's time constant.
+     * How long the motors' lag lasts, seconds: a speed w that is no longer commanded still gives a way of w times this.
+     * It is the sum of the decays of all ticks to come, which for short ticks is the motor's time constant.
      */
-    static double lag(RobotSpec robot, double dt) {
+    static double motorLag(RobotSpec robot, double dt) {
         double decay = robot.motor().decay(dt);
         return dt * decay / (1 - decay);
     }

@@ -1,23 +1,23 @@
 package faultline.control;
 
 /**
- * What the PD distance controller multiplies with. The gains follow from one length l, the way on which an error dies out: with e'' = -v
- * omega, kp = v / l^2 and kd = 2 / l make the loop critically damped at any speed.
+ * What the PD distance controller multiplies with. The gains follow from one length l, the way on which an error dies
+ * out: with e'' = -v omega, kp = v / l^2 and kd = 2 / l make the loop critically damped at any speed.
  *
  * @param proportional kp, radians per second for each metre that the wall is too far
  * @param derivative kd, radians per second for each metre per second that it recedes
- * @param mostError the error that the P term is held at, metres
+ * @param maxError the error that the P term is held at, metres
  */
-public record PdGains(double proportional, double derivative, double mostError) {
+public record PdGains(double proportional, double derivative, double maxError) {
 
     /** The shortest length, metres; shorter ones answer to the cone's edges. */
-    private static final double SHORTEST = 0.06;
+    private static final double MIN_LENGTH = 0.06;
 
     /** The motors must be faster than the loop: the length is at least the way of this many time constants. */
-    private static final double LAGS = 3;
+    private static final double MIN_LAGS = 3;
 
     /** The steepest way back to the wanted distance, sine of the angle. */
-    private static final double STEEPEST = 0.5;
+    private static final double MAX_APPROACH_SINE = 0.5;
 
     /**
      * The gains that the follower uses.
@@ -26,8 +26,8 @@ public record PdGains(double proportional, double derivative, double mostError) 
      * @param lag the motors' time constant and the control's delay, seconds
      * @return the gains
      */
-    public static PdGains of(double speed, double lag) {
-        return dyingOutOn(Math.max(SHORTEST, LAGS * lag * speed), speed);
+    public static PdGains forSpeed(double speed, double lag) {
+        return criticallyDamped(Math.max(MIN_LENGTH, MIN_LAGS * lag * speed), speed);
     }
 
     /**
@@ -37,8 +37,8 @@ public record PdGains(double proportional, double derivative, double mostError) 
      * @param speed metres per second
      * @return the gains
      */
-    public static PdGains dyingOutOn(double length, double speed) {
-        return new PdGains(speed / (length * length), 2 / length, 2 * length * STEEPEST);
+    public static PdGains criticallyDamped(double length, double speed) {
+        return new PdGains(speed / (length * length), 2 / length, 2 * length * MAX_APPROACH_SINE);
     }
 
     /**
@@ -49,8 +49,8 @@ public record PdGains(double proportional, double derivative, double mostError) 
      * @param speed metres per second
      * @return the gains
      */
-    public static PdGains any(double proportional, double derivative, double speed) {
-        return new PdGains(proportional, derivative, STEEPEST * derivative * speed / proportional);
+    public static PdGains withErrorLimit(double proportional, double derivative, double speed) {
+        return new PdGains(proportional, derivative, MAX_APPROACH_SINE * derivative * speed / proportional);
     }
 
     /**
@@ -60,7 +60,7 @@ public record PdGains(double proportional, double derivative, double mostError) 
      * @return radians per second
      */
     public double proportionalTerm(double error) {
-        return proportional * Math.max(-mostError, Math.min(mostError, error));
+        return proportional * Math.max(-maxError, Math.min(maxError, error));
     }
 
     /**

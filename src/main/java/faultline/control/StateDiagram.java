@@ -5,15 +5,18 @@ import java.util.List;
 /** The wall follower's state diagram for those who show it: the same table that the follower goes by. */
 public final class StateDiagram {
 
-    /** All arrows in the order in which they are tried; of those that leave a state, the first whose condition holds is taken. */
-    public static final List<Arrow> ARROWS = WallFollower.TRANSITIONS.stream()
-            .map(transition -> new Arrow(transition.from(), transition.to(), transition.condition())).toList();
+    /**
+     * All arrows in the order in which they are tried; of those that leave a state, the first whose condition holds is
+     * taken.
+     */
+    public static final List<Arrow> TRANSITIONS = WallFollower.TRANSITIONS.stream()
+            .map(transition -> new Arrow(transition.from(), transition.to(), transition.condition()))
+            .toList();
 
     /** The state that the follower begins in. */
-    public static final FollowerState FIRST = WallFollower.FIRST;
+    public static final FollowerState INITIAL_STATE = WallFollower.INITIAL_STATE;
 
-    private StateDiagram() {
-    }
+    private StateDiagram() {}
 
     /**
      * A transition that can be taken.
@@ -22,6 +25,5 @@ public final class StateDiagram {
      * @param to the state that it leads to
      * @param condition its name, as in {@link Telemetry#condition()}
      */
-    public record Arrow(FollowerState from, FollowerState to, String condition) {
-    }
+    public record Arrow(FollowerState from, FollowerState to, String condition) {}
 }

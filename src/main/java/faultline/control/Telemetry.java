@@ -1,22 +1,33 @@
 package faultline.control;
 
 /**
- * What a controller shows of its working; shown and traced, never fed back. A number that does not apply now is not a number.
+ * What a controller shows of its working; shown and traced, never fed back. A number that does not apply now is not a
+ * number.
  *
  * @param state the name of its state, such as FOLLOW
  * @param condition the named condition that brought it there, empty at the start
- * @param since the tick at which it came there
+ * @param sinceTick the tick at which it came there
  * @param transitions how many transitions it has made
- * @param wanted the distance that it holds, metres
- * @param measured the distance that it goes by, metres
+ * @param wantedDistance the distance that it holds, metres
+ * @param measuredDistance the distance that it goes by, metres
  * @param proportional the PD controller's P term, radians per second
  * @param derivative the PD controller's D term, radians per second
  * @param tF3 when the left sensor came to the timing distance, the paper's frame F3, seconds
  * @param tF4 when it left it, frame F4, seconds
  * @param tP how long it turns back, t_p = t_D / 2 of eq. (4), seconds
  */
-public record Telemetry(String state, String condition, long since, int transitions, double wanted, double measured,
-        double proportional, double derivative, double tF3, double tF4, double tP) {
+public record Telemetry(
+        String state,
+        String condition,
+        long sinceTick,
+        int transitions,
+        double wantedDistance,
+        double measuredDistance,
+        double proportional,
+        double derivative,
+        double tF3,
+        double tF4,
+        double tP) {
 
     /**
      * The telemetry of a controller with nothing to show but a name.
@@ -24,7 +35,7 @@ public record Telemetry(String state, String condition, long since, int transiti
      * @param state the name
      * @return telemetry without numbers
      */
-    public static Telemetry named(String state) {
+    public static Telemetry ofState(String state) {
         double none = Double.NaN;
         return new Telemetry(state, "", 0, 0, none, none, none, none, none, none, none);
     }

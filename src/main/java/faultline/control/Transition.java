@@ -8,7 +8,6 @@ import java.util.function.Predicate;
  * @param from the state that it leaves
  * @param to the state that it leads to
  * @param condition its name, for people
- * @param holds whether it is taken now
+ * @param guard whether it is taken now
  */
-record Transition(FollowerState from, FollowerState to, String condition, Predicate<WallFollower> holds) {
-}
+record Transition(FollowerState from, FollowerState to, String condition, Predicate<WallFollower> guard) {}

@@ -7,107 +7,111 @@ final class WallSteering {
     private static final double GATE = 0.06;
 
     /** The innovation that counts as a bend, as a share of what a corner gives in the end. */
-    private static final double BEND = 0.6;
+    private static final double BEND_SHARE = 0.6;
 
     /**
-     * How many deviations of the noise a bend is at least, in one reading and in two running. Noise is known from a hundred readings only,
-     * and may be a third more than that; a run has thousands of readings.
+     * How many deviations of the noise a bend is at least, in one reading and in two running. Noise is known from a
+     * hundred readings only, and may be a third more than that; a run has thousands of readings.
      */
     private static final double NOISE_FACTOR = 8;
-    private static final double NOISE_FACTOR_OF_TWO = 4;
+
+    private static final double NOISE_FACTOR_OF_PAIR = 4;
     private static final double DRIFT_NOISE_FACTOR = 4;
 
-    private final Perception perception;
-    private final double wanted;
+    private final StateEstimate estimate;
+    private final double wantedDistance;
     private final WallTracker tracker = new WallTracker();
-    private PdLaw law;
+    private PdController pdController;
 
-    WallSteering(Perception perception, double wanted) {
-        this.perception = perception;
-        this.wanted = wanted;
+    WallSteering(StateEstimate perception, double wanted) {
+        this.estimate = perception;
+        this.wantedDistance = wanted;
     }
 
     /** Starts along a wall that the robot has been aligned with. */
     void begin() {
-        tracker.start(left().sees() ? left().reading() : wanted);
+        tracker.start(left().detects() ? left().reading() : wantedDistance);
     }
 
     /** Takes the reading of a decision along a straight wall. */
     void trackWall() {
-        tracker.predict(perception.rolled(), perception.turned(), 0);
-        if (inSight()) {
+        tracker.predict(estimate.deltaDistance(), estimate.deltaHeading(), 0);
+        if (isWallInSight()) {
             // Slanted to a straight wall by more than half the cone, the sensor reads the cone's edge and not the foot.
             double off = Math.max(0, Math.abs(tracker.heading()) - left().halfCone());
-            tracker.correct(left().reading() * StrictMath.cos(off), perception.rolled(), radius());
+            tracker.correct(left().reading() * StrictMath.cos(off), estimate.deltaDistance(), radius());
         }
     }
 
     /** Takes the reading of a decision around an outer corner. */
     void trackCorner() {
-        tracker.predict(perception.rolled(), perception.turned(), 1 / radius());
-        if (inSight()) {
-            tracker.correct(left().reading(), perception.rolled(), radius());
+        tracker.predict(estimate.deltaDistance(), estimate.deltaHeading(), 1 / radius());
+        if (isWallInSight()) {
+            tracker.correct(left().reading(), estimate.deltaDistance(), radius());
         }
     }
 
     /** The wall is seen to bend away: from now on its corner is tracked. */
-    void takeCorner() {
-        tracker.bend(-bendAngle());
+    void switchToCorner() {
+        tracker.turnHeading(-bendAngle());
     }
 
     /** The corner is seen to go over into a wall: from now on that is tracked. */
-    void takeWall() {
-        tracker.bend(bendAngle());
+    void switchToWall() {
+        tracker.turnHeading(bendAngle());
     }
 
     /** The turn rate along a straight wall. */
-    double alongWall() {
+    double wallTurnRate() {
         return correction();
     }
 
     /** The turn rate around a corner: that of the circle about it, corrected. */
-    double aroundCorner() {
-        return perception.robot().speed() / radius() + correction();
+    double cornerTurnRate() {
+        return estimate.robot().speed() / radius() + correction();
     }
 
     private double correction() {
-        law = new PdLaw(perception.robot().speed(), perception.robot().motor().timeConstant() + perception.period());
-        return law.turnRate(tracker.distance() - wanted, tracker.heading());
+        pdController = new PdController(
+                estimate.robot().speed(), estimate.robot().motor().timeConstant() + estimate.period());
+        return pdController.turnRate(tracker.distance() - wantedDistance, tracker.heading());
     }
 
-    boolean inSight() {
-        return left().reading() <= Math.max(tracker.distance(), wanted) + GATE;
+    boolean isWallInSight() {
+        return left().reading() <= Math.max(tracker.distance(), wantedDistance) + GATE;
     }
 
     boolean bendsAway() {
-        return isBend(tracker.innovation(), tracker.innovationBefore());
+        return isBend(tracker.innovation(), tracker.previousInnovation());
     }
 
     boolean bendsBack() {
-        return isBend(-tracker.innovation(), -tracker.innovationBefore()) || tracker.drift() < -bendDrift();
+        return isBend(-tracker.innovation(), -tracker.previousInnovation()) || tracker.drift() < -bendDriftThreshold();
     }
 
     private boolean isBend(double innovation, double before) {
-        double noise = perception.leftNoise();
-        return innovation > bendWithoutNoise()
-                && (innovation > NOISE_FACTOR * noise || Math.min(innovation, before) > NOISE_FACTOR_OF_TWO * noise);
+        double noise = estimate.leftNoise();
+        return innovation > noiselessBendThreshold()
+                && (innovation > NOISE_FACTOR * noise || Math.min(innovation, before) > NOISE_FACTOR_OF_PAIR * noise);
     }
 
     /**
-     * A straight wall that is taken for a corner gives all of the corner's innovation for as long as it lasts, so there is time to average
-     * the noise away.
+     * A straight wall that is taken for a corner gives all of the corner's innovation for as long as it lasts, so there
+     * is time to average the noise away.
      */
-    private double bendDrift() {
-        return Math.max(bendWithoutNoise(), DRIFT_NOISE_FACTOR * perception.leftNoise() * WallTracker.driftNoise(perception.rolled()));
+    private double bendDriftThreshold() {
+        return Math.max(
+                noiselessBendThreshold(),
+                DRIFT_NOISE_FACTOR * estimate.leftNoise() * WallTracker.driftNoiseShare(estimate.deltaDistance()));
     }
 
-    private double bendWithoutNoise() {
-        return BEND * WallTracker.cornerInnovation(radius());
+    private double noiselessBendThreshold() {
+        return BEND_SHARE * WallTracker.cornerInnovation(radius());
     }
 
     /**
-     * How far the robot has gone round a corner by the time that it shows: an innovation e takes a way of sqrt(2 e r) on a circle of radius
-     * r.
+     * How far the robot has gone round a corner by the time that it shows: an innovation e takes a way of sqrt(2 e r)
+     * on a circle of radius r.
      */
     private double bendAngle() {
         return Math.sqrt(2 * Math.abs(tracker.innovation()) / radius());
@@ -115,20 +119,20 @@ final class WallSteering {
 
     /** From the followed wall, or the corner that is rounded, to the robot's centre, metres. */
     private double radius() {
-        return Math.max(perception.robot().width() / 2, tracker.distance() + perception.seat());
+        return Math.max(estimate.robot().width() / 2, tracker.distance() + estimate.sideMountOffset());
     }
 
-    private Eye left() {
-        return perception.sight().left();
+    private SensorView left() {
+        return estimate.views().left();
     }
 
     /** The P term of the last decision, radians per second; not a number before the first. */
     double proportional() {
-        return law == null ? Double.NaN : law.proportional();
+        return pdController == null ? Double.NaN : pdController.proportional();
     }
 
     /** The D term of the last decision, radians per second; not a number before the first. */
     double derivative() {
-        return law == null ? Double.NaN : law.derivative();
+        return pdController == null ? Double.NaN : pdController.derivative();
     }
 }

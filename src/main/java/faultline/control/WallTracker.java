@@ -1,36 +1,36 @@
 package faultline.control;
 
 /**
- * Tracks the wall on the left through one sensor's readings and dead reckoning: its distance r and the robot's heading gamma relative to
- * it, positive towards the wall. A steady-state Kalman filter of second order (an alpha-beta filter), whose bandwidth goes with the way
- * rolled and not with time.
+ * Tracks the wall on the left through one sensor's readings and dead reckoning: its distance r and the robot's heading
+ * gamma relative to it, positive towards the wall. A steady-state Kalman filter of second order (an alpha-beta filter),
+ * whose bandwidth goes with the way rolled and not with time.
  *
- * <p>Along a wall r' = -v sin gamma and gamma' = omega - v k, where k is the curvature of the way that keeps the distance: 0 along a
- * straight wall, 1 / radius around a corner. A wall that bends otherwise than assumed shows as an innovation, that is, a reading that is
- * not as predicted.
+ * <p>Along a wall r' = -v sin gamma and gamma' = omega - v k, where k is the curvature of the way that keeps the
+ * distance: 0 along a straight wall, 1 / radius around a corner. A wall that bends otherwise than assumed shows as an
+ * innovation, that is, a reading that is not as predicted.
  */
 final class WallTracker {
 
     /** How much way the filter looks back on, as a share of the distance from the centre to the wall. */
-    private static final double MEMORY = 0.086;
+    private static final double MEMORY_SHARE = 0.086;
 
     /** A reading that is off by more than this belongs to something else, metres. */
-    private static final double JUMP = 0.05;
+    private static final double OUTLIER_THRESHOLD = 0.05;
 
     /** The way over which innovations are averaged, metres. */
-    private static final double DRIFT_WAY = 0.2;
+    private static final double DRIFT_DISTANCE = 0.2;
 
     private double distance;
     private double heading;
     private double innovation;
-    private double innovationBefore;
+    private double previousInnovation;
     private double drift;
 
     /** Starts anew at a reading, parallel to the wall. */
     void start(double reading) {
         distance = reading;
         heading = 0;
-        forget();
+        clearInnovations();
     }
 
     /** Predicts across a piece of way. */
@@ -38,21 +38,21 @@ final class WallTracker {
         double middle = heading + (turned - curvature * rolled) / 2;
         heading += turned - curvature * rolled;
         distance -= rolled * StrictMath.sin(middle);
-        innovationBefore = innovation;
+        previousInnovation = innovation;
         innovation = 0;
     }
 
     /** Corrects by a reading after a piece of way. */
     void correct(double reading, double rolled, double radius) {
         innovation = reading - distance;
-        if (Math.abs(innovation) > JUMP) {
+        if (Math.abs(innovation) > OUTLIER_THRESHOLD) {
             distance = reading;
             innovation = 0;
             return;
         }
-        drift += Math.min(1, Math.abs(rolled) / DRIFT_WAY) * (innovation - drift);
+        drift += Math.min(1, Math.abs(rolled) / DRIFT_DISTANCE) * (innovation - drift);
         // Critically damped at the bandwidth 1 / (MEMORY radius) per metre of way.
-        double share = Math.min(0.5, Math.abs(rolled) / (MEMORY * radius));
+        double share = Math.min(0.5, Math.abs(rolled) / (MEMORY_SHARE * radius));
         distance += Math.min(1, 1.4 * share) * innovation;
         if (rolled > 0) {
             heading -= share * share / rolled * innovation;
@@ -60,14 +60,14 @@ final class WallTracker {
     }
 
     /** Turns the tracked heading because the wall is seen to go another way. */
-    void bend(double angle) {
+    void turnHeading(double angle) {
         heading += angle;
-        forget();
+        clearInnovations();
     }
 
-    private void forget() {
+    private void clearInnovations() {
         innovation = 0;
-        innovationBefore = 0;
+        previousInnovation = 0;
         drift = 0;
     }
 
@@ -87,30 +87,30 @@ final class WallTracker {
     }
 
     /** How much farther than predicted the reading before that was, metres. */
-    double innovationBefore() {
-        return innovationBefore;
+    double previousInnovation() {
+        return previousInnovation;
     }
 
     /**
-     * How much farther than predicted the readings were on the whole of late, metres: a small bend shows here that is below the noise of a
-     * single reading.
+     * How much farther than predicted the readings were on the whole of late, metres: a small bend shows here that is
+     * below the noise of a single reading.
      */
     double drift() {
         return drift;
     }
 
     /** What share of a reading's noise is left in the {@link #drift}, if readings come once a piece of way. */
-    static double driftNoise(double rolled) {
-        return Math.sqrt(Math.abs(rolled) / DRIFT_WAY / 2);
+    static double driftNoiseShare(double rolled) {
+        return Math.sqrt(Math.abs(rolled) / DRIFT_DISTANCE / 2);
     }
 
     /**
-     * The innovation that a corner gives in the end if the tracker takes its two sides for one straight wall, metres: (MEMORY radius)^2 /
-     * radius.
+     * The innovation that a corner gives in the end if the tracker takes its two sides for one straight wall, metres:
+     * (MEMORY radius)^2 / radius.
      *
      * @param radius from the corner to the robot's centre, metres
      */
     static double cornerInnovation(double radius) {
-        return MEMORY * MEMORY * radius;
+        return MEMORY_SHARE * MEMORY_SHARE * radius;
     }
 }

@@ -3,12 +3,15 @@ package faultline.engine;
 import faultline.world.Command;
 import java.util.Optional;
 
-/** Told of every command that a simulation is given, by its timeline or from outside, on the run's own thread; it must change nothing. */
+/**
+ * Told of every command that a simulation is given, by its timeline or from outside, on the run's own thread; it must
+ * change nothing.
+ */
 @FunctionalInterface
-interface CommandListener {
+public interface CommandListener {
 
     /** Listens to nothing. */
-    CommandListener NONE = (tick, command, refusal) -> { };
+    CommandListener NONE = (tick, command, refusal) -> {};
 
     /**
      * A command was given at the start of a tick.
@@ -17,5 +20,5 @@ interface CommandListener {
      * @param command what was to be done
      * @param refusal why it was refused, empty where it was done
      */
-    void commanded(long tick, Command command, Optional<String> refusal);
+    void commandHandled(long tick, Command command, Optional<String> refusal);
 }

@@ -10,7 +10,7 @@ import java.util.List;
  * @param entries in the order in which they were applied
  * @param ticks how far the run had come
  */
-public record Journal(Setup setup, List<Entry> entries, long ticks) {
+public record Journal(SimulationSetup setup, List<Entry> entries, long ticks) {
 
     public Journal {
         entries = List.copyOf(entries);
@@ -22,6 +22,5 @@ public record Journal(Setup setup, List<Entry> entries, long ticks) {
      * @param tick the tick at whose start it was
      * @param command what was done
      */
-    public record Entry(long tick, Command command) {
-    }
+    public record Entry(long tick, Command command) {}
 }

@@ -4,9 +4,9 @@ package faultline.engine;
 final class KeyframeRecorder {
 
     /** How many are kept at most: with a simple room, some 3 MB. */
-    static final int MOST = 1024;
+    static final int MAX_FRAMES = 1024;
 
-    private Frame[] frames = new Frame[MOST];
+    private Frame[] frames = new Frame[MAX_FRAMES];
     private int size;
     private long stride = 1;
 
@@ -17,10 +17,10 @@ final class KeyframeRecorder {
 
     /** Keeps a frame whose tick is due. */
     void add(Frame frame) {
-        if (size == MOST) {
+        if (size == MAX_FRAMES) {
             thin();
         }
-        if (isDue(frame.world().tick())) {
+        if (isDue(frame.snapshot().tick())) {
             frames[size] = frame;
             size++;
         }
@@ -28,12 +28,12 @@ final class KeyframeRecorder {
 
     /** Views hold the old array, so the thinned one is another. */
     private void thin() {
-        Frame[] thinned = new Frame[MOST];
-        for (int i = 0; i < MOST; i += 2) {
+        Frame[] thinned = new Frame[MAX_FRAMES];
+        for (int i = 0; i < MAX_FRAMES; i += 2) {
             thinned[i / 2] = frames[i];
         }
         frames = thinned;
-        size = MOST / 2;
+        size = MAX_FRAMES / 2;
         stride *= 2;
     }
 

@@ -3,7 +3,8 @@ package faultline.engine;
 import java.util.Optional;
 
 /**
- * Frames at evenly spaced ticks from the start of a run on, as a view on a recording that goes on. They have no recordings of their own.
+ * Frames at evenly spaced ticks from the start of a run on, as a view on a recording that goes on. They have no
+ * recordings of their own.
  */
 public final class Keyframes {
 
@@ -44,7 +45,7 @@ public final class Keyframes {
      * @param tick not negative
      * @return empty where nothing is recorded
      */
-    public Optional<Frame> at(long tick) {
+    public Optional<Frame> frameAt(long tick) {
         return size == 0 ? Optional.empty() : Optional.of(frames[(int) Math.min(size - 1, tick / stride)]);
     }
 }

@@ -1,25 +1,28 @@
 package faultline.engine;
 
-/** Some consecutive points of a path, and the boxes about stretches of them, by which a painter leaves out at once what is not in view. */
+/**
+ * Some consecutive points of a path, and the boxes about stretches of them, by which a painter leaves out at once what
+ * is not in view.
+ */
 final class PathChunk {
 
     /** How many points a chunk holds. */
-    static final int POINTS = 4096;
+    static final int CAPACITY = 4096;
 
     /** How many points a stretch has. */
-    static final int STRETCH = 64;
+    static final int BLOCK_SIZE = 64;
 
-    private static final int SIDES = 4;
+    private static final int BOX_SIDES = 4;
 
-    private final double[] xy = new double[2 * POINTS];
-    private final double[] boxes = new double[POINTS / STRETCH * SIDES];
+    private final double[] xy = new double[2 * CAPACITY];
+    private final double[] boxes = new double[CAPACITY / BLOCK_SIZE * BOX_SIDES];
 
     /** Writes the next point. */
     void set(int index, double x, double y) {
         xy[2 * index] = x;
         xy[2 * index + 1] = y;
-        int box = index / STRETCH * SIDES;
-        boolean first = index % STRETCH == 0;
+        int box = index / BLOCK_SIZE * BOX_SIDES;
+        boolean first = index % BLOCK_SIZE == 0;
         boxes[box] = first ? x : Math.min(boxes[box], x);
         boxes[box + 1] = first ? y : Math.min(boxes[box + 1], y);
         boxes[box + 2] = first ? x : Math.max(boxes[box + 2], x);
@@ -35,8 +38,8 @@ final class PathChunk {
     }
 
     /** Whether the box about a stretch whose points are all written overlaps another box. */
-    boolean overlaps(int index, double minX, double minY, double maxX, double maxY) {
-        int box = index / STRETCH * SIDES;
+    boolean blockOverlaps(int index, double minX, double minY, double maxX, double maxY) {
+        int box = index / BLOCK_SIZE * BOX_SIDES;
         return boxes[box] <= maxX && boxes[box + 1] <= maxY && boxes[box + 2] >= minX && boxes[box + 3] >= minY;
     }
 }

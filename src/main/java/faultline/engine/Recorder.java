@@ -1,20 +1,20 @@
 package faultline.engine;
 
 import faultline.control.Telemetry;
-import faultline.engine.record.Channels;
-import faultline.engine.record.EventRecorder;
-import faultline.engine.record.HashRecorder;
-import faultline.engine.record.RunEvent;
-import faultline.engine.record.StateTallyRecorder;
-import faultline.engine.record.TraceRecorder;
+import faultline.engine.recording.EventRecorder;
+import faultline.engine.recording.HashTraceRecorder;
+import faultline.engine.recording.RunEvent;
+import faultline.engine.recording.StateTallyRecorder;
+import faultline.engine.recording.TraceChannels;
+import faultline.engine.recording.TraceRecorder;
 import faultline.world.Command;
 import java.util.Optional;
 
 /**
- * Remembers a run as it goes on, on its own thread: frames are looked at some sixty times a second, and what happens between two of them
- * must not be lost.
+ * Remembers a run as it goes on, on its own thread: frames are looked at some sixty times a second, and what happens
+ * between two of them must not be lost.
  */
-final class Recorder implements TickObserver, CommandListener {
+public final class Recorder implements TickObserver, CommandListener {
 
     private final double dt;
     private final int sensors;
@@ -23,32 +23,32 @@ final class Recorder implements TickObserver, CommandListener {
     private final EventRecorder events = new EventRecorder();
     private final StateTallyRecorder states = new StateTallyRecorder();
     private final KeyframeRecorder keyframes = new KeyframeRecorder();
-    private final HashRecorder hashes = new HashRecorder();
-    private Telemetry last;
+    private final HashTraceRecorder hashes = new HashTraceRecorder();
+    private Telemetry lastTelemetry;
     private boolean collided;
 
     /** Of a run that has not begun. */
-    Recorder(Setup setup) {
+    public Recorder(SimulationSetup setup) {
         dt = setup.dt();
         sensors = setup.robot().sensors().size();
-        values = new float[Channels.count(sensors)];
+        values = new float[TraceChannels.count(sensors)];
         trace = new TraceRecorder(values.length);
-        last = Telemetry.named(setup.controller().firstState());
-        states.start(last.state());
+        lastTelemetry = Telemetry.ofState(setup.controller().initialState());
+        states.start(lastTelemetry.state());
     }
 
     @Override
-    public void commanded(long tick, Command command, Optional<String> refusal) {
-        events.add(refusal.<RunEvent>map(why -> new RunEvent.Refused(tick, tick * dt, command, why))
-                .orElseGet(() -> new RunEvent.Done(tick, tick * dt, command)));
+    public void commandHandled(long tick, Command command, Optional<String> refusal) {
+        events.add(refusal.<RunEvent>map(why -> new RunEvent.CommandRefused(tick, tick * dt, command, why))
+                .orElseGet(() -> new RunEvent.CommandExecuted(tick, tick * dt, command)));
     }
 
     @Override
     public void observe(Simulation simulation) {
-        noteState(simulation);
-        noteCollision(simulation);
-        traceMotion(simulation);
-        traceSensors(simulation);
+        recordState(simulation);
+        recordCollision(simulation);
+        recordMotion(simulation);
+        recordSensors(simulation);
         trace.add(values);
         hashes.add(simulation.trajectoryHash());
         if (keyframes.isDue(simulation.ticks())) {
@@ -56,43 +56,45 @@ final class Recorder implements TickObserver, CommandListener {
         }
     }
 
-    private void noteState(Simulation simulation) {
+    private void recordState(Simulation simulation) {
         Telemetry now = simulation.telemetry();
-        if (now.transitions() != last.transitions()) {
-            events.add(new RunEvent.Transition(simulation.ticks(), simulation.time(), last.state(), now.state(), now.condition()));
-            states.move(last.state(), now.state());
+        if (now.transitions() != lastTelemetry.transitions()) {
+            events.add(new RunEvent.StateChanged(
+                    simulation.ticks(), simulation.time(), lastTelemetry.state(), now.state(), now.condition()));
+            states.recordTransition(lastTelemetry.state(), now.state());
         }
-        last = now;
+        lastTelemetry = now;
         if (simulation.ticks() > 0) {
             states.tick();
         }
     }
 
-    private void noteCollision(Simulation simulation) {
+    private void recordCollision(Simulation simulation) {
         if (!collided && simulation.collision().isPresent()) {
             collided = true;
-            events.add(new RunEvent.Collided(simulation.ticks(), simulation.collision().get()));
+            events.add(new RunEvent.Collided(
+                    simulation.ticks(), simulation.collision().get()));
         }
     }
 
-    private void traceMotion(Simulation simulation) {
-        values[Channels.WANTED] = (float) last.wanted();
-        values[Channels.MEASURED] = (float) last.measured();
-        values[Channels.PROPORTIONAL] = (float) last.proportional();
-        values[Channels.DERIVATIVE] = (float) last.derivative();
-        values[Channels.LEFT_VOLTS] = (float) simulation.leftVolts();
-        values[Channels.RIGHT_VOLTS] = (float) simulation.rightVolts();
-        values[Channels.HEADING] = (float) simulation.pose().heading();
+    private void recordMotion(Simulation simulation) {
+        values[TraceChannels.WANTED_DISTANCE] = (float) lastTelemetry.wantedDistance();
+        values[TraceChannels.MEASURED_DISTANCE] = (float) lastTelemetry.measuredDistance();
+        values[TraceChannels.PROPORTIONAL] = (float) lastTelemetry.proportional();
+        values[TraceChannels.DERIVATIVE] = (float) lastTelemetry.derivative();
+        values[TraceChannels.LEFT_VOLTS] = (float) simulation.leftVolts();
+        values[TraceChannels.RIGHT_VOLTS] = (float) simulation.rightVolts();
+        values[TraceChannels.HEADING] = (float) simulation.pose().heading();
     }
 
-    private void traceSensors(Simulation simulation) {
+    private void recordSensors(Simulation simulation) {
         for (int i = 0; i < sensors; i++) {
-            values[Channels.truth(i)] = (float) simulation.trueReading(i);
-            values[Channels.reported(i)] = (float) simulation.reportedReading(i);
+            values[TraceChannels.trueReading(i)] = (float) simulation.trueReading(i);
+            values[TraceChannels.reportedReading(i)] = (float) simulation.reportedReading(i);
         }
     }
 
-    Recording view() {
+    public Recording view() {
         return new Recording(trace.view(), events.view(), states.view(), keyframes.view(), hashes.view());
     }
 }

@@ -1,22 +1,22 @@
 package faultline.engine;
 
-import faultline.engine.record.EventLog;
-import faultline.engine.record.Hashes;
-import faultline.engine.record.StateTally;
-import faultline.engine.record.Trace;
+import faultline.engine.recording.EventLog;
+import faultline.engine.recording.HashTrace;
+import faultline.engine.recording.StateTally;
+import faultline.engine.recording.Trace;
 
 /**
  * What is remembered of a run up to one moment. Immutable; taking one copies next to nothing.
  *
- * @param trace the numbers, tick by tick; channels as {@link faultline.engine.record.Channels} says
+ * @param trace the numbers, tick by tick; channels as {@link faultline.engine.recording.TraceChannels} says
  * @param events what happened
- * @param states how long the controller was in which state
+ * @param stateTally how long the controller was in which state
  * @param keyframes pictures of earlier moments
- * @param hashes of the trajectory, tick by tick
+ * @param hashTrace of the trajectory, tick by tick
  */
-public record Recording(Trace trace, EventLog events, StateTally states, Keyframes keyframes, Hashes hashes) {
+public record Recording(Trace trace, EventLog events, StateTally stateTally, Keyframes keyframes, HashTrace hashTrace) {
 
     /** Of a run that is not recorded. */
-    public static final Recording EMPTY = new Recording(Trace.EMPTY, EventLog.EMPTY, StateTally.EMPTY, Keyframes.EMPTY,
-            Hashes.EMPTY);
+    public static final Recording EMPTY =
+            new Recording(Trace.EMPTY, EventLog.EMPTY, StateTally.EMPTY, Keyframes.EMPTY, HashTrace.EMPTY);
 }

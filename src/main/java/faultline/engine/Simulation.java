@@ -14,19 +14,20 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * One run, tick by tick. It belongs to one thread, and holds no clock, sleep or thread of its own making but the controller's link.
+ * One run, tick by tick. It belongs to one thread, and holds no clock, sleep or thread of its own making but the
+ * controller's link.
  *
- * <p>The decision on observation k-1 acts at tick k, by rule, wherever the controller runs; that, and nothing else, is why both modes give
- * the same bits.
+ * <p>The decision on observation k-1 acts at tick k, by rule, wherever the controller runs; that, and nothing else, is
+ * why both modes give the same bits.
  */
 public final class Simulation implements AutoCloseable {
 
-    private final Setup setup;
+    private final SimulationSetup setup;
     private final World world;
-    private final ControllerLink controller;
-    private final Interventions interventions;
-    private final Trajectory trajectory = new Trajectory();
-    private Decision acting;
+    private final ControllerHost controllerHost;
+    private final TickCommands tickCommands;
+    private final TrajectoryRecorder trajectoryRecorder = new TrajectoryRecorder();
+    private Decision activeDecision;
 
     /**
      * A run at tick 0: its timeline's first commands applied, its sensors read, its controller asked.
@@ -34,17 +35,18 @@ public final class Simulation implements AutoCloseable {
      * @param setup what to run
      * @param mode where the controller runs
      */
-    public Simulation(Setup setup, ControllerMode mode) {
+    public Simulation(SimulationSetup setup, ControllerMode mode) {
         this(setup, mode, CommandListener.NONE);
     }
 
-    Simulation(Setup setup, ControllerMode mode, CommandListener listener) {
+    public Simulation(SimulationSetup setup, ControllerMode mode, CommandListener listener) {
         this.setup = setup;
         this.world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
-        this.controller = ControllerLink.connect(setup.controller().create(), mode);
-        this.acting = new Decision(0, 0, Telemetry.named(setup.controller().firstState()));
-        this.interventions = new Interventions(setup, world, listener);
-        observe();
+        this.controllerHost = ControllerHost.create(setup.controller().create(), mode);
+        this.activeDecision =
+                new Decision(0, 0, Telemetry.ofState(setup.controller().initialState()));
+        this.tickCommands = new TickCommands(setup, world, listener);
+        senseAndSubmit();
     }
 
     /**
@@ -53,18 +55,18 @@ public final class Simulation implements AutoCloseable {
      * @throws RunFailedException if the controller threw or does not answer
      */
     public void tick() {
-        interventions.open();
-        acting = controller.await();
-        world.move(acting.leftVolts(), acting.rightVolts());
-        observe();
-        interventions.close();
+        tickCommands.applyDueCommands();
+        activeDecision = controllerHost.await();
+        world.move(activeDecision.leftVolts(), activeDecision.rightVolts());
+        senseAndSubmit();
+        tickCommands.endTick();
     }
 
     /** Steps 6 and 7: sense, record, and ask the controller. */
-    private void observe() {
+    private void senseAndSubmit() {
         world.sense();
-        trajectory.record(world);
-        controller.submit(new Observation(world.tick(), setup.dt(), world.robot(), world.reportedReadings()));
+        trajectoryRecorder.record(world);
+        controllerHost.submit(new Observation(world.tick(), setup.dt(), world.robot(), world.reportedReadings()));
     }
 
     /**
@@ -73,8 +75,8 @@ public final class Simulation implements AutoCloseable {
      * @param command what is to be done
      * @return why it was refused, empty where it was done
      */
-    public Optional<String> apply(Command command) {
-        return interventions.apply(command);
+    public Optional<String> execute(Command command) {
+        return tickCommands.execute(command);
     }
 
     /**
@@ -83,14 +85,15 @@ public final class Simulation implements AutoCloseable {
      * @param command that is not applied yet
      * @return the commands, in order, that restore what it is about to change
      */
-    List<Command> undoing(Command command) {
-        return interventions.undoing(command);
+    public List<Command> inverseOf(Command command) {
+        return tickCommands.inverseOf(command);
     }
 
     /**
-     * Reads the sensors again, so that a frame taken between two ticks shows what commands have changed. The run itself does not notice.
+     * Reads the sensors again, so that a frame taken between two ticks shows what commands have changed. The run itself
+     * does not notice.
      */
-    void look() {
+    public void resample() {
         world.sense();
     }
 
@@ -117,7 +120,7 @@ public final class Simulation implements AutoCloseable {
      *
      * @return the setup
      */
-    public Setup setup() {
+    public SimulationSetup setup() {
         return setup;
     }
 
@@ -172,7 +175,8 @@ public final class Simulation implements AutoCloseable {
      * @return radians per second, positive to the left
      */
     public double omega() {
-        return DifferentialDrive.angularVelocity(world.leftSpeed(), world.rightSpeed(), world.robot().track());
+        return DifferentialDrive.angularVelocity(
+                world.leftSpeed(), world.rightSpeed(), world.robot().track());
     }
 
     /**
@@ -201,7 +205,7 @@ public final class Simulation implements AutoCloseable {
      * @return at tick 0 its first state
      */
     public Telemetry telemetry() {
-        return acting.telemetry();
+        return activeDecision.telemetry();
     }
 
     /**
@@ -210,7 +214,7 @@ public final class Simulation implements AutoCloseable {
      * @return volts
      */
     public double leftVolts() {
-        return acting.leftVolts();
+        return activeDecision.leftVolts();
     }
 
     /**
@@ -219,7 +223,7 @@ public final class Simulation implements AutoCloseable {
      * @return volts
      */
     public double rightVolts() {
-        return acting.rightVolts();
+        return activeDecision.rightVolts();
     }
 
     /**
@@ -237,7 +241,7 @@ public final class Simulation implements AutoCloseable {
      * @return of poses, wheel speeds and reported readings
      */
     public long trajectoryHash() {
-        return trajectory.hash();
+        return trajectoryRecorder.hash();
     }
 
     /**
@@ -255,7 +259,14 @@ public final class Simulation implements AutoCloseable {
      * @return an immutable value
      */
     public Frame frame() {
-        return new Frame(world.snapshot(), telemetry(), leftVolts(), rightVolts(), trajectory.path(), trajectoryHash(), Recording.EMPTY);
+        return new Frame(
+                world.snapshot(),
+                telemetry(),
+                leftVolts(),
+                rightVolts(),
+                trajectoryRecorder.path(),
+                trajectoryHash(),
+                Recording.EMPTY);
     }
 
     /**
@@ -264,11 +275,11 @@ public final class Simulation implements AutoCloseable {
      * @return an immutable value
      */
     public Journal journal() {
-        return interventions.journal();
+        return tickCommands.journal();
     }
 
     @Override
     public void close() {
-        controller.close();
+        controllerHost.close();
     }
 }

@@ -1,6 +1,9 @@
 package faultline.engine;
 
-/** A 64-bit hash over the raw bits of a run's numbers, in order: equal runs have equal hashes, and one differing bit changes it. */
+/**
+ * A 64-bit hash over the raw bits of a run's numbers, in order: equal runs have equal hashes, and one differing bit
+ * changes it.
+ */
 final class TrajectoryHash {
 
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;

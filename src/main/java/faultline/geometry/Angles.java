@@ -3,10 +3,9 @@ package faultline.geometry;
 /** Angles in radians, brought into one turn. */
 public final class Angles {
 
-    private static final double TURN = 2 * StrictMath.PI;
+    private static final double TWO_PI = 2 * StrictMath.PI;
 
-    private Angles() {
-    }
+    private Angles() {}
 
     /**
      * The same direction in one turn.
@@ -18,8 +17,8 @@ public final class Angles {
         if (angle > -StrictMath.PI && angle <= StrictMath.PI) {
             return angle;
         }
-        double rest = StrictMath.IEEEremainder(angle, TURN);
-        return rest <= -StrictMath.PI ? rest + TURN : rest;
+        double rest = StrictMath.IEEEremainder(angle, TWO_PI);
+        return rest <= -StrictMath.PI ? rest + TWO_PI : rest;
     }
 
     /**

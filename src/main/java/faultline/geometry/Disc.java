@@ -7,31 +7,31 @@ package faultline.geometry;
  * @param cy the centre's y, metres
  * @param radius metres, not negative
  */
-public record Disc(double cx, double cy, double radius) implements Convex {
+public record Disc(double cx, double cy, double radius) implements ConvexShape {
 
     @Override
-    public Vec nearestTo(Vec point) {
+    public Vector2 nearestTo(Vector2 point) {
         double dx = point.x() - cx;
         double dy = point.y() - cy;
         double distance = Math.sqrt(dx * dx + dy * dy);
         if (distance <= radius) {
             return point;
         }
-        return new Vec(cx + dx / distance * radius, cy + dy / distance * radius);
+        return new Vector2(cx + dx / distance * radius, cy + dy / distance * radius);
     }
 
     @Override
-    public Vec centre() {
-        return new Vec(cx, cy);
+    public Vector2 centre() {
+        return new Vector2(cx, cy);
     }
 
     @Override
-    public double reach() {
+    public double boundingRadius() {
         return radius;
     }
 
     @Override
-    public Disc shifted(double dx, double dy) {
+    public Disc translated(double dx, double dy) {
         return new Disc(cx + dx, cy + dy, radius);
     }
 }

@@ -6,8 +6,7 @@ import java.util.List;
 /** The real roots of a polynomial in an interval, each found to the last bit between the roots of its derivative. */
 final class PolynomialRoots {
 
-    private PolynomialRoots() {
-    }
+    private PolynomialRoots() {}
 
     /**
      * All roots in an interval at which the polynomial changes its sign.

@@ -23,8 +23,8 @@ public record Pose(double x, double y, double heading) {
      *
      * @return the position, metres
      */
-    public Vec position() {
-        return new Vec(x, y);
+    public Vector2 position() {
+        return new Vector2(x, y);
     }
 
     /**
@@ -33,10 +33,10 @@ public record Pose(double x, double y, double heading) {
      * @param local metres ahead (x) and to the left (y) of the pose
      * @return the same point in the outer frame
      */
-    public Vec toOuter(Vec local) {
+    public Vector2 toParent(Vector2 local) {
         double cos = StrictMath.cos(heading);
         double sin = StrictMath.sin(heading);
-        return new Vec(x + cos * local.x() - sin * local.y(), y + sin * local.x() + cos * local.y());
+        return new Vector2(x + cos * local.x() - sin * local.y(), y + sin * local.x() + cos * local.y());
     }
 
     /**
@@ -45,11 +45,11 @@ public record Pose(double x, double y, double heading) {
      * @param outer metres
      * @return metres ahead (x) and to the left (y) of the pose
      */
-    public Vec toLocal(Vec outer) {
+    public Vector2 toLocal(Vector2 outer) {
         double cos = StrictMath.cos(heading);
         double sin = StrictMath.sin(heading);
         double dx = outer.x() - x;
         double dy = outer.y() - y;
-        return new Vec(cos * dx + sin * dy, cos * dy - sin * dx);
+        return new Vector2(cos * dx + sin * dy, cos * dy - sin * dx);
     }
 }

@@ -5,8 +5,7 @@ import java.awt.geom.AffineTransform;
 /** Rigid motion in the plane as affine transforms: the paper's eq. (1), from our own sine and cosine. */
 public final class RigidMotion {
 
-    private RigidMotion() {
-    }
+    private RigidMotion() {}
 
     /**
      * The rotation about a point, T(x_b, y_b) R(theta) T(-x_b, -y_b), eq. (1) of the paper.
@@ -15,7 +14,7 @@ public final class RigidMotion {
      * @param theta radians, counter-clockwise
      * @return a new transform that leaves {@code centre} where it is
      */
-    public static AffineTransform rotationAbout(Vec centre, double theta) {
+    public static AffineTransform rotationAbout(Vector2 centre, double theta) {
         double cos = StrictMath.cos(theta);
         double sin = StrictMath.sin(theta);
         double xb = centre.x();
@@ -30,7 +29,7 @@ public final class RigidMotion {
      * @param pose the pose
      * @return a new transform from the pose's frame to the outer frame
      */
-    public static AffineTransform to(Pose pose) {
+    public static AffineTransform poseTransform(Pose pose) {
         double cos = StrictMath.cos(pose.heading());
         double sin = StrictMath.sin(pose.heading());
         return new AffineTransform(cos, sin, -sin, cos, pose.x(), pose.y());
@@ -43,9 +42,9 @@ public final class RigidMotion {
      * @param point the point
      * @return the image of the point
      */
-    public static Vec apply(AffineTransform motion, Vec point) {
+    public static Vector2 apply(AffineTransform motion, Vector2 point) {
         double x = motion.getScaleX() * point.x() + motion.getShearX() * point.y() + motion.getTranslateX();
         double y = motion.getShearY() * point.x() + motion.getScaleY() * point.y() + motion.getTranslateY();
-        return new Vec(x, y);
+        return new Vector2(x, y);
     }
 }

@@ -1,8 +1,9 @@
 package faultline.geometry;
 
 /**
- * A circular sector narrower than a half turn: the part of the plane that a cone sensor sees. Its edges and its arc belong to it. The
- * angles are kept as unit vectors, so that carrying a sector with a robot needs one sine and cosine however many sensors there are.
+ * A circular sector narrower than a half turn: the part of the plane that a cone sensor sees. Its edges and its arc
+ * belong to it. The angles are kept as unit vectors, so that carrying a sector with a robot needs one sine and cosine
+ * however many sensors there are.
  *
  * @param ax the apex's x, metres
  * @param ay the apex's y, metres
@@ -23,12 +24,14 @@ public record Sector(double ax, double ay, double ux, double uy, double cosHalf,
      * @param range the radius, metres, positive
      * @return the sector
      */
-    public static Sector of(Vec apex, double bearing, double angle, double range) {
+    public static Sector of(Vector2 apex, double bearing, double angle, double range) {
         if (!(angle > 0 && angle < StrictMath.PI && range > 0)) {
-            throw new IllegalArgumentException("a sector needs an angle in (0, pi) and a positive range: " + angle + ", " + range);
+            throw new IllegalArgumentException(
+                    "a sector needs an angle in (0, pi) and a positive range: " + angle + ", " + range);
         }
-        Vec axis = Vec.direction(bearing);
-        return new Sector(apex.x(), apex.y(), axis.x(), axis.y(), StrictMath.cos(angle / 2), StrictMath.sin(angle / 2), range);
+        Vector2 axis = Vector2.direction(bearing);
+        return new Sector(
+                apex.x(), apex.y(), axis.x(), axis.y(), StrictMath.cos(angle / 2), StrictMath.sin(angle / 2), range);
     }
 
     /**
@@ -36,8 +39,8 @@ public record Sector(double ax, double ay, double ux, double uy, double cosHalf,
      *
      * @return metres
      */
-    public Vec apex() {
-        return new Vec(ax, ay);
+    public Vector2 apex() {
+        return new Vector2(ax, ay);
     }
 
     /**
@@ -45,8 +48,8 @@ public record Sector(double ax, double ay, double ux, double uy, double cosHalf,
      *
      * @return a unit vector
      */
-    public Vec axis() {
-        return new Vec(ux, uy);
+    public Vector2 axis() {
+        return new Vector2(ux, uy);
     }
 
     /**
@@ -54,8 +57,8 @@ public record Sector(double ax, double ay, double ux, double uy, double cosHalf,
      *
      * @return a unit vector
      */
-    public Vec leftEdge() {
-        return axis().turned(cosHalf, sinHalf);
+    public Vector2 leftEdge() {
+        return axis().rotated(cosHalf, sinHalf);
     }
 
     /**
@@ -63,7 +66,7 @@ public record Sector(double ax, double ay, double ux, double uy, double cosHalf,
      *
      * @return a unit vector
      */
-    public Vec rightEdge() {
-        return axis().turned(cosHalf, -sinHalf);
+    public Vector2 rightEdge() {
+        return axis().rotated(cosHalf, -sinHalf);
     }
 }

@@ -1,18 +1,19 @@
 package faultline.geometry;
 
 /**
- * The distance from a sector's apex to the nearest point of a figure inside the sector: what an infrared cone sensor reads. In closed form,
- * up to the rounding of the last digits; only the foot on an ellipse is iterated, to the last bit.
+ * The distance from a sector's apex to the nearest point of a figure inside the sector: what an infrared cone sensor
+ * reads. In closed form, up to the rounding of the last digits; only the foot on an ellipse is iterated, to the last
+ * bit.
  *
- * <p>All figures are convex, so seen from an apex outside them the distance along their near side falls to the foot of the apex and rises
- * after it. The nearest point in the cone is therefore the foot, or else lies on an edge of the cone.
+ * <p>All figures are convex, so seen from an apex outside them the distance along their near side falls to the foot of
+ * the apex and rises after it. The nearest point in the cone is therefore the foot, or else lies on an edge of the
+ * cone.
  */
 public final class SectorDistance {
 
     private static final double NONE = Double.POSITIVE_INFINITY;
 
-    private SectorDistance() {
-    }
+    private SectorDistance() {}
 
     /**
      * The distance to a figure within a sector.
@@ -21,19 +22,21 @@ public final class SectorDistance {
      * @param figure the figure; its inside belongs to it, so that an apex inside it is at distance 0
      * @return metres in [0, range], or positive infinity where the sector holds no point of the figure
      */
-    public static double nearest(Sector sector, Convex figure) {
+    public static double nearest(Sector sector, ConvexShape figure) {
         double distance;
         if (figure instanceof Segment segment) {
             distance = toSegment(sector, segment);
         } else if (figure instanceof Disc disc) {
             distance = toDisc(sector, disc);
         } else {
-            distance = toOval(sector, (Oval) figure);
+            distance = toEllipse(sector, (Ellipse) figure);
         }
         return distance <= sector.range() ? distance : NONE;
     }
 
-    /** The segment is clipped to the cone's two half planes; the nearest point of what remains is the foot or an end. */
+    /**
+     * The segment is clipped to the cone's two half planes; the nearest point of what remains is the foot or an end.
+     */
     private static double toSegment(Sector s, Segment segment) {
         double px = segment.ax() - s.ax();
         double py = segment.ay() - s.ay();
@@ -97,13 +100,13 @@ public final class SectorDistance {
         if (distance > s.range()) {
             return NONE;
         }
-        if (within(s, cx, cy)) {
+        if (containsDirection(s, cx, cy)) {
             return distance;
         }
         double power = distance * (centre + disc.radius());
         return Math.min(
-                alongRay(leftX(s) * cx + leftY(s) * cy, leftX(s) * cy - leftY(s) * cx, disc.radius(), power),
-                alongRay(rightX(s) * cx + rightY(s) * cy, rightX(s) * cy - rightY(s) * cx, disc.radius(), power));
+                rayDistance(leftX(s) * cx + leftY(s) * cy, leftX(s) * cy - leftY(s) * cx, disc.radius(), power),
+                rayDistance(rightX(s) * cx + rightY(s) * cy, rightX(s) * cy - rightY(s) * cx, disc.radius(), power));
     }
 
     /**
@@ -113,35 +116,35 @@ public final class SectorDistance {
      * @param aside the centre's distance from the ray's line
      * @param power of the apex with regard to the circle: |centre|^2 - radius^2, positive
      */
-    private static double alongRay(double along, double aside, double radius, double power) {
+    private static double rayDistance(double along, double aside, double radius, double power) {
         double chord = (radius - aside) * (radius + aside);
         return along > 0 && chord >= 0 ? power / (along + Math.sqrt(chord)) : NONE;
     }
 
-    private static double toOval(Sector s, Oval oval) {
+    private static double toEllipse(Sector s, Ellipse oval) {
         double dx = s.ax() - oval.cx();
         double dy = s.ay() - oval.cy();
-        double limit = s.range() + oval.reach();
+        double limit = s.range() + oval.boundingRadius();
         if (dx * dx + dy * dy > limit * limit) {
             return NONE;
         }
-        Vec apex = oval.toLocal(s.apex());
+        Vector2 apex = oval.toLocal(s.apex());
         double u = apex.x() / oval.rx();
         double v = apex.y() / oval.ry();
         if (u * u + v * v <= 1) {
             return 0;
         }
-        Vec foot = EllipseFoot.of(oval.rx(), oval.ry(), apex);
+        Vector2 foot = EllipseClosestPoint.compute(oval.rx(), oval.ry(), apex);
         double fx = foot.x() - apex.x();
         double fy = foot.y() - apex.y();
-        if (within(s, oval.cos() * fx - oval.sin() * fy, oval.sin() * fx + oval.cos() * fy)) {
+        if (containsDirection(s, oval.cos() * fx - oval.sin() * fy, oval.sin() * fx + oval.cos() * fy)) {
             return Math.sqrt(fx * fx + fy * fy);
         }
-        return Math.min(alongRay(oval, apex, leftX(s), leftY(s)), alongRay(oval, apex, rightX(s), rightY(s)));
+        return Math.min(rayDistance(oval, apex, leftX(s), leftY(s)), rayDistance(oval, apex, rightX(s), rightY(s)));
     }
 
     /** How far along a ray an ellipse begins: the axes are scaled until it is the unit circle. */
-    private static double alongRay(Oval oval, Vec apex, double ex, double ey) {
+    private static double rayDistance(Ellipse oval, Vector2 apex, double ex, double ey) {
         double ax = apex.x() / oval.rx();
         double ay = apex.y() / oval.ry();
         double dx = (oval.cos() * ex + oval.sin() * ey) / oval.rx();
@@ -153,7 +156,7 @@ public final class SectorDistance {
     }
 
     /** Whether a direction lies in the cone. */
-    private static boolean within(Sector s, double x, double y) {
+    private static boolean containsDirection(Sector s, double x, double y) {
         return x * leftY(s) - y * leftX(s) >= 0 && rightX(s) * y - rightY(s) * x >= 0;
     }
 

@@ -8,7 +8,7 @@ package faultline.geometry;
  * @param bx the second end's x, metres
  * @param by the second end's y, metres
  */
-public record Segment(double ax, double ay, double bx, double by) implements Convex {
+public record Segment(double ax, double ay, double bx, double by) implements ConvexShape {
 
     /**
      * The segment between two points.
@@ -16,7 +16,7 @@ public record Segment(double ax, double ay, double bx, double by) implements Con
      * @param a the first end
      * @param b the second end
      */
-    public Segment(Vec a, Vec b) {
+    public Segment(Vector2 a, Vector2 b) {
         this(a.x(), a.y(), b.x(), b.y());
     }
 
@@ -25,8 +25,8 @@ public record Segment(double ax, double ay, double bx, double by) implements Con
      *
      * @return metres
      */
-    public Vec a() {
-        return new Vec(ax, ay);
+    public Vector2 a() {
+        return new Vector2(ax, ay);
     }
 
     /**
@@ -34,8 +34,8 @@ public record Segment(double ax, double ay, double bx, double by) implements Con
      *
      * @return metres
      */
-    public Vec b() {
-        return new Vec(bx, by);
+    public Vector2 b() {
+        return new Vector2(bx, by);
     }
 
     /**
@@ -53,12 +53,12 @@ public record Segment(double ax, double ay, double bx, double by) implements Con
      * @param share 0 at the first end, 1 at the second
      * @return the point
      */
-    public Vec at(double share) {
-        return share == 1 ? b() : new Vec(ax + share * (bx - ax), ay + share * (by - ay));
+    public Vector2 pointAt(double share) {
+        return share == 1 ? b() : new Vector2(ax + share * (bx - ax), ay + share * (by - ay));
     }
 
     @Override
-    public Vec nearestTo(Vec point) {
+    public Vector2 nearestTo(Vector2 point) {
         double dx = bx - ax;
         double dy = by - ay;
         double dd = dx * dx + dy * dy;
@@ -66,21 +66,21 @@ public record Segment(double ax, double ay, double bx, double by) implements Con
             return a();
         }
         double share = ((point.x() - ax) * dx + (point.y() - ay) * dy) / dd;
-        return at(Math.max(0, Math.min(1, share)));
+        return pointAt(Math.max(0, Math.min(1, share)));
     }
 
     @Override
-    public Vec centre() {
-        return new Vec((ax + bx) / 2, (ay + by) / 2);
+    public Vector2 centre() {
+        return new Vector2((ax + bx) / 2, (ay + by) / 2);
     }
 
     @Override
-    public double reach() {
+    public double boundingRadius() {
         return length() / 2;
     }
 
     @Override
-    public Segment shifted(double dx, double dy) {
+    public Segment translated(double dx, double dy) {
         return new Segment(ax + dx, ay + dy, bx + dx, by + dy);
     }
 }

@@ -1,11 +1,11 @@
 package faultline.gui;
 
-import faultline.gui.document.Recovery;
-import faultline.gui.text.SwingTexts;
-import faultline.gui.text.Texts;
-import faultline.gui.window.SimulatorFrame;
-import faultline.gui.window.UncaughtDialog;
-import faultline.gui.window.WindowMemory;
+import faultline.gui.dialog.UncaughtExceptionDialog;
+import faultline.gui.document.RecoveryStore;
+import faultline.gui.settings.WindowPreferences;
+import faultline.gui.text.Messages;
+import faultline.gui.text.SwingMessages;
+import faultline.gui.window.MainWindow;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -14,10 +14,9 @@ import java.util.Optional;
 public final class GuiLauncher {
 
     /** The scenario that is open where none is asked for. */
-    private static final String DEFAULT = "office.xml";
+    private static final String DEFAULT_SCENARIO = "office.xml";
 
-    private GuiLauncher() {
-    }
+    private GuiLauncher() {}
 
     /**
      * Opens the window, soon, on the event dispatch thread; there must be a display.
@@ -25,8 +24,8 @@ public final class GuiLauncher {
      * @param file the scenario to open, empty for the default one
      */
     public static void open(Optional<Path> file) {
-        Thread.setDefaultUncaughtExceptionHandler(new UncaughtDialog());
-        EventQueue.invokeLater(() -> openNow(file));
+        Thread.setDefaultUncaughtExceptionHandler(new UncaughtExceptionDialog());
+        EventQueue.invokeLater(() -> openOnEventThread(file));
     }
 
     /**
@@ -35,33 +34,33 @@ public final class GuiLauncher {
      * @param file the scenario to open, empty for the default one
      * @param painted told when that was, on the event dispatch thread
      */
-    public static void openBriefly(Optional<Path> file, Runnable painted) {
+    public static void openUntilFirstPaint(Optional<Path> file, Runnable painted) {
         EventQueue.invokeLater(() -> {
-            SimulatorFrame window = show(WindowMemory.ofUser(), file);
-            window.whenPainted(() -> {
+            MainWindow window = createWindow(WindowPreferences.forCurrentUser(), file);
+            window.onFirstPaint(() -> {
                 painted.run();
                 window.dispose();
             });
         });
     }
 
-    private static SimulatorFrame show(WindowMemory memory, Optional<Path> file) {
-        Texts.speak(memory.language());
-        SwingTexts.install();
+    private static MainWindow createWindow(WindowPreferences memory, Optional<Path> file) {
+        Messages.setLanguage(memory.language());
+        SwingMessages.install();
         memory.textSize().install();
         memory.theme().install();
-        SimulatorFrame window = new SimulatorFrame(memory);
+        MainWindow window = new MainWindow(memory);
         window.setVisible(true);
-        file.ifPresentOrElse(window::open, () -> window.openShipped(DEFAULT));
+        file.ifPresentOrElse(window::open, () -> window.openShipped(DEFAULT_SCENARIO));
         return window;
     }
 
-    private static void openNow(Optional<Path> file) {
-        WindowMemory memory = WindowMemory.ofUser();
-        SimulatorFrame window = show(memory, file);
+    private static void openOnEventThread(Optional<Path> file) {
+        WindowPreferences memory = WindowPreferences.forCurrentUser();
+        MainWindow window = createWindow(memory, file);
         // One question at a time: the examples are not shown in front of what a crash has left.
-        window.recover(Recovery.ofUser(), () -> {
-            if (file.isEmpty() && memory.galleryAtStart()) {
+        window.enableRecovery(RecoveryStore.forCurrentUser(), () -> {
+            if (file.isEmpty() && memory.isGalleryShownAtStart()) {
                 window.showExamples();
             }
         });

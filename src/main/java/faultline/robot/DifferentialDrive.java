@@ -5,11 +5,13 @@ import faultline.geometry.Pose;
 /** The kinematics of the differential drive: the paper's eqs. (2) and (3), integrated exactly along the arc. */
 public final class DifferentialDrive {
 
-    /** Below this turn in a tick the closed form loses digits to its series: sin x / x = 1 - x^2/6 is exact to the last bit there. */
-    private static final double SMALL = 1e-4;
+    /**
+     * Below this turn in a tick the closed form loses digits to its series: sin x / x = 1 - x^2/6 is exact to the last
+     * bit there.
+     */
+    private static final double SMALL_ANGLE = 1e-4;
 
-    private DifferentialDrive() {
-    }
+    private DifferentialDrive() {}
 
     /**
      * The linear velocity from the wheel speeds.
@@ -50,12 +52,14 @@ public final class DifferentialDrive {
         double half = turn / 2;
         double chord = v * dt * sinc(half);
         double direction = from.heading() + half;
-        return new Pose(from.x() + chord * StrictMath.cos(direction), from.y() + chord * StrictMath.sin(direction),
+        return new Pose(
+                from.x() + chord * StrictMath.cos(direction),
+                from.y() + chord * StrictMath.sin(direction),
                 from.heading() + turn);
     }
 
     /** sin(x) / x, with its Taylor limit. */
     private static double sinc(double x) {
-        return Math.abs(x) < SMALL ? 1 - x * x / 6 : StrictMath.sin(x) / x;
+        return Math.abs(x) < SMALL_ANGLE ? 1 - x * x / 6 : StrictMath.sin(x) / x;
     }
 }

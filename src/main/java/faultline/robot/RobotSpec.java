@@ -1,7 +1,7 @@
 package faultline.robot;
 
 import faultline.geometry.Degrees;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.sensor.SensorSpec;
 import java.util.HashSet;
 import java.util.List;
@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The four-wheel differential-drive robot as it is built and set. Its body is a rectangle about its centre, which is also its centre of
- * rotation; its frame has x ahead and y to the left.
+ * The four-wheel differential-drive robot as it is built and set. Its body is a rectangle about its centre, which is
+ * also its centre of rotation; its frame has x ahead and y to the left.
  *
  * @param length of the platform, along x, metres, positive
  * @param width of the platform, along y, metres, positive
@@ -20,19 +20,25 @@ import java.util.Set;
  * @param motor either side's motor
  * @param sensors in the order of the trace's columns; ids are unique
  */
-public record RobotSpec(double length, double width, double track, double speed, double turnRate, MotorSpec motor,
+public record RobotSpec(
+        double length,
+        double width,
+        double track,
+        double speed,
+        double turnRate,
+        MotorSpec motor,
         List<SensorSpec> sensors) {
 
     /** The robot that is used where a file gives no values. */
-    public static final RobotSpec DEFAULT = new RobotSpec(
-            0.25, 0.20, 0.18, 0.3, Degrees.toRadians(60), MotorSpec.DEFAULT, standardSensors(0.25, 0.20));
+    public static final RobotSpec DEFAULT =
+            new RobotSpec(0.25, 0.20, 0.18, 0.3, Degrees.toRadians(60), MotorSpec.DEFAULT, standardSensors(0.25, 0.20));
 
     public RobotSpec {
-        positive("length", length);
-        positive("width", width);
-        positive("track", track);
-        positive("speed", speed);
-        positive("turn rate", turnRate);
+        requirePositive("length", length);
+        requirePositive("width", width);
+        requirePositive("track", track);
+        requirePositive("speed", speed);
+        requirePositive("turn rate", turnRate);
         sensors = List.copyOf(sensors);
         Set<String> ids = new HashSet<>();
         for (SensorSpec sensor : sensors) {
@@ -42,7 +48,7 @@ public record RobotSpec(double length, double width, double track, double speed,
         }
     }
 
-    private static void positive(String name, double value) {
+    private static void requirePositive(String name, double value) {
         if (!(value > 0 && Double.isFinite(value))) {
             throw new IllegalArgumentException("the robot's " + name + " must be positive: " + value);
         }
@@ -59,19 +65,25 @@ public record RobotSpec(double length, double width, double track, double speed,
         double x = length / 2;
         double y = width / 2;
         return List.of(
-                standard("front", x, 0, 0),
-                standard("front-left", x, y, 45),
-                standard("left", 0, y, 90),
-                standard("rear-left", -x, y, 135),
-                standard("rear", -x, 0, 180),
-                standard("rear-right", -x, -y, -135),
-                standard("right", 0, -y, -90),
-                standard("front-right", x, -y, -45));
+                standardSensor("front", x, 0, 0),
+                standardSensor("front-left", x, y, 45),
+                standardSensor("left", 0, y, 90),
+                standardSensor("rear-left", -x, y, 135),
+                standardSensor("rear", -x, 0, 180),
+                standardSensor("rear-right", -x, -y, -135),
+                standardSensor("right", 0, -y, -90),
+                standardSensor("front-right", x, -y, -45));
     }
 
-    private static SensorSpec standard(String id, double x, double y, double bearingDegrees) {
-        return new SensorSpec(id, new Vec(x, y), Degrees.toRadians(bearingDegrees), SensorSpec.DEFAULT_RANGE,
-                SensorSpec.DEFAULT_CONE, true, 0);
+    private static SensorSpec standardSensor(String id, double x, double y, double bearingDegrees) {
+        return new SensorSpec(
+                id,
+                new Vector2(x, y),
+                Degrees.toRadians(bearingDegrees),
+                SensorSpec.DEFAULT_RANGE,
+                SensorSpec.DEFAULT_CONE,
+                true,
+                0);
     }
 
     /**
@@ -134,7 +146,7 @@ public record RobotSpec(double length, double width, double track, double speed,
      *
      * @return metres
      */
-    public double reach() {
+    public double boundingRadius() {
         return Math.sqrt(length * length + width * width) / 2;
     }
 }

@@ -1,8 +1,8 @@
 package faultline.scenario;
 
 import faultline.control.ControllerSpec;
-import faultline.control.Hand;
-import faultline.control.Timing;
+import faultline.control.TimingRule;
+import faultline.control.WallSide;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,38 +11,42 @@ import java.util.function.Function;
 /** Makes the controller's settings of its element. */
 final class ControllerReader {
 
-    private static final Map<String, Function<Fields, ControllerSpec>> TYPES = new LinkedHashMap<>();
-    private static final Map<String, Hand> HANDS = new LinkedHashMap<>();
-    private static final Map<String, Timing> TIMINGS = new LinkedHashMap<>();
+    private static final Map<String, Function<AttributeReader, ControllerSpec>> TYPE_READERS = new LinkedHashMap<>();
+    private static final Map<String, WallSide> WALL_SIDES = new LinkedHashMap<>();
+    private static final Map<String, TimingRule> TIMING_RULES = new LinkedHashMap<>();
 
     static {
-        TYPES.put("wall-follower", ControllerReader::wallFollower);
-        TYPES.put("none", fields -> new ControllerSpec.None());
-        TYPES.put("drive", fields -> new ControllerSpec.Drive(
-                fields.number("left", Range.VOLTAGE, 0), fields.number("right", Range.VOLTAGE, 0)));
-        for (Hand hand : Hand.values()) {
-            HANDS.put(hand.fileName(), hand);
+        TYPE_READERS.put("wall-follower", ControllerReader::readWallFollower);
+        TYPE_READERS.put("none", fields -> new ControllerSpec.None());
+        TYPE_READERS.put(
+                "drive",
+                fields -> new ControllerSpec.Drive(
+                        fields.number("left", NumberRange.VOLTAGE, 0), fields.number("right", NumberRange.VOLTAGE, 0)));
+        for (WallSide hand : WallSide.values()) {
+            WALL_SIDES.put(hand.fileName(), hand);
         }
-        for (Timing timing : Timing.values()) {
-            TIMINGS.put(timing.fileName(), timing);
+        for (TimingRule timing : TimingRule.values()) {
+            TIMING_RULES.put(timing.fileName(), timing);
         }
     }
 
-    private ControllerReader() {
-    }
+    private ControllerReader() {}
 
-    static ControllerSpec read(Node node, Complaints complaints) {
-        Content.check(node, List.of(), complaints);
-        Fields fields = new Fields(node, complaints);
-        ControllerSpec controller = fields.choice("type", TYPES, ControllerReader::wallFollower).apply(fields);
-        fields.done();
+    static ControllerSpec read(XmlElement node, Problems complaints) {
+        ElementRules.checkChildren(node, List.of(), complaints);
+        AttributeReader fields = new AttributeReader(node, complaints);
+        ControllerSpec controller = fields.choice("type", TYPE_READERS, ControllerReader::readWallFollower)
+                .apply(fields);
+        fields.reportUnknownAndMissing();
         return controller;
     }
 
-    private static ControllerSpec wallFollower(Fields fields) {
+    private static ControllerSpec readWallFollower(AttributeReader fields) {
         ControllerSpec.WallFollowing usual = ControllerSpec.WallFollowing.DEFAULT;
-        return new ControllerSpec.WallFollowing(fields.number("distance", Range.SIZE, usual.distance()),
-                fields.choice("hand", HANDS, usual.hand()), fields.number("period", Range.TIME, usual.period()),
-                fields.choice("timing", TIMINGS, usual.timing()));
+        return new ControllerSpec.WallFollowing(
+                fields.number("distance", NumberRange.SIZE, usual.distance()),
+                fields.choice("hand", WALL_SIDES, usual.side()),
+                fields.number("period", NumberRange.TIME, usual.period()),
+                fields.choice("timing", TIMING_RULES, usual.timingRule()));
     }
 }

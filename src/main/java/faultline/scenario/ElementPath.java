@@ -6,39 +6,41 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Where in a document one is, as a text by which an element is found again in an edited copy: {@code /scenario#1/world#1/circle=pillar}.
- * An element goes by its id, or without one by its number among those of its name in the same parent.
+ * Where in a document one is, as a text by which an element is found again in an edited copy:
+ * {@code /scenario#1/world#1/circle=pillar}. An element goes by its id, or without one by its number among those of its
+ * name in the same parent.
  */
 final class ElementPath {
 
     /** An element that is open, with how many children of each name it has had. */
-    private record Step(String path, Map<String, Integer> children) {
-        static Step at(String path) {
-            return new Step(path, new HashMap<>());
+    private record OpenElement(String path, Map<String, Integer> children) {
+        static OpenElement of(String path) {
+            return new OpenElement(path, new HashMap<>());
         }
     }
 
     /** No document can hold it. */
-    private static final char NO_SLASH = 0;
+    private static final char SLASH_SUBSTITUTE = 0;
 
-    private final Deque<Step> steps = new ArrayDeque<>();
+    private final Deque<OpenElement> openElements = new ArrayDeque<>();
 
     ElementPath() {
-        steps.push(Step.at(""));
+        openElements.push(OpenElement.of(""));
     }
 
     /** The path of the element that is open: empty outside of the root element. */
-    String now() {
-        return steps.peek().path;
+    String current() {
+        return openElements.peek().path;
     }
 
     /** Goes into the next child of a name; an empty id stands for none. */
     void enter(String name, String id) {
-        int number = steps.peek().children.merge(name, 1, Integer::sum);
-        steps.push(Step.at(now() + "/" + name + (id.isEmpty() ? "#" + number : "=" + id.replace('/', NO_SLASH))));
+        int number = openElements.peek().children.merge(name, 1, Integer::sum);
+        openElements.push(OpenElement.of(
+                current() + "/" + name + (id.isEmpty() ? "#" + number : "=" + id.replace('/', SLASH_SUBSTITUTE))));
     }
 
     void leave() {
-        steps.pop();
+        openElements.pop();
     }
 }

@@ -1,6 +1,6 @@
 package faultline.scenario;
 
-import faultline.engine.RunResult;
+import faultline.engine.metrics.RunResult;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -14,12 +14,16 @@ import java.util.OptionalDouble;
  * @param states states that the controller must pass through, in any order
  * @param finalState the state that the controller must end in
  */
-public record Expectation(Optional<Boolean> collision, OptionalDouble minCoverage, OptionalDouble maxDistanceRms, List<String> states,
+public record Expectation(
+        Optional<Boolean> collision,
+        OptionalDouble minCoverage,
+        OptionalDouble maxDistanceRms,
+        List<String> states,
         Optional<String> finalState) {
 
     /** Expects nothing. */
-    public static final Expectation NONE =
-            new Expectation(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), List.of(), Optional.empty());
+    public static final Expectation NONE = new Expectation(
+            Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), List.of(), Optional.empty());
 
     public Expectation {
         states = List.copyOf(states);
@@ -32,6 +36,6 @@ public record Expectation(Optional<Boolean> collision, OptionalDouble minCoverag
      * @return one sentence each, empty where all was held
      */
     public List<String> unmet(RunResult result) {
-        return new Verdict(result).unmet(this);
+        return new ExpectationChecker(result).unmet(this);
     }
 }

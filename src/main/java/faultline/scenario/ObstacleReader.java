@@ -1,10 +1,11 @@
 package faultline.scenario;
 
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
-import faultline.world.Motion;
+import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,71 +16,87 @@ import java.util.function.Function;
 final class ObstacleReader {
 
     /** The surfaces that can be specular. */
-    private static final List<String> FLAT = List.of("rectangle", "polygon", "wall");
-    private static final List<String> INSIDE = List.of("motion");
+    private static final List<String> SPECULAR_SHAPES = List.of("rectangle", "polygon", "wall");
 
-    private final Complaints complaints;
-    private final Map<String, Function<Fields, ObstacleShape>> shapes = new LinkedHashMap<>();
-    private int parts;
+    private static final List<String> CHILD_ELEMENTS = List.of("motion");
 
-    ObstacleReader(Complaints complaints) {
-        this.complaints = complaints;
-        shapes.put("rectangle", f -> new ObstacleShape.Rectangle(f.number("width", Range.SIZE), f.number("height", Range.SIZE)));
-        shapes.put("circle", f -> new ObstacleShape.Circle(f.number("radius", Range.SIZE)));
-        shapes.put("ellipse", f -> new ObstacleShape.Ellipse(f.number("rx", Range.SIZE), f.number("ry", Range.SIZE)));
-        shapes.put("polygon", f -> new ObstacleShape.Polygon(points(f, 3)));
-        shapes.put("wall", f -> new ObstacleShape.Wall(points(f, 2)));
+    private final Problems problems;
+    private final Map<String, Function<AttributeReader, ObstacleShape>> shapeReaders = new LinkedHashMap<>();
+    private int partCount;
+
+    ObstacleReader(Problems complaints) {
+        this.problems = complaints;
+        shapeReaders.put(
+                "rectangle",
+                f -> new ObstacleShape.Rectangle(
+                        f.number("width", NumberRange.SIZE), f.number("height", NumberRange.SIZE)));
+        shapeReaders.put("circle", f -> new ObstacleShape.Circle(f.number("radius", NumberRange.SIZE)));
+        shapeReaders.put(
+                "ellipse",
+                f -> new ObstacleShape.Ellipse(f.number("rx", NumberRange.SIZE), f.number("ry", NumberRange.SIZE)));
+        shapeReaders.put("polygon", f -> new ObstacleShape.Polygon(readPoints(f, 3)));
+        shapeReaders.put("wall", f -> new ObstacleShape.Wall(readPoints(f, 2)));
     }
 
     /** The names of the elements that are obstacles. */
-    List<String> names() {
-        return List.copyOf(shapes.keySet());
+    List<String> elementNames() {
+        return List.copyOf(shapeReaders.keySet());
     }
 
-    /** The obstacle of an element whose name is one of {@link #names()}. */
-    Obstacle read(Node node) {
-        parts++;
-        Content.check(node, INSIDE, complaints);
-        Content.atMostOne(node, INSIDE, complaints);
-        Fields fields = new Fields(node, complaints);
+    /** The obstacle of an element whose name is one of {@link #elementNames()}. */
+    Obstacle read(XmlElement node) {
+        partCount++;
+        ElementRules.checkChildren(node, CHILD_ELEMENTS, problems);
+        ElementRules.checkAtMostOne(node, CHILD_ELEMENTS, problems);
+        AttributeReader fields = new AttributeReader(node, problems);
         String id = fields.id("id");
-        Pose pose = new Pose(fields.number("x", Range.COORDINATE), fields.number("y", Range.COORDINATE),
-                fields.angle("heading", Range.ANGLE, 0));
-        ObstacleShape shape = shapes.get(node.name()).apply(fields);
-        double specular = FLAT.contains(node.name()) ? fields.angle("specular", Range.INCIDENCE, Obstacle.MATT) : Obstacle.MATT;
-        fields.done();
-        Optional<Motion> motion = node.first("motion").map(this::motion);
+        Pose pose = new Pose(
+                fields.number("x", NumberRange.COORDINATE),
+                fields.number("y", NumberRange.COORDINATE),
+                fields.angle("heading", NumberRange.ANGLE, 0));
+        ObstacleShape shape = shapeReaders.get(node.name()).apply(fields);
+        double specular = SPECULAR_SHAPES.contains(node.name())
+                ? fields.angle("specular", NumberRange.INCIDENCE_ANGLE, Obstacle.MATT)
+                : Obstacle.MATT;
+        fields.reportUnknownAndMissing();
+        Optional<WaypointPath> motion = node.firstChild("motion").map(this::readMotion);
         return new Obstacle(id, shape, pose, motion, specular);
     }
 
-    private Motion motion(Node node) {
-        Content.check(node, List.of(), complaints);
-        Fields fields = new Fields(node, complaints);
-        Motion motion = new Motion(fields.number("speed", Range.SPEED), fields.flag("loop", true), points(fields, 1));
-        fields.done();
-        checkLoop(node, motion);
+    private WaypointPath readMotion(XmlElement node) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        WaypointPath motion = new WaypointPath(
+                fields.number("speed", NumberRange.SPEED), fields.flag("loop", true), readPoints(fields, 1));
+        fields.reportUnknownAndMissing();
+        checkLoopTime(node, motion);
         return motion;
     }
 
-    private void checkLoop(Node node, Motion motion) {
+    private void checkLoopTime(XmlElement node, WaypointPath motion) {
         double length = 0;
-        for (int i = 0; i < motion.points().size(); i++) {
-            length += motion.points().get(i).distanceTo(motion.points().get((i + 1) % motion.points().size()));
+        for (int i = 0; i < motion.waypoints().size(); i++) {
+            length += motion.waypoints()
+                    .get(i)
+                    .distanceTo(
+                            motion.waypoints().get((i + 1) % motion.waypoints().size()));
         }
-        if (motion.loop() && length > 0 && length < motion.speed() * Limits.QUICKEST_LOOP) {
-            complaints.add(node, "<motion> goes round its way-points in " + Numbers.toRoughText(length / motion.speed()) + " s, allowed is "
-                    + Numbers.toText(Limits.QUICKEST_LOOP) + " s or more");
+        if (motion.loop() && length > 0 && length < motion.speed() * ScenarioLimits.MIN_LOOP_TIME) {
+            problems.add(
+                    node,
+                    "<motion> goes round its way-points in " + DecimalText.formatRounded(length / motion.speed())
+                            + " s, allowed is " + DecimalText.format(ScenarioLimits.MIN_LOOP_TIME) + " s or more");
         }
     }
 
-    private List<Vec> points(Fields fields, int least) {
-        List<Vec> points = fields.points("points", least, Math.max(least, Limits.MOST_PARTS - parts));
-        parts += points.size();
+    private List<Vector2> readPoints(AttributeReader fields, int least) {
+        List<Vector2> points = fields.points("points", least, Math.max(least, ScenarioLimits.MAX_PARTS - partCount));
+        partCount += points.size();
         return points;
     }
 
     /** Whether the file has had more than its share of obstacles and points. */
     boolean isFull() {
-        return parts >= Limits.MOST_PARTS;
+        return partCount >= ScenarioLimits.MAX_PARTS;
     }
 }

@@ -9,39 +9,55 @@ import java.util.List;
 /** Writes the robot. Sensors that are just the standard ones are left to the default. */
 final class RobotWriter {
 
-    private RobotWriter() {
-    }
+    private RobotWriter() {}
 
-    static void robot(RobotSpec robot, Pose start, XmlOut out) {
+    static void write(RobotSpec robot, Pose start, XmlWriter out) {
         List<SensorSpec> standard = RobotSpec.standardSensors(robot.length(), robot.width());
         boolean defaults = startsWithIdsOf(standard, robot.sensors());
-        WorldWriter.pose(start, out.begin("robot")).set("length", robot.length()).set("width", robot.width()).set("track", robot.track())
-                .set("speed", robot.speed()).setAngle("turnRate", robot.turnRate()).set("defaultSensors", defaults);
-        motor(robot.motor(), out);
-        robot.sensors().stream().filter(sensor -> !(defaults && standard.contains(sensor))).forEach(sensor -> sensor(sensor, out));
-        out.end();
+        WorldWriter.writePose(start, out.beginElement("robot"))
+                .attribute("length", robot.length())
+                .attribute("width", robot.width())
+                .attribute("track", robot.track())
+                .attribute("speed", robot.speed())
+                .angleAttribute("turnRate", robot.turnRate())
+                .attribute("defaultSensors", defaults);
+        writeMotor(robot.motor(), out);
+        robot.sensors().stream()
+                .filter(sensor -> !(defaults && standard.contains(sensor)))
+                .forEach(sensor -> writeSensor(sensor, out));
+        out.endElement();
     }
 
     private static boolean startsWithIdsOf(List<SensorSpec> standard, List<SensorSpec> sensors) {
-        return sensors.size() >= standard.size() && ids(sensors.subList(0, standard.size())).equals(ids(standard));
+        return sensors.size() >= standard.size()
+                && ids(sensors.subList(0, standard.size())).equals(ids(standard));
     }
 
     private static List<String> ids(List<SensorSpec> sensors) {
         return sensors.stream().map(SensorSpec::id).toList();
     }
 
-    private static void motor(MotorSpec motor, XmlOut out) {
-        out.begin("motor").set("timeConstant", motor.timeConstant()).set("speedConstant", motor.speedConstant())
-                .set("maxVoltage", motor.maxVoltage()).end();
+    private static void writeMotor(MotorSpec motor, XmlWriter out) {
+        out.beginElement("motor")
+                .attribute("timeConstant", motor.timeConstant())
+                .attribute("speedConstant", motor.speedConstant())
+                .attribute("maxVoltage", motor.maxVoltage())
+                .endElement();
     }
 
-    private static void sensor(SensorSpec sensor, XmlOut out) {
-        settings(sensor, out.begin("sensor").set("id", sensor.id())).end();
+    private static void writeSensor(SensorSpec sensor, XmlWriter out) {
+        writeSettings(sensor, out.beginElement("sensor").attribute("id", sensor.id()))
+                .endElement();
     }
 
     /** All of a sensor but its id. */
-    static XmlOut settings(SensorSpec sensor, XmlOut out) {
-        return out.set("x", sensor.seat().x()).set("y", sensor.seat().y()).setAngle("bearing", sensor.bearing())
-                .set("range", sensor.range()).setAngle("cone", sensor.cone()).set("on", sensor.on()).set("noise", sensor.noise());
+    static XmlWriter writeSettings(SensorSpec sensor, XmlWriter out) {
+        return out.attribute("x", sensor.mountPosition().x())
+                .attribute("y", sensor.mountPosition().y())
+                .angleAttribute("bearing", sensor.bearing())
+                .attribute("range", sensor.range())
+                .angleAttribute("cone", sensor.cone())
+                .attribute("on", sensor.on())
+                .attribute("noise", sensor.noise());
     }
 }

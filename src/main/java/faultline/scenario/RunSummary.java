@@ -1,6 +1,7 @@
 package faultline.scenario;
 
-import faultline.engine.RunResult;
+import faultline.engine.metrics.RunResult;
+import faultline.io.DecimalText;
 import faultline.world.Collision;
 import java.util.List;
 import java.util.Locale;
@@ -9,8 +10,7 @@ import java.util.OptionalDouble;
 /** A run's result as {@code key: value} lines, one value a line, the same in every language. */
 public final class RunSummary {
 
-    private RunSummary() {
-    }
+    private RunSummary() {}
 
     /**
      * The lines of a result.
@@ -21,15 +21,16 @@ public final class RunSummary {
     public static List<String> lines(RunResult result) {
         return List.of(
                 "ticks: " + result.ticks(),
-                "simulated_s: " + Numbers.toText(result.simulatedSeconds()),
+                "simulated_s: " + DecimalText.format(result.simulatedSeconds()),
                 "real_time_factor: " + String.format(Locale.ROOT, "%.1f", result.realTimeFactor()),
-                "state: " + result.state(),
-                "states: " + String.join(" ", result.states()),
-                "collision: " + result.collision().map(RunSummary::place).orElse("none"),
+                "state: " + result.finalState(),
+                "states: " + String.join(" ", result.visitedStates()),
+                "collision: "
+                        + result.collision().map(RunSummary::formatCollision).orElse("none"),
                 "collided_with: " + result.collision().map(Collision::obstacle).orElse("none"),
-                "coverage: " + fixed(result.coverage(), "%.4f"),
-                "distance_rms_m: " + fixed(result.distanceRms(), "%.6f"),
-                "trajectory_hash: " + hash(result),
+                "coverage: " + formatOptional(result.coverage(), "%.4f"),
+                "distance_rms_m: " + formatOptional(result.distanceRms(), "%.6f"),
+                "trajectory_hash: " + formatHash(result),
                 "seed: " + result.seed());
     }
 
@@ -39,15 +40,20 @@ public final class RunSummary {
      * @param result what a run came to
      * @return 16 hexadecimal digits
      */
-    public static String hash(RunResult result) {
+    public static String formatHash(RunResult result) {
         return String.format(Locale.ROOT, "%016x", result.trajectoryHash());
     }
 
-    private static String place(Collision collision) {
-        return String.format(Locale.ROOT, "%.9f,%.9f at %.9f", collision.point().x(), collision.point().y(), collision.time());
+    private static String formatCollision(Collision collision) {
+        return String.format(
+                Locale.ROOT,
+                "%.9f,%.9f at %.9f",
+                collision.point().x(),
+                collision.point().y(),
+                collision.time());
     }
 
-    private static String fixed(OptionalDouble value, String format) {
+    private static String formatOptional(OptionalDouble value, String format) {
         return value.isPresent() ? String.format(Locale.ROOT, format, value.getAsDouble()) : "none";
     }
 }

@@ -1,12 +1,14 @@
 package faultline.scenario;
 
 import faultline.engine.ControllerMode;
-import faultline.engine.Setup;
+import faultline.engine.SimulationSetup;
+import faultline.io.AtomicFile;
 import java.io.IOException;
 import java.nio.file.Path;
 
 /**
  * One scenario: what a file holds. A user's test needs three lines:
+ *
  * <pre>{@code
  * ScenarioRun run = Scenario.load(Path.of("scenarios/office.xml")).run();
  * assertEquals(List.of(), run.unmetExpectations());
@@ -15,11 +17,13 @@ import java.nio.file.Path;
  *
  * @param name for people; on one line
  * @param description for people, may be empty; on one line
- * @param recorded whether this is the record of a run that had come to its duration: the window replays it up to there, and holds
+ * @param recorded whether this is the record of a run that had come to its duration: the window replays it up to there,
+ *     and holds
  * @param setup all that determines the run
- * @param expect what the run is expected to give
+ * @param expectation what the run is expected to give
  */
-public record Scenario(String name, String description, boolean recorded, Setup setup, Expectation expect) {
+public record Scenario(
+        String name, String description, boolean recorded, SimulationSetup setup, Expectation expectation) {
 
     /** How long a run lasts where a file does not say, seconds. */
     public static final double DEFAULT_DURATION = 120;
@@ -43,7 +47,7 @@ public record Scenario(String name, String description, boolean recorded, Setup 
      * @throws ScenarioException with everything that is wrong with the file
      */
     public static Scenario load(Path file) throws ScenarioException {
-        return ScenarioReader.read(file.toString(), ScenarioBytes.ofFile(file));
+        return ScenarioReader.read(file.toString(), ScenarioSource.readFile(file));
     }
 
     /**
@@ -53,8 +57,8 @@ public record Scenario(String name, String description, boolean recorded, Setup 
      * @return the scenario
      * @throws ScenarioException if there is none of that name
      */
-    public static Scenario shipped(String name) throws ScenarioException {
-        return ScenarioReader.read(name, ScenarioBytes.shipped(name));
+    public static Scenario loadShipped(String name) throws ScenarioException {
+        return ScenarioReader.read(name, ScenarioSource.readShipped(name));
     }
 
     /**
@@ -64,17 +68,17 @@ public record Scenario(String name, String description, boolean recorded, Setup 
      * @throws IOException if it cannot be written, or the scenario holds what no file may
      */
     public void save(Path file) throws IOException {
-        save(file, Remarks.NONE);
+        save(file, XmlComments.NONE);
     }
 
     /**
-     * Writes a scenario file as {@link #save(Path)}, with the comments that a person has put into it.
+     * Writes a scenario file as {@link #save(RobotPath)}, with the comments that a person has put into it.
      *
      * @param file the file; one that exists is replaced
      * @param remarks the comments
      * @throws IOException if it cannot be written, or the scenario holds what no file may
      */
-    public void save(Path file, Remarks remarks) throws IOException {
+    public void save(Path file, XmlComments remarks) throws IOException {
         byte[] bytes = ScenarioWriter.toBytes(this, remarks);
         try (AtomicFile out = AtomicFile.create(file)) {
             out.stream().write(bytes);
@@ -89,7 +93,7 @@ public record Scenario(String name, String description, boolean recorded, Setup 
      * @throws IOException if the scenario holds what no file may
      */
     public byte[] toBytes() throws IOException {
-        return ScenarioWriter.toBytes(this, Remarks.NONE);
+        return ScenarioWriter.toBytes(this, XmlComments.NONE);
     }
 
     /**
@@ -99,7 +103,7 @@ public record Scenario(String name, String description, boolean recorded, Setup 
      * @throws faultline.engine.RunFailedException if the run broke
      */
     public ScenarioRun run() {
-        return ScenarioRun.of(this, ControllerMode.DIRECT);
+        return ScenarioRun.execute(this, ControllerMode.DIRECT);
     }
 
     /**
@@ -108,7 +112,7 @@ public record Scenario(String name, String description, boolean recorded, Setup 
      * @param other the setup
      * @return the same scenario otherwise
      */
-    public Scenario withSetup(Setup other) {
-        return new Scenario(name, description, recorded && other.equals(setup), other, expect);
+    public Scenario withSetup(SimulationSetup other) {
+        return new Scenario(name, description, recorded && other.equals(setup), other, expectation);
     }
 }

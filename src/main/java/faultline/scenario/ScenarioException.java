@@ -8,16 +8,16 @@ public final class ScenarioException extends Exception {
 
     private static final long serialVersionUID = 1L;
 
-    private final transient List<Complaint> complaints;
+    private final transient List<Problem> problems;
 
     /**
      * A file with something wrong.
      *
      * @param complaints at least one, in the file's order
      */
-    public ScenarioException(List<Complaint> complaints) {
-        super(complaints.stream().map(Complaint::toString).collect(Collectors.joining("\n")));
-        this.complaints = List.copyOf(complaints);
+    public ScenarioException(List<Problem> complaints) {
+        super(complaints.stream().map(Problem::toString).collect(Collectors.joining("\n")));
+        this.problems = List.copyOf(complaints);
     }
 
     /**
@@ -25,7 +25,7 @@ public final class ScenarioException extends Exception {
      *
      * @return in the file's order
      */
-    public List<Complaint> complaints() {
-        return complaints;
+    public List<Problem> problems() {
+        return problems;
     }
 }

@@ -1,8 +1,9 @@
 package faultline.scenario;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.Setup;
-import faultline.engine.Setup.Timed;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.io.MessageText;
 import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Optional;
@@ -10,20 +11,20 @@ import java.util.Optional;
 /** Makes a scenario of a file's bytes, or says all that is wrong with them. */
 final class ScenarioReader {
 
-    private static final List<String> INSIDE = List.of("description", "world", "robot", "controller", "timeline", "expect");
+    private static final List<String> CHILD_ELEMENTS =
+            List.of("description", "world", "robot", "controller", "timeline", "expect");
 
-    private final Complaints complaints;
-    private final ObstacleReader obstacles;
-    private final WorldReader worlds;
+    private final Problems problems;
+    private final ObstacleReader obstacleReader;
+    private final WorldReader worldReader;
 
     /** What the root element itself says. */
-    private record Head(String name, String description, boolean recorded, double duration, double tick, long seed) {
-    }
+    private record Header(String name, String description, boolean recorded, double duration, double tick, long seed) {}
 
-    private ScenarioReader(Complaints complaints) {
-        this.complaints = complaints;
-        this.obstacles = new ObstacleReader(complaints);
-        this.worlds = new WorldReader(complaints, obstacles);
+    private ScenarioReader(Problems complaints) {
+        this.problems = complaints;
+        this.obstacleReader = new ObstacleReader(complaints);
+        this.worldReader = new WorldReader(complaints, obstacleReader);
     }
 
     /**
@@ -35,65 +36,84 @@ final class ScenarioReader {
      * @throws ScenarioException with everything that is wrong
      */
     static Scenario read(String file, byte[] bytes) throws ScenarioException {
-        Complaints complaints = new Complaints(file);
-        XmlParsing parsing = new XmlParsing(bytes, complaints);
+        Problems complaints = new Problems(file);
+        XmlParser parsing = new XmlParser(bytes, complaints);
         Optional<Scenario> scenario = parsing.parse().flatMap(root -> new ScenarioReader(complaints).read(root));
         if (complaints.isEmpty()) {
-            parsing.complainOfOffence();
+            parsing.reportSchemaError();
         }
         complaints.throwIfAny();
         return scenario.orElseThrow();
     }
 
-    private Optional<Scenario> read(Node root) {
+    private Optional<Scenario> read(XmlElement root) {
         if (!root.name().equals("scenario")) {
-            complaints.add(root, "the root element is <" + Quoting.oneLine(root.name()) + ">, allowed is <scenario xmlns=\""
-                    + ScenarioSchema.NAMESPACE + "\">");
+            problems.add(
+                    root,
+                    "the root element is <" + MessageText.oneLine(root.name()) + ">, allowed is <scenario xmlns=\""
+                            + ScenarioSchema.NAMESPACE + "\">");
             return Optional.empty();
         }
-        Content.check(root, INSIDE, complaints);
-        Content.atMostOne(root, INSIDE, complaints);
-        return scenario(root);
+        ElementRules.checkChildren(root, CHILD_ELEMENTS, problems);
+        ElementRules.checkAtMostOne(root, CHILD_ELEMENTS, problems);
+        return readSections(root);
     }
 
     /** Reads every section, so that all complaints come at once. */
-    private Optional<Scenario> scenario(Node root) {
-        Head head = head(root);
-        Optional<WorldSpec> world = section(root, "world").map(worlds::read);
-        Optional<RobotReader.Placed> robot = section(root, "robot").map(new RobotReader(complaints)::read);
-        ControllerSpec controller = root.first("controller").map(node -> ControllerReader.read(node, complaints))
+    private Optional<Scenario> readSections(XmlElement root) {
+        Header head = readHeader(root);
+        Optional<WorldSpec> world = requiredSection(root, "world").map(worldReader::read);
+        Optional<RobotReader.PlacedRobot> robot = requiredSection(root, "robot").map(new RobotReader(problems)::read);
+        ControllerSpec controller = root.firstChild("controller")
+                .map(node -> ControllerReader.read(node, problems))
                 .orElse(ControllerSpec.WallFollowing.DEFAULT);
-        Expectation expect = root.first("expect").map(new ExpectReader(complaints, controller)::read).orElse(Expectation.NONE);
+        Expectation expect = root.firstChild("expect")
+                .map(new ExpectationReader(problems, controller)::read)
+                .orElse(Expectation.NONE);
         if (world.isEmpty() || robot.isEmpty()) {
             return Optional.empty();
         }
-        Setup setup = new Setup(world.get(), robot.get().spec(), robot.get().start(), controller, timeline(root, robot.get()),
-                head.tick, head.seed, head.duration);
-        if (complaints.isEmpty()) {
-            StartCheck.check(root.first("robot").orElseThrow(), setup, complaints);
+        SimulationSetup setup = new SimulationSetup(
+                world.get(),
+                robot.get().spec(),
+                robot.get().start(),
+                controller,
+                readTimeline(root, robot.get()),
+                head.tick,
+                head.seed,
+                head.duration);
+        if (problems.isEmpty()) {
+            StartPoseCheck.check(root.firstChild("robot").orElseThrow(), setup, problems);
         }
         return Optional.of(new Scenario(head.name, head.description, head.recorded, setup, expect));
     }
 
-    private Head head(Node root) {
-        Fields fields = new Fields(root, complaints);
-        Head head = new Head(fields.text("name").orElse(""), root.first("description").map(node -> Content.text(node, complaints)).orElse(""),
-                fields.flag("recorded", false), fields.number("duration", Range.TIME, Scenario.DEFAULT_DURATION),
-                fields.number("tick", Range.TICK, Scenario.DEFAULT_TICK),
-                fields.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, Scenario.DEFAULT_SEED));
-        fields.done();
+    private Header readHeader(XmlElement root) {
+        AttributeReader fields = new AttributeReader(root, problems);
+        Header head = new Header(
+                fields.text("name").orElse(""),
+                root.firstChild("description")
+                        .map(node -> ElementRules.readText(node, problems))
+                        .orElse(""),
+                fields.flag("recorded", false),
+                fields.number("duration", NumberRange.TIME, Scenario.DEFAULT_DURATION),
+                fields.number("tick", NumberRange.TICK, Scenario.DEFAULT_TICK),
+                fields.integer("seed", Long.MIN_VALUE, Long.MAX_VALUE, Scenario.DEFAULT_SEED));
+        fields.reportUnknownAndMissing();
         return head;
     }
 
     /** Comes after the world and the robot, whose ids it names. */
-    private List<Timed> timeline(Node root, RobotReader.Placed robot) {
-        return root.first("timeline").map(new TimelineReader(complaints, obstacles, robot.spec(), worlds.ids())::read).orElse(List.of());
+    private List<TimedCommand> readTimeline(XmlElement root, RobotReader.PlacedRobot robot) {
+        return root.firstChild("timeline")
+                .map(new TimelineReader(problems, obstacleReader, robot.spec(), worldReader.ids())::read)
+                .orElse(List.of());
     }
 
-    private Optional<Node> section(Node root, String name) {
-        Optional<Node> section = root.first(name);
+    private Optional<XmlElement> requiredSection(XmlElement root, String name) {
+        Optional<XmlElement> section = root.firstChild(name);
         if (section.isEmpty()) {
-            complaints.add(root, "<scenario> lacks the element <" + name + ">, allowed is one");
+            problems.add(root, "<scenario> lacks the element <" + name + ">, allowed is one");
         }
         return section;
     }

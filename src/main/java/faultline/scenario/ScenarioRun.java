@@ -1,8 +1,8 @@
 package faultline.scenario;
 
 import faultline.engine.ControllerMode;
-import faultline.engine.HeadlessRun;
-import faultline.engine.RunResult;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
 import faultline.geometry.Pose;
 import faultline.sensor.Reading;
 import faultline.world.Collision;
@@ -15,12 +15,12 @@ public final class ScenarioRun {
 
     private final Scenario scenario;
     private final RunResult result;
-    private final RunRecorder recorder;
+    private final TickLog log;
 
-    private ScenarioRun(Scenario scenario, RunResult result, RunRecorder recorder) {
+    private ScenarioRun(Scenario scenario, RunResult result, TickLog recorder) {
         this.scenario = scenario;
         this.result = result;
-        this.recorder = recorder;
+        this.log = recorder;
     }
 
     /**
@@ -30,8 +30,8 @@ public final class ScenarioRun {
      * @param mode where the controller runs; the trajectory is the same
      * @return the recorded run
      */
-    static ScenarioRun of(Scenario scenario, ControllerMode mode) {
-        RunRecorder recorder = new RunRecorder();
+    static ScenarioRun execute(Scenario scenario, ControllerMode mode) {
+        TickLog recorder = new TickLog();
         RunResult result = HeadlessRun.run(scenario.setup(), mode, List.of(recorder));
         return new ScenarioRun(scenario, result, recorder);
     }
@@ -52,7 +52,7 @@ public final class ScenarioRun {
      * @return metres and radians, the heading not normalised
      */
     public Pose poseAt(double seconds) {
-        return recorder.pose(tick(seconds));
+        return log.pose(tickAt(seconds));
     }
 
     /**
@@ -62,7 +62,7 @@ public final class ScenarioRun {
      * @return its name, such as FOLLOW
      */
     public String stateAt(double seconds) {
-        return recorder.state(tick(seconds));
+        return log.state(tickAt(seconds));
     }
 
     /**
@@ -73,7 +73,7 @@ public final class ScenarioRun {
      * @return the reading without noise and faults
      */
     public Reading trueReading(String sensor, double seconds) {
-        return recorder.trueReading(tick(seconds), sensor);
+        return log.trueReading(tickAt(seconds), sensor);
     }
 
     /**
@@ -84,7 +84,7 @@ public final class ScenarioRun {
      * @return the reading with noise and faults
      */
     public Reading reading(String sensor, double seconds) {
-        return recorder.reportedReading(tick(seconds), sensor);
+        return log.reportedReading(tickAt(seconds), sensor);
     }
 
     /**
@@ -93,7 +93,7 @@ public final class ScenarioRun {
      * @return in the order of their first appearance
      */
     public List<String> states() {
-        return result.states();
+        return result.visitedStates();
     }
 
     /**
@@ -120,7 +120,7 @@ public final class ScenarioRun {
      * @return as the command line writes it: 16 hexadecimal digits
      */
     public String trajectoryHash() {
-        return RunSummary.hash(result);
+        return RunSummary.formatHash(result);
     }
 
     /**
@@ -129,13 +129,14 @@ public final class ScenarioRun {
      * @return one sentence each, empty where all was held
      */
     public List<String> unmetExpectations() {
-        return scenario.expect().unmet(result);
+        return scenario.expectation().unmet(result);
     }
 
-    private int tick(double seconds) {
+    private int tickAt(double seconds) {
         long tick = scenario.setup().tickAt(seconds);
         if (!(tick >= 0 && tick <= result.ticks())) {
-            throw new IllegalArgumentException("there is no " + seconds + " s in a run of " + result.simulatedSeconds() + " s");
+            throw new IllegalArgumentException(
+                    "there is no " + seconds + " s in a run of " + result.simulatedSeconds() + " s");
         }
         return (int) tick;
     }

@@ -12,10 +12,9 @@ final class ScenarioSchema {
     /** The namespace of every element. */
     static final String NAMESPACE = "urn:faultline:scenario:1";
 
-    private static final String FILE = "scenario-1.xsd";
+    private static final String RESOURCE = "scenario-1.xsd";
 
-    private ScenarioSchema() {
-    }
+    private ScenarioSchema() {}
 
     static Schema get() {
         return Holder.SCHEMA;
@@ -25,7 +24,7 @@ final class ScenarioSchema {
         private static final Schema SCHEMA = compile();
 
         private static Schema compile() {
-            URL file = ScenarioSchema.class.getResource(FILE);
+            URL file = ScenarioSchema.class.getResource(RESOURCE);
             try {
                 SchemaFactory factory = SchemaFactory.newDefaultInstance();
                 factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);

@@ -15,40 +15,44 @@ public final class ShippedScenarios {
     private static final String FOLDER = "scenarios/";
     private static final String EXTENSION = ".xml";
 
-    private ShippedScenarios() {
-    }
+    private ShippedScenarios() {}
 
     /**
-     * The names of their files, for {@link Scenario#shipped(String)}. Slow: looks into the program's own file.
+     * The names of their files, for {@link Scenario#loadShipped(String)}. Slow: looks into the program's own file.
      *
      * @return in the order of the alphabet
      * @throws IOException if the program's own file cannot be read
      */
     public static List<String> names() throws IOException {
-        URL program = ShippedScenarios.class.getProtectionDomain().getCodeSource().getLocation();
+        URL program =
+                ShippedScenarios.class.getProtectionDomain().getCodeSource().getLocation();
         try {
             Path home = Path.of(program.toURI());
-            return Files.isDirectory(home) ? inFolder(home.resolve(FOLDER)) : inJar(home);
+            return Files.isDirectory(home) ? listFolder(home.resolve(FOLDER)) : listJar(home);
         } catch (URISyntaxException odd) {
             throw new IOException(program + " is no place for a program", odd);
         }
     }
 
-    private static List<String> inFolder(Path folder) throws IOException {
+    private static List<String> listFolder(Path folder) throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return sorted(files.map(file -> file.getFileName().toString()));
         }
     }
 
-    static List<String> inJar(Path jar) throws IOException {
+    static List<String> listJar(Path jar) throws IOException {
         try (JarFile opened = new JarFile(jar.toFile())) {
-            return sorted(opened.stream().map(entry -> entry.getName()).filter(name -> name.startsWith(FOLDER))
+            return sorted(opened.stream()
+                    .map(entry -> entry.getName())
+                    .filter(name -> name.startsWith(FOLDER))
                     .map(name -> name.substring(FOLDER.length())));
         }
     }
 
     private static List<String> sorted(Stream<String> names) {
         // What lies in folders of its own, such as what the studies start from, is not for everybody.
-        return names.filter(name -> name.endsWith(EXTENSION) && !name.contains("/")).sorted().toList();
+        return names.filter(name -> name.endsWith(EXTENSION) && !name.contains("/"))
+                .sorted()
+                .toList();
     }
 }

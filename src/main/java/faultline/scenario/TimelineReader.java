@@ -1,7 +1,10 @@
 package faultline.scenario;
 
-import faultline.engine.Setup.Timed;
+import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
+import faultline.io.DecimalText;
+import faultline.io.DidYouMean;
+import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
@@ -20,131 +23,158 @@ import java.util.stream.Stream;
 /** Makes commands of the timeline's elements, one handler for each. */
 final class TimelineReader {
 
-    /** Reads one element: its time is known, its attributes are at hand, and what it comes to is put at the end of the list. */
-    private interface Handler {
-        Stream<Timed> read(Node node, Fields fields, double at);
+    /**
+     * Reads one element: its time is known, its attributes are at hand, and what it comes to is put at the end of the
+     * list.
+     */
+    private interface CommandReader {
+        Stream<TimedCommand> read(XmlElement node, AttributeReader fields, double at);
     }
 
-    private final Complaints complaints;
-    private final ObstacleReader obstacles;
+    private final Problems problems;
+    private final ObstacleReader obstacleReader;
     private final RobotSpec robot;
     private final Map<String, SensorSpec> sensors = new LinkedHashMap<>();
     private final Set<String> obstacleIds;
-    private final Map<String, Handler> handlers = new LinkedHashMap<>();
+    private final Map<String, CommandReader> readers = new LinkedHashMap<>();
 
-    TimelineReader(Complaints complaints, ObstacleReader obstacles, RobotSpec robot, Set<String> obstacleIds) {
-        this.complaints = complaints;
-        this.obstacles = obstacles;
+    TimelineReader(Problems complaints, ObstacleReader obstacles, RobotSpec robot, Set<String> obstacleIds) {
+        this.problems = complaints;
+        this.obstacleReader = obstacles;
         this.robot = robot;
         this.obstacleIds = new LinkedHashSet<>(obstacleIds);
         robot.sensors().forEach(sensor -> sensors.put(sensor.id(), sensor));
-        handlers.put("fault", this::fault);
-        handlers.put("mend", this::mend);
-        handlers.put("switch", this::change);
-        handlers.put("tune", this::tune);
-        handlers.put("move", this::move);
-        handlers.put("put", this::put);
-        handlers.put("remove", this::remove);
-        handlers.put("platform", this::platform);
+        readers.put("fault", this::readFault);
+        readers.put("mend", this::readMend);
+        readers.put("switch", this::readSwitch);
+        readers.put("tune", this::readTune);
+        readers.put("move", this::readMove);
+        readers.put("put", this::readPut);
+        readers.put("remove", this::readRemove);
+        readers.put("platform", this::readPlatform);
     }
 
-    List<Timed> read(Node timeline) {
-        Content.check(timeline, handlers.keySet(), complaints);
-        new Fields(timeline, complaints).done();
-        timeline.all("put").flatMap(node -> node.children().stream())
-                .forEach(child -> Optional.ofNullable(child.attributes().get("id")).ifPresent(obstacleIds::add));
-        List<Timed> commands = new ArrayList<>();
-        for (Node node : timeline.children()) {
-            Optional.ofNullable(handlers.get(node.name())).ifPresent(handler -> read(node, handler).forEach(commands::add));
+    List<TimedCommand> read(XmlElement timeline) {
+        ElementRules.checkChildren(timeline, readers.keySet(), problems);
+        new AttributeReader(timeline, problems).reportUnknownAndMissing();
+        timeline.childrenNamed("put").flatMap(node -> node.children().stream()).forEach(child -> Optional.ofNullable(
+                        child.attributes().get("id"))
+                .ifPresent(obstacleIds::add));
+        List<TimedCommand> commands = new ArrayList<>();
+        for (XmlElement node : timeline.children()) {
+            Optional.ofNullable(readers.get(node.name()))
+                    .ifPresent(handler -> read(node, handler).forEach(commands::add));
         }
         return commands;
     }
 
-    private Stream<Timed> read(Node node, Handler handler) {
-        Content.check(node, node.name().equals("put") ? obstacles.names() : List.of(), complaints);
-        Fields fields = new Fields(node, complaints);
-        double at = fields.number("at", Range.TIME);
-        List<Timed> commands = handler.read(node, fields, at).toList();
-        fields.done();
+    private Stream<TimedCommand> read(XmlElement node, CommandReader handler) {
+        ElementRules.checkChildren(
+                node, node.name().equals("put") ? obstacleReader.elementNames() : List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        double at = fields.number("at", NumberRange.TIME);
+        List<TimedCommand> commands = handler.read(node, fields, at).toList();
+        fields.reportUnknownAndMissing();
         return commands.stream();
     }
 
-    private Stream<Timed> fault(Node node, Fields fields, double at) {
-        String sensor = sensor(fields);
-        Optional<Fault> fault = FaultFields.read(fields);
-        Stream<Timed> breaks = fault.stream().map(broken -> new Timed(at, new Command.InjectFault(sensor, broken)));
-        if (!fields.has("until")) {
+    private Stream<TimedCommand> readFault(XmlElement node, AttributeReader fields, double at) {
+        String sensor = readSensorId(fields);
+        Optional<Fault> fault = FaultAttributes.read(fields);
+        Stream<TimedCommand> breaks =
+                fault.stream().map(broken -> new TimedCommand(at, new Command.InjectFault(sensor, broken)));
+        if (!fields.isPresent("until")) {
             return breaks;
         }
-        double until = fields.number("until", Range.TIME);
+        double until = fields.number("until", NumberRange.TIME);
         if (until <= at) {
-            complaints.add(node, "until of <fault> is " + Numbers.toText(until) + ", allowed is a time after at, which is " + Numbers.toText(at));
+            problems.add(
+                    node,
+                    "until of <fault> is " + DecimalText.format(until) + ", allowed is a time after at, which is "
+                            + DecimalText.format(at));
         }
-        return Stream.concat(breaks, fault.stream().map(mended -> new Timed(until, new Command.ClearFault(sensor, mended))));
+        return Stream.concat(
+                breaks, fault.stream().map(mended -> new TimedCommand(until, new Command.ClearFault(sensor, mended))));
     }
 
-    private Stream<Timed> mend(Node node, Fields fields, double at) {
-        String sensor = sensor(fields);
-        if (fields.has("kind") || fields.has("value")) {
-            return FaultFields.read(fields).stream().map(fault -> new Timed(at, new Command.ClearFault(sensor, fault)));
+    private Stream<TimedCommand> readMend(XmlElement node, AttributeReader fields, double at) {
+        String sensor = readSensorId(fields);
+        if (fields.isPresent("kind") || fields.isPresent("value")) {
+            return FaultAttributes.read(fields).stream()
+                    .map(fault -> new TimedCommand(at, new Command.ClearFault(sensor, fault)));
         }
-        return one(at, new Command.ClearFaults(sensor));
+        return singleCommand(at, new Command.ClearFaults(sensor));
     }
 
-    private Stream<Timed> change(Node node, Fields fields, double at) {
-        return one(at, new Command.SwitchSensor(sensor(fields), fields.flag("on")));
+    private Stream<TimedCommand> readSwitch(XmlElement node, AttributeReader fields, double at) {
+        return singleCommand(at, new Command.SwitchSensor(readSensorId(fields), fields.flag("on")));
     }
 
-    private Stream<Timed> tune(Node node, Fields fields, double at) {
-        SensorSpec usual = sensors.getOrDefault(sensor(fields), RobotSpec.DEFAULT.sensors().get(0));
-        return one(at, new Command.TuneSensor(SensorFields.read(fields, usual)));
+    private Stream<TimedCommand> readTune(XmlElement node, AttributeReader fields, double at) {
+        SensorSpec usual = sensors.getOrDefault(
+                readSensorId(fields), RobotSpec.DEFAULT.sensors().get(0));
+        return singleCommand(at, new Command.ConfigureSensor(SensorAttributes.read(fields, usual)));
     }
 
-    private Stream<Timed> move(Node node, Fields fields, double at) {
-        Pose pose = new Pose(fields.number("x", Range.COORDINATE), fields.number("y", Range.COORDINATE),
-                fields.angle("heading", Range.ANGLE, 0));
-        return one(at, new Command.MoveObstacle(obstacle(fields), pose));
+    private Stream<TimedCommand> readMove(XmlElement node, AttributeReader fields, double at) {
+        Pose pose = new Pose(
+                fields.number("x", NumberRange.COORDINATE),
+                fields.number("y", NumberRange.COORDINATE),
+                fields.angle("heading", NumberRange.ANGLE, 0));
+        return singleCommand(at, new Command.MoveObstacle(readObstacleId(fields), pose));
     }
 
-    private Stream<Timed> put(Node node, Fields fields, double at) {
-        List<Node> inside = node.children().stream().filter(child -> obstacles.names().contains(child.name())).toList();
+    private Stream<TimedCommand> readPut(XmlElement node, AttributeReader fields, double at) {
+        List<XmlElement> inside = node.children().stream()
+                .filter(child -> obstacleReader.elementNames().contains(child.name()))
+                .toList();
         if (inside.size() != 1) {
-            complaints.add(node, "<put> holds " + inside.size() + " obstacles, allowed is one of " + Quoting.list(obstacles.names()));
+            problems.add(
+                    node,
+                    "<put> holds " + inside.size() + " obstacles, allowed is one of "
+                            + MessageText.joinNames(obstacleReader.elementNames()));
             return Stream.empty();
         }
-        Obstacle obstacle = obstacles.read(inside.get(0));
+        Obstacle obstacle = obstacleReader.read(inside.get(0));
         if (obstacle.id().equals(WorldSpec.ENCLOSURE)) {
-            complaints.add(inside.get(0), WorldReader.reserved(inside.get(0)));
+            problems.add(inside.get(0), WorldReader.reservedIdMessage(inside.get(0)));
         }
-        return one(at, new Command.PutObstacle(obstacle));
+        return singleCommand(at, new Command.PlaceObstacle(obstacle));
     }
 
-    private Stream<Timed> remove(Node node, Fields fields, double at) {
-        return one(at, new Command.RemoveObstacle(obstacle(fields)));
+    private Stream<TimedCommand> readRemove(XmlElement node, AttributeReader fields, double at) {
+        return singleCommand(at, new Command.RemoveObstacle(readObstacleId(fields)));
     }
 
-    private Stream<Timed> platform(Node node, Fields fields, double at) {
-        return one(at, new Command.SetPlatform(fields.number("length", Range.SIZE, robot.length()),
-                fields.number("width", Range.SIZE, robot.width()), fields.number("speed", Range.POSITIVE_SPEED, robot.speed())));
+    private Stream<TimedCommand> readPlatform(XmlElement node, AttributeReader fields, double at) {
+        return singleCommand(
+                at,
+                new Command.SetPlatform(
+                        fields.number("length", NumberRange.SIZE, robot.length()),
+                        fields.number("width", NumberRange.SIZE, robot.width()),
+                        fields.number("speed", NumberRange.POSITIVE_SPEED, robot.speed())));
     }
 
-    private static Stream<Timed> one(double at, Command command) {
-        return Stream.of(new Timed(at, command));
+    private static Stream<TimedCommand> singleCommand(double at, Command command) {
+        return Stream.of(new TimedCommand(at, command));
     }
 
-    private String sensor(Fields fields) {
-        return known(fields, "sensor", sensors.keySet(), "the robot's sensors");
+    private String readSensorId(AttributeReader fields) {
+        return readKnownId(fields, "sensor", sensors.keySet(), "the robot's sensors");
     }
 
-    private String obstacle(Fields fields) {
-        return known(fields, "obstacle", obstacleIds, "the obstacles");
+    private String readObstacleId(AttributeReader fields) {
+        return readKnownId(fields, "obstacle", obstacleIds, "the obstacles");
     }
 
-    private static String known(Fields fields, String attribute, Set<String> ids, String what) {
+    private static String readKnownId(AttributeReader fields, String attribute, Set<String> ids, String what) {
         String id = fields.id(attribute);
-        if (fields.has(attribute) && !ids.contains(id) && !id.equals("?")) {
-            fields.complain(attribute, id, (ids.isEmpty() ? "none: there are none" : "one of " + what + ": " + Quoting.list(ids))
-                    + Spelling.hint(id, ids));
+        if (fields.isPresent(attribute) && !ids.contains(id) && !id.equals("?")) {
+            fields.report(
+                    attribute,
+                    id,
+                    (ids.isEmpty() ? "none: there are none" : "one of " + what + ": " + MessageText.joinNames(ids))
+                            + DidYouMean.hint(id, ids));
         }
         return id;
     }

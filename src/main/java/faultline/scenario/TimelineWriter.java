@@ -1,6 +1,6 @@
 package faultline.scenario;
 
-import faultline.engine.Setup.Timed;
+import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.util.List;
@@ -8,69 +8,87 @@ import java.util.List;
 /** Writes the timeline. A fault whose mending comes next in the list is written as one element with {@code until}. */
 final class TimelineWriter {
 
-    private TimelineWriter() {
-    }
+    private TimelineWriter() {}
 
-    static void timeline(List<Timed> commands, XmlOut out) {
-        out.begin("timeline");
+    static void write(List<TimedCommand> commands, XmlWriter out) {
+        out.beginElement("timeline");
         int next = 0;
         while (next < commands.size()) {
-            Timed timed = commands.get(next);
-            boolean joined = next + 1 < commands.size() && isMendedBy(timed, commands.get(next + 1));
+            TimedCommand timed = commands.get(next);
+            boolean joined = next + 1 < commands.size() && isClearedBy(timed, commands.get(next + 1));
             if (joined) {
                 Command.InjectFault inject = (Command.InjectFault) timed.command();
-                fault("fault", timed.at(), inject.sensor(), inject.fault(), out).set("until", commands.get(next + 1).at()).end();
+                beginFault("fault", timed.time(), inject.sensor(), inject.fault(), out)
+                        .attribute("until", commands.get(next + 1).time())
+                        .endElement();
             } else {
-                command(timed, out);
+                writeCommand(timed, out);
             }
             next += joined ? 2 : 1;
         }
-        out.end();
+        out.endElement();
     }
 
-    private static boolean isMendedBy(Timed first, Timed second) {
-        return first.command() instanceof Command.InjectFault inject && second.at() > first.at()
+    private static boolean isClearedBy(TimedCommand first, TimedCommand second) {
+        return first.command() instanceof Command.InjectFault inject
+                && second.time() > first.time()
                 && second.command().equals(new Command.ClearFault(inject.sensor(), inject.fault()));
     }
 
-    private static XmlOut fault(String name, double at, String sensor, Fault fault, XmlOut out) {
-        begin(name, at, out).set("sensor", sensor).set("kind", fault.kind().fileName());
-        return fault.kind().takesValue() ? out.set("value", fault.value()) : out;
+    private static XmlWriter beginFault(String name, double at, String sensor, Fault fault, XmlWriter out) {
+        beginCommand(name, at, out)
+                .attribute("sensor", sensor)
+                .attribute("kind", fault.kind().fileName());
+        return fault.kind().takesValue() ? out.attribute("value", fault.value()) : out;
     }
 
-    private static XmlOut begin(String name, double at, XmlOut out) {
-        return out.begin(name).set("at", at);
+    private static XmlWriter beginCommand(String name, double at, XmlWriter out) {
+        return out.beginElement(name).attribute("at", at);
     }
 
-    private static void command(Timed timed, XmlOut out) {
-        double at = timed.at();
+    private static void writeCommand(TimedCommand timed, XmlWriter out) {
+        double at = timed.time();
         Command command = timed.command();
         if (command instanceof Command.InjectFault inject) {
-            fault("fault", at, inject.sensor(), inject.fault(), out).end();
+            beginFault("fault", at, inject.sensor(), inject.fault(), out).endElement();
         } else if (command instanceof Command.ClearFault clear) {
-            fault("mend", at, clear.sensor(), clear.fault(), out).end();
+            beginFault("mend", at, clear.sensor(), clear.fault(), out).endElement();
         } else if (command instanceof Command.ClearFaults clear) {
-            begin("mend", at, out).set("sensor", clear.sensor()).end();
+            beginCommand("mend", at, out).attribute("sensor", clear.sensor()).endElement();
         } else if (command instanceof Command.SwitchSensor change) {
-            begin("switch", at, out).set("sensor", change.sensor()).set("on", change.on()).end();
-        } else if (command instanceof Command.TuneSensor tune) {
-            RobotWriter.settings(tune.sensor(), begin("tune", at, out).set("sensor", tune.sensor().id())).end();
+            beginCommand("switch", at, out)
+                    .attribute("sensor", change.sensor())
+                    .attribute("on", change.on())
+                    .endElement();
+        } else if (command instanceof Command.ConfigureSensor tune) {
+            RobotWriter.writeSettings(
+                            tune.sensor(),
+                            beginCommand("tune", at, out)
+                                    .attribute("sensor", tune.sensor().id()))
+                    .endElement();
         } else {
-            onWorld(command, at, out);
+            writeWorldCommand(command, at, out);
         }
     }
 
-    private static void onWorld(Command command, double at, XmlOut out) {
+    private static void writeWorldCommand(Command command, double at, XmlWriter out) {
         if (command instanceof Command.MoveObstacle move) {
-            WorldWriter.pose(move.pose(), begin("move", at, out).set("obstacle", move.obstacle())).end();
-        } else if (command instanceof Command.PutObstacle put) {
-            begin("put", at, out);
-            WorldWriter.obstacle(put.obstacle(), out);
-            out.end();
+            WorldWriter.writePose(move.pose(), beginCommand("move", at, out).attribute("obstacle", move.obstacle()))
+                    .endElement();
+        } else if (command instanceof Command.PlaceObstacle put) {
+            beginCommand("put", at, out);
+            WorldWriter.writeObstacle(put.obstacle(), out);
+            out.endElement();
         } else if (command instanceof Command.RemoveObstacle remove) {
-            begin("remove", at, out).set("obstacle", remove.obstacle()).end();
+            beginCommand("remove", at, out)
+                    .attribute("obstacle", remove.obstacle())
+                    .endElement();
         } else if (command instanceof Command.SetPlatform platform) {
-            begin("platform", at, out).set("length", platform.length()).set("width", platform.width()).set("speed", platform.speed()).end();
+            beginCommand("platform", at, out)
+                    .attribute("length", platform.length())
+                    .attribute("width", platform.width())
+                    .attribute("speed", platform.speed())
+                    .endElement();
         }
     }
 }

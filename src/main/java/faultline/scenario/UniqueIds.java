@@ -1,22 +1,27 @@
 package faultline.scenario;
 
+import faultline.io.MessageText;
 import java.util.Map;
 
 /** Keeps the ids of obstacles, and of sensors, apart. */
 final class UniqueIds {
 
-    private UniqueIds() {
-    }
+    private UniqueIds() {}
 
-    /** Complains of an id that was there before, and remembers it. Missing or impossible ids have had their complaint already. */
-    static void check(Node node, String id, Map<String, Place> seen, Complaints complaints) {
+    /**
+     * Complains of an id that was there before, and remembers it. Missing or impossible ids have had their complaint
+     * already.
+     */
+    static void check(XmlElement node, String id, Map<String, SourceLocation> seen, Problems complaints) {
         if (!id.equals(node.attributes().get("id"))) {
             return;
         }
-        Place first = seen.putIfAbsent(id, node.place());
+        SourceLocation first = seen.putIfAbsent(id, node.location());
         if (first != null) {
-            complaints.add(node, "id of <" + node.name() + "> is " + Quoting.quoted(id) + ", which the one in line " + first.line()
-                    + " has already, allowed is each id once");
+            complaints.add(
+                    node,
+                    "id of <" + node.name() + "> is " + MessageText.quoted(id) + ", which the one in line "
+                            + first.line() + " has already, allowed is each id once");
         }
     }
 }

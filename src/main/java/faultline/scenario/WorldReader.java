@@ -1,5 +1,6 @@
 package faultline.scenario;
 
+import faultline.io.MessageText;
 import faultline.world.Obstacle;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
@@ -11,26 +12,27 @@ import java.util.Set;
 /** Makes the world of its element. */
 final class WorldReader {
 
-    private final Complaints complaints;
+    private final Problems problems;
     private final ObstacleReader obstacles;
-    private final Map<String, Place> ids = new LinkedHashMap<>();
-    private int moving;
+    private final Map<String, SourceLocation> ids = new LinkedHashMap<>();
+    private int movingCount;
 
-    WorldReader(Complaints complaints, ObstacleReader obstacles) {
-        this.complaints = complaints;
+    WorldReader(Problems complaints, ObstacleReader obstacles) {
+        this.problems = complaints;
         this.obstacles = obstacles;
     }
 
-    WorldSpec read(Node node) {
-        Content.check(node, obstacles.names(), complaints);
-        Fields fields = new Fields(node, complaints);
-        double width = fields.number("width", Range.SIZE);
-        double height = fields.number("height", Range.SIZE);
+    WorldSpec read(XmlElement node) {
+        ElementRules.checkChildren(node, obstacles.elementNames(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        double width = fields.number("width", NumberRange.SIZE);
+        double height = fields.number("height", NumberRange.SIZE);
         boolean enclosed = fields.flag("enclosed", true);
-        int maxMoving = (int) fields.whole("maxMoving", 0, Limits.MOST_PARTS, WorldSpec.DEFAULT_MAX_MOVING);
-        fields.done();
+        int maxMoving = (int) fields.integer("maxMoving", 0, ScenarioLimits.MAX_PARTS, WorldSpec.DEFAULT_MAX_MOVING);
+        fields.reportUnknownAndMissing();
         List<Obstacle> list = obstacles(node, maxMoving);
-        return new WorldSpec(width, height, enclosed, Math.max(maxMoving, moving), complaints.isEmpty() ? list : List.of());
+        return new WorldSpec(
+                width, height, enclosed, Math.max(maxMoving, movingCount), problems.isEmpty() ? list : List.of());
     }
 
     /** The ids of all obstacles that were read, in the file's order. */
@@ -38,14 +40,17 @@ final class WorldReader {
         return ids.keySet();
     }
 
-    private List<Obstacle> obstacles(Node world, int maxMoving) {
+    private List<Obstacle> obstacles(XmlElement world, int maxMoving) {
         List<Obstacle> list = new ArrayList<>();
-        for (Node child : world.children()) {
+        for (XmlElement child : world.children()) {
             if (obstacles.isFull()) {
-                complaints.add(child, "<world> holds too much, allowed is " + Limits.MOST_PARTS + " obstacles and points together");
+                problems.add(
+                        child,
+                        "<world> holds too much, allowed is " + ScenarioLimits.MAX_PARTS
+                                + " obstacles and points together");
                 return list;
             }
-            if (obstacles.names().contains(child.name())) {
+            if (obstacles.elementNames().contains(child.name())) {
                 Obstacle obstacle = obstacles.read(child);
                 checkId(child, obstacle.id());
                 checkMotion(child, obstacle, maxMoving);
@@ -55,22 +60,25 @@ final class WorldReader {
         return list;
     }
 
-    private void checkId(Node node, String id) {
+    private void checkId(XmlElement node, String id) {
         if (id.equals(WorldSpec.ENCLOSURE)) {
-            complaints.add(node, reserved(node));
+            problems.add(node, reservedIdMessage(node));
         }
-        UniqueIds.check(node, id, ids, complaints);
+        UniqueIds.check(node, id, ids, problems);
     }
 
     /** The complaint about an obstacle that is called like the wall round the world. */
-    static String reserved(Node node) {
-        return "id of <" + node.name() + "> is \"" + WorldSpec.ENCLOSURE + "\", allowed is any other: it names the wall round the world";
+    static String reservedIdMessage(XmlElement node) {
+        return "id of <" + node.name() + "> is \"" + WorldSpec.ENCLOSURE
+                + "\", allowed is any other: it names the wall round the world";
     }
 
-    private void checkMotion(Node node, Obstacle obstacle, int maxMoving) {
-        if (obstacle.motion().isPresent() && ++moving > maxMoving) {
-            complaints.add(node, "<" + node.name() + "> " + Quoting.quoted(obstacle.id()) + " is moving obstacle number " + moving
-                    + ", allowed is " + maxMoving + " (maxMoving of <world>)");
+    private void checkMotion(XmlElement node, Obstacle obstacle, int maxMoving) {
+        if (obstacle.motion().isPresent() && ++movingCount > maxMoving) {
+            problems.add(
+                    node,
+                    "<" + node.name() + "> " + MessageText.quoted(obstacle.id()) + " is moving obstacle number "
+                            + movingCount + ", allowed is " + maxMoving + " (maxMoving of <world>)");
         }
     }
 }

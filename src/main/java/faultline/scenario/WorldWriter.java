@@ -1,10 +1,11 @@
 package faultline.scenario;
 
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
-import faultline.world.Motion;
+import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -12,49 +13,61 @@ import java.util.stream.Collectors;
 /** Writes the world and obstacles. */
 final class WorldWriter {
 
-    private WorldWriter() {
+    private WorldWriter() {}
+
+    static void write(WorldSpec world, XmlWriter out) {
+        out.beginElement("world")
+                .attribute("width", world.width())
+                .attribute("height", world.height())
+                .attribute("enclosed", world.enclosed())
+                .attribute("maxMoving", String.valueOf(world.maxMoving()));
+        world.obstacles().forEach(obstacle -> writeObstacle(obstacle, out));
+        out.endElement();
     }
 
-    static void world(WorldSpec world, XmlOut out) {
-        out.begin("world").set("width", world.width()).set("height", world.height()).set("enclosed", world.enclosed())
-                .set("maxMoving", String.valueOf(world.maxMoving()));
-        world.obstacles().forEach(obstacle -> obstacle(obstacle, out));
-        out.end();
-    }
-
-    static void obstacle(Obstacle obstacle, XmlOut out) {
+    static void writeObstacle(Obstacle obstacle, XmlWriter out) {
         ObstacleShape shape = obstacle.shape();
         if (shape instanceof ObstacleShape.Rectangle rectangle) {
-            placed("rectangle", obstacle, out).set("width", rectangle.width()).set("height", rectangle.height());
+            beginObstacle("rectangle", obstacle, out)
+                    .attribute("width", rectangle.width())
+                    .attribute("height", rectangle.height());
         } else if (shape instanceof ObstacleShape.Circle circle) {
-            placed("circle", obstacle, out).set("radius", circle.radius());
+            beginObstacle("circle", obstacle, out).attribute("radius", circle.radius());
         } else if (shape instanceof ObstacleShape.Ellipse ellipse) {
-            placed("ellipse", obstacle, out).set("rx", ellipse.rx()).set("ry", ellipse.ry());
+            beginObstacle("ellipse", obstacle, out)
+                    .attribute("rx", ellipse.rx())
+                    .attribute("ry", ellipse.ry());
         } else if (shape instanceof ObstacleShape.Polygon polygon) {
-            placed("polygon", obstacle, out).set("points", text(polygon.points()));
+            beginObstacle("polygon", obstacle, out).attribute("points", formatPoints(polygon.points()));
         } else if (shape instanceof ObstacleShape.Wall wall) {
-            placed("wall", obstacle, out).set("points", text(wall.points()));
+            beginObstacle("wall", obstacle, out).attribute("points", formatPoints(wall.points()));
         }
-        if (obstacle.isGlossy()) {
-            out.setAngle("specular", obstacle.specular());
+        if (obstacle.isSpecular()) {
+            out.angleAttribute("specular", obstacle.specularAngle());
         }
-        obstacle.motion().ifPresent(motion -> motion(motion, out));
-        out.end();
+        obstacle.motion().ifPresent(motion -> writeMotion(motion, out));
+        out.endElement();
     }
 
-    private static XmlOut placed(String name, Obstacle obstacle, XmlOut out) {
-        return pose(obstacle.pose(), out.begin(name).set("id", obstacle.id()));
+    private static XmlWriter beginObstacle(String name, Obstacle obstacle, XmlWriter out) {
+        return writePose(obstacle.pose(), out.beginElement(name).attribute("id", obstacle.id()));
     }
 
-    static XmlOut pose(Pose pose, XmlOut out) {
-        return out.set("x", pose.x()).set("y", pose.y()).setAngle("heading", pose.heading());
+    static XmlWriter writePose(Pose pose, XmlWriter out) {
+        return out.attribute("x", pose.x()).attribute("y", pose.y()).angleAttribute("heading", pose.heading());
     }
 
-    private static void motion(Motion motion, XmlOut out) {
-        out.begin("motion").set("speed", motion.speed()).set("loop", motion.loop()).set("points", text(motion.points())).end();
+    private static void writeMotion(WaypointPath motion, XmlWriter out) {
+        out.beginElement("motion")
+                .attribute("speed", motion.speed())
+                .attribute("loop", motion.loop())
+                .attribute("points", formatPoints(motion.waypoints()))
+                .endElement();
     }
 
-    private static String text(List<Vec> points) {
-        return points.stream().map(point -> Numbers.toText(point.x()) + "," + Numbers.toText(point.y())).collect(Collectors.joining(" "));
+    private static String formatPoints(List<Vector2> points) {
+        return points.stream()
+                .map(point -> DecimalText.format(point.x()) + "," + DecimalText.format(point.y()))
+                .collect(Collectors.joining(" "));
     }
 }

@@ -3,31 +3,44 @@ package faultline.scenario;
 /** Text as XML 1.0 can hold it. */
 final class XmlText {
 
-    private XmlText() {
-    }
+    private XmlText() {}
 
     /** Text for people: on one line, single blanks, and without the characters that XML cannot hold. */
     static String oneLine(String text) {
-        return map(text, ' ').replaceAll("\\s+", " ").strip();
+        return replaceInvalid(text, ' ').replaceAll("\\s+", " ").strip();
     }
 
     /** Text in double quotes in a file; reads back to the same characters, white space included. */
-    static String attribute(String text) {
-        return element(text).replace("\"", "&quot;").replace("\t", "&#9;").replace("\n", "&#10;").replace("\r", "&#13;");
+    static String escapeAttribute(String text) {
+        return escapeText(text)
+                .replace("\"", "&quot;")
+                .replace("\t", "&#9;")
+                .replace("\n", "&#10;")
+                .replace("\r", "&#13;");
     }
 
     /** Text inside an element. What XML cannot hold at all becomes a question mark. */
-    static String element(String text) {
-        return map(text, '?').replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+    static String escapeText(String text) {
+        return replaceInvalid(text, '?')
+                .replace("&", "&amp;")
+                .replace("<", "&lt;")
+                .replace(">", "&gt;");
     }
 
-    private static String map(String text, int other) {
-        return text.codePoints().map(c -> isXml(c) ? c : other)
-                .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append).toString();
+    private static String replaceInvalid(String text, int other) {
+        return text.codePoints()
+                .map(c -> isXmlCharacter(c) ? c : other)
+                .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
+                .toString();
     }
 
     /** The characters of XML 1.0, production 2. */
-    private static boolean isXml(int c) {
-        return c == '\t' || c == '\n' || c == '\r' || c >= 0x20 && c <= 0xD7FF || c >= 0xE000 && c <= 0xFFFD || c >= 0x10000;
+    private static boolean isXmlCharacter(int c) {
+        return c == '\t'
+                || c == '\n'
+                || c == '\r'
+                || c >= 0x20 && c <= 0xD7FF
+                || c >= 0xE000 && c <= 0xFFFD
+                || c >= 0x10000;
     }
 }

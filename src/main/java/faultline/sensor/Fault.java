@@ -1,8 +1,9 @@
 package faultline.sensor;
 
 /**
- * One way in which a sensor fails. A fault turns what the sensor would have reported into what it does report; several faults on one
- * sensor act in the order in which they came. A fault keeps no state: what is random about it follows from the dice it is given.
+ * One way in which a sensor fails. A fault turns what the sensor would have reported into what it does report; several
+ * faults on one sensor act in the order in which they came. A fault keeps no state: what is random about it follows
+ * from the dice it is given.
  */
 public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault.Dropout {
 
@@ -14,7 +15,7 @@ public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault
      * @param dice the sensor's random numbers for this tick
      * @return the encoded reading after this fault: a distance in [0, range], nothing, or off
      */
-    double distort(double reading, double range, Dice dice);
+    double apply(double reading, double range, SensorRandom dice);
 
     /**
      * The kind of this fault, as files and windows name it.
@@ -33,7 +34,7 @@ public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault
     /** The sensor gives no answer at all: file kind {@code off}. */
     record Dead() implements Fault {
         @Override
-        public double distort(double reading, double range, Dice dice) {
+        public double apply(double reading, double range, SensorRandom dice) {
             return Reading.OFF;
         }
 
@@ -55,7 +56,7 @@ public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault
      */
     record Stuck(double value) implements Fault {
         @Override
-        public double distort(double reading, double range, Dice dice) {
+        public double apply(double reading, double range, SensorRandom dice) {
             return value <= range ? value : Reading.NOTHING;
         }
 
@@ -66,14 +67,14 @@ public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault
     }
 
     /**
-     * The sensor adds an error to every distance: file kind {@code bias}. The sum is held at 0 below, and reads as nothing beyond the
-     * range.
+     * The sensor adds an error to every distance: file kind {@code bias}. The sum is held at 0 below, and reads as
+     * nothing beyond the range.
      *
      * @param value the error, metres, positive for too far
      */
     record Bias(double value) implements Fault {
         @Override
-        public double distort(double reading, double range, Dice dice) {
+        public double apply(double reading, double range, SensorRandom dice) {
             double biased = Math.max(0, reading + value);
             return biased <= range ? biased : Reading.NOTHING;
         }
@@ -91,8 +92,8 @@ public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault
      */
     record Dropout(double value) implements Fault {
         @Override
-        public double distort(double reading, double range, Dice dice) {
-            return dice.uniform() < value ? Reading.NOTHING : reading;
+        public double apply(double reading, double range, SensorRandom dice) {
+            return dice.nextDouble() < value ? Reading.NOTHING : reading;
         }
 
         @Override

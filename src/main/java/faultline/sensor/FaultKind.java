@@ -20,16 +20,16 @@ public enum FaultKind {
     DROPOUT("", 0, 1, 0.5, Fault.Dropout::new);
 
     private final String unit;
-    private final double least;
-    private final double most;
-    private final double usual;
+    private final double minValue;
+    private final double maxValue;
+    private final double defaultValue;
     private final DoubleFunction<Fault> factory;
 
     FaultKind(String unit, double least, double most, double usual, DoubleFunction<Fault> factory) {
         this.unit = unit;
-        this.least = least;
-        this.most = most;
-        this.usual = usual;
+        this.minValue = least;
+        this.maxValue = most;
+        this.defaultValue = usual;
         this.factory = factory;
     }
 
@@ -39,7 +39,7 @@ public enum FaultKind {
      * @param name the name in a file, in lower case
      * @return the kind, empty where there is none of that name
      */
-    public static Optional<FaultKind> named(String name) {
+    public static Optional<FaultKind> ofFileName(String name) {
         for (FaultKind kind : values()) {
             if (kind.fileName().equals(name)) {
                 return Optional.of(kind);
@@ -62,12 +62,12 @@ public enum FaultKind {
      *
      * @param value its number, ignored by kinds without one
      * @return the fault
-     * @throws IllegalArgumentException if the number is outside [{@link #least()}, {@link #most()}]
+     * @throws IllegalArgumentException if the number is outside [{@link #minValue()}, {@link #maxValue()}]
      */
-    public Fault fault(double value) {
-        if (takesValue() && !(value >= least && value <= most)) {
+    public Fault createFault(double value) {
+        if (takesValue() && !(value >= minValue && value <= maxValue)) {
             throw new IllegalArgumentException(
-                    "a " + fileName() + " fault takes a value from " + least + " to " + most + ", not " + value);
+                    "a " + fileName() + " fault takes a value from " + minValue + " to " + maxValue + ", not " + value);
         }
         return factory.apply(value);
     }
@@ -95,8 +95,8 @@ public enum FaultKind {
      *
      * @return in the unit
      */
-    public double least() {
-        return least;
+    public double minValue() {
+        return minValue;
     }
 
     /**
@@ -104,8 +104,8 @@ public enum FaultKind {
      *
      * @return in the unit
      */
-    public double most() {
-        return most;
+    public double maxValue() {
+        return maxValue;
     }
 
     /**
@@ -113,7 +113,7 @@ public enum FaultKind {
      *
      * @return in the unit
      */
-    public double usual() {
-        return usual;
+    public double defaultValue() {
+        return defaultValue;
     }
 }

@@ -3,8 +3,8 @@ package faultline.sensor;
 import java.util.OptionalDouble;
 
 /**
- * What a sensor gives at one moment: a distance, nothing within range, or no answer because it is off. In arrays a reading is one
- * {@code double}: the distance in metres, {@link #NOTHING} or {@link #OFF}.
+ * What a sensor gives at one moment: a distance, nothing within range, or no answer because it is off. In arrays a
+ * reading is one {@code double}: the distance in metres, {@link #NOTHING} or {@link #OFF}.
  *
  * @param encoded the distance in metres, not negative, or {@link #NOTHING}, or {@link #OFF}
  */

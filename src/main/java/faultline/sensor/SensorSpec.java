@@ -1,20 +1,22 @@
 package faultline.sensor;
 
 import faultline.geometry.Degrees;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 
 /**
  * How one infrared cone sensor is mounted and set.
  *
  * @param id the sensor's name, unique on the robot
- * @param seat the apex of its cone in the robot's frame, metres ahead (x) and to the left (y) of the robot's centre
+ * @param mountPosition the apex of its cone in the robot's frame, metres ahead (x) and to the left (y) of the robot's
+ *     centre
  * @param bearing the direction of its axis in the robot's frame, radians, counter-clockwise from straight ahead
  * @param range the farthest distance that it sees, metres, positive
  * @param cone its field of view, the full angle of the cone, radians in (0, pi)
  * @param on whether it is switched on
  * @param noise the standard deviation of its Gaussian noise, metres, 0 for none
  */
-public record SensorSpec(String id, Vec seat, double bearing, double range, double cone, boolean on, double noise) {
+public record SensorSpec(
+        String id, Vector2 mountPosition, double bearing, double range, double cone, boolean on, double noise) {
 
     /** The range of a sensor that is given none, metres. */
     public static final double DEFAULT_RANGE = 0.8;
@@ -24,7 +26,7 @@ public record SensorSpec(String id, Vec seat, double bearing, double range, doub
 
     public SensorSpec {
         require(!id.isEmpty(), "a sensor needs an id");
-        require(seat.isFinite() && Double.isFinite(bearing), id + ": seat and bearing must be finite");
+        require(mountPosition.isFinite() && Double.isFinite(bearing), id + ": seat and bearing must be finite");
         require(range > 0 && Double.isFinite(range), id + ": range must be positive: " + range);
         require(cone > 0 && cone < StrictMath.PI, id + ": cone must be more than 0 and less than pi: " + cone);
         require(noise >= 0 && Double.isFinite(noise), id + ": noise must not be negative: " + noise);
@@ -43,7 +45,7 @@ public record SensorSpec(String id, Vec seat, double bearing, double range, doub
      * @return the same sensor, switched
      */
     public SensorSpec withOn(boolean nowOn) {
-        return new SensorSpec(id, seat, bearing, range, cone, nowOn, noise);
+        return new SensorSpec(id, mountPosition, bearing, range, cone, nowOn, noise);
     }
 
     /**
@@ -53,7 +55,7 @@ public record SensorSpec(String id, Vec seat, double bearing, double range, doub
      * @return the same sensor otherwise
      */
     public SensorSpec withRange(double metres) {
-        return new SensorSpec(id, seat, bearing, metres, cone, on, noise);
+        return new SensorSpec(id, mountPosition, bearing, metres, cone, on, noise);
     }
 
     /**
@@ -63,7 +65,7 @@ public record SensorSpec(String id, Vec seat, double bearing, double range, doub
      * @return the same sensor otherwise
      */
     public SensorSpec withCone(double radians) {
-        return new SensorSpec(id, seat, bearing, range, radians, on, noise);
+        return new SensorSpec(id, mountPosition, bearing, range, radians, on, noise);
     }
 
     /**
@@ -72,7 +74,7 @@ public record SensorSpec(String id, Vec seat, double bearing, double range, doub
      * @param metres the new apex of its cone in the robot's frame
      * @return the same sensor otherwise
      */
-    public SensorSpec withSeat(Vec metres) {
+    public SensorSpec withMountPosition(Vector2 metres) {
         return new SensorSpec(id, metres, bearing, range, cone, on, noise);
     }
 
@@ -83,7 +85,7 @@ public record SensorSpec(String id, Vec seat, double bearing, double range, doub
      * @return the same sensor otherwise
      */
     public SensorSpec withBearing(double radians) {
-        return new SensorSpec(id, seat, radians, range, cone, on, noise);
+        return new SensorSpec(id, mountPosition, radians, range, cone, on, noise);
     }
 
     /**
@@ -93,6 +95,6 @@ public record SensorSpec(String id, Vec seat, double bearing, double range, doub
      * @return the same sensor otherwise
      */
     public SensorSpec withNoise(double metres) {
-        return new SensorSpec(id, seat, bearing, range, cone, on, metres);
+        return new SensorSpec(id, mountPosition, bearing, range, cone, on, metres);
     }
 }

@@ -1,6 +1,6 @@
 package faultline.world;
 
-import faultline.geometry.Box;
+import faultline.geometry.OrientedBox;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import java.util.Optional;
@@ -9,10 +9,9 @@ import java.util.Optional;
 public final class Clearance {
 
     /** A body nearer than this to an obstacle counts as touching it, metres. */
-    public static final double LEAST = 1e-9;
+    public static final double MIN_DISTANCE = 1e-9;
 
-    private Clearance() {
-    }
+    private Clearance() {}
 
     /**
      * What the robot would overlap or touch at a pose.
@@ -22,8 +21,8 @@ public final class Clearance {
      * @param pose where it stands
      * @return the id of the first such obstacle, or {@link WorldSpec#ENCLOSURE}; empty where the robot has room
      */
-    public static Optional<String> obstructing(WorldSpec world, RobotSpec robot, Pose pose) {
-        String id = new ObstacleField(world).obstructing(new Box(pose, robot.length(), robot.width()));
+    public static Optional<String> findObstruction(WorldSpec world, RobotSpec robot, Pose pose) {
+        String id = new ObstacleSet(world).findObstruction(new OrientedBox(pose, robot.length(), robot.width()));
         return id.isEmpty() ? Optional.empty() : Optional.of(id);
     }
 }

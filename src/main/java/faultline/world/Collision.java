@@ -1,6 +1,6 @@
 package faultline.world;
 
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.sensor.Fault;
 import java.util.List;
 import java.util.Map;
@@ -13,12 +13,18 @@ import java.util.Map;
  * @param tick the tick in which it happened
  * @param obstacle the id of the obstacle, or {@link WorldSpec#ENCLOSURE}
  * @param faults the faults active then, by sensor id, sorted; sensors without faults are left out
- * @param off the ids of the sensors that were switched off then, in the robot's order
+ * @param switchedOff the ids of the sensors that were switched off then, in the robot's order
  */
-public record Collision(Vec point, double time, long tick, String obstacle, Map<String, List<Fault>> faults, List<String> off) {
+public record Collision(
+        Vector2 point,
+        double time,
+        long tick,
+        String obstacle,
+        Map<String, List<Fault>> faults,
+        List<String> switchedOff) {
 
     public Collision {
         faults = java.util.Collections.unmodifiableMap(new java.util.TreeMap<>(faults));
-        off = List.copyOf(off);
+        switchedOff = List.copyOf(switchedOff);
     }
 }

@@ -11,10 +11,10 @@ import java.util.Optional;
  * @param shape in its own frame
  * @param pose of that frame in the world
  * @param motion its way-points, empty for a static obstacle
- * @param specular the greatest angle of incidence that its surface sends light back from, radians from the normal, in (0, pi / 2]; {@link
- *         #MATT} for all
+ * @param specularAngle the greatest angle of incidence that its surface sends light back from, radians from the normal,
+ *     in (0, pi / 2]; {@link #MATT} for all
  */
-public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motion> motion, double specular) {
+public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<WaypointPath> motion, double specularAngle) {
 
     /** A surface that is seen at any angle. */
     public static final double MATT = StrictMath.PI / 2;
@@ -26,10 +26,11 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motio
         Objects.requireNonNull(shape, "shape");
         Objects.requireNonNull(pose, "pose");
         Objects.requireNonNull(motion, "motion");
-        if (!(specular > 0 && specular <= MATT)) {
-            throw new IllegalArgumentException("specular must be more than 0 and at most a right angle: " + specular);
+        if (!(specularAngle > 0 && specularAngle <= MATT)) {
+            throw new IllegalArgumentException(
+                    "specular must be more than 0 and at most a right angle: " + specularAngle);
         }
-        if (specular < MATT && (shape instanceof ObstacleShape.Circle || shape instanceof ObstacleShape.Ellipse)) {
+        if (specularAngle < MATT && (shape instanceof ObstacleShape.Circle || shape instanceof ObstacleShape.Ellipse)) {
             throw new IllegalArgumentException("only flat surfaces can be specular: " + id);
         }
     }
@@ -42,7 +43,7 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motio
      * @param pose of that frame in the world
      * @param motion its way-points, empty for a static obstacle
      */
-    public Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motion> motion) {
+    public Obstacle(String id, ObstacleShape shape, Pose pose, Optional<WaypointPath> motion) {
         this(id, shape, pose, motion, MATT);
     }
 
@@ -62,8 +63,8 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motio
      *
      * @return false for a matt surface
      */
-    public boolean isGlossy() {
-        return specular < MATT;
+    public boolean isSpecular() {
+        return specularAngle < MATT;
     }
 
     /**
@@ -72,8 +73,8 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motio
      * @param changed the new shape
      * @return the same obstacle otherwise
      */
-    public Obstacle shaped(ObstacleShape changed) {
-        return new Obstacle(id, changed, pose, motion, specular);
+    public Obstacle withShape(ObstacleShape changed) {
+        return new Obstacle(id, changed, pose, motion, specularAngle);
     }
 
     /**
@@ -82,8 +83,8 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motio
      * @param way its way-points, empty to stand still
      * @return the same obstacle otherwise
      */
-    public Obstacle moving(Optional<Motion> way) {
-        return new Obstacle(id, shape, pose, way, specular);
+    public Obstacle withMotion(Optional<WaypointPath> way) {
+        return new Obstacle(id, shape, pose, way, specularAngle);
     }
 
     /**
@@ -92,8 +93,8 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motio
      * @param other unique in its world
      * @return the same obstacle otherwise
      */
-    public Obstacle named(String other) {
-        return new Obstacle(other, shape, pose, motion, specular);
+    public Obstacle withId(String other) {
+        return new Obstacle(other, shape, pose, motion, specularAngle);
     }
 
     /**
@@ -102,7 +103,7 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Motio
      * @param elsewhere the new pose
      * @return the same obstacle otherwise
      */
-    public Obstacle at(Pose elsewhere) {
-        return new Obstacle(id, shape, elsewhere, motion, specular);
+    public Obstacle withPose(Pose elsewhere) {
+        return new Obstacle(id, shape, elsewhere, motion, specularAngle);
     }
 }

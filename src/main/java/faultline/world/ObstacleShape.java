@@ -1,9 +1,12 @@
 package faultline.world;
 
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import java.util.List;
 
-/** The shape of an obstacle in its own frame, before its pose is applied. All but the wall are solid: their inside belongs to them. */
+/**
+ * The shape of an obstacle in its own frame, before its pose is applied. All but the wall are solid: their inside
+ * belongs to them.
+ */
 public sealed interface ObstacleShape {
 
     /**
@@ -14,8 +17,8 @@ public sealed interface ObstacleShape {
      */
     record Rectangle(double width, double height) implements ObstacleShape {
         public Rectangle {
-            positive("width", width);
-            positive("height", height);
+            requirePositive("width", width);
+            requirePositive("height", height);
         }
     }
 
@@ -26,7 +29,7 @@ public sealed interface ObstacleShape {
      */
     record Circle(double radius) implements ObstacleShape {
         public Circle {
-            positive("radius", radius);
+            requirePositive("radius", radius);
         }
     }
 
@@ -38,8 +41,8 @@ public sealed interface ObstacleShape {
      */
     record Ellipse(double rx, double ry) implements ObstacleShape {
         public Ellipse {
-            positive("rx", rx);
-            positive("ry", ry);
+            requirePositive("rx", rx);
+            requirePositive("ry", ry);
         }
     }
 
@@ -48,9 +51,9 @@ public sealed interface ObstacleShape {
      *
      * @param points at least three, in order; the last is joined to the first
      */
-    record Polygon(List<Vec> points) implements ObstacleShape {
+    record Polygon(List<Vector2> points) implements ObstacleShape {
         public Polygon {
-            points = checked("polygon", points, 3);
+            points = requirePoints("polygon", points, 3);
         }
     }
 
@@ -59,23 +62,23 @@ public sealed interface ObstacleShape {
      *
      * @param points at least two, in order
      */
-    record Wall(List<Vec> points) implements ObstacleShape {
+    record Wall(List<Vector2> points) implements ObstacleShape {
         public Wall {
-            points = checked("wall", points, 2);
+            points = requirePoints("wall", points, 2);
         }
     }
 
-    private static void positive(String name, double value) {
+    private static void requirePositive(String name, double value) {
         if (!(value > 0 && Double.isFinite(value))) {
             throw new IllegalArgumentException(name + " must be positive: " + value);
         }
     }
 
-    private static List<Vec> checked(String name, List<Vec> points, int least) {
+    private static List<Vector2> requirePoints(String name, List<Vector2> points, int least) {
         if (points.size() < least) {
             throw new IllegalArgumentException("a " + name + " needs at least " + least + " points: " + points.size());
         }
-        if (!points.stream().allMatch(Vec::isFinite)) {
+        if (!points.stream().allMatch(Vector2::isFinite)) {
             throw new IllegalArgumentException("the points of a " + name + " must be finite: " + points);
         }
         return List.copyOf(points);

@@ -1,12 +1,12 @@
 package faultline.world;
 
-import faultline.geometry.Box;
-import faultline.geometry.BoxGap;
-import faultline.geometry.Convex;
-import faultline.geometry.Gap;
+import faultline.geometry.BoxDistance;
+import faultline.geometry.ConvexShape;
+import faultline.geometry.OrientedBox;
 import faultline.geometry.Pose;
 import faultline.geometry.Segment;
-import faultline.geometry.Vec;
+import faultline.geometry.Separation;
+import faultline.geometry.Vector2;
 import faultline.robot.DifferentialDrive;
 import faultline.robot.RobotSpec;
 import java.util.ArrayList;
@@ -16,7 +16,7 @@ import java.util.List;
 final class RobotBody {
 
     /** Points of a contact are looked for within this distance, metres: ten times the touching gap. */
-    private static final double CONTACT = 1e-9;
+    private static final double CONTACT_TOLERANCE = 1e-9;
 
     private RobotSpec spec;
     private Pose pose;
@@ -32,7 +32,7 @@ final class RobotBody {
         return spec;
     }
 
-    void rebuild(RobotSpec newSpec) {
+    void setSpec(RobotSpec newSpec) {
         spec = newSpec;
     }
 
@@ -63,7 +63,7 @@ final class RobotBody {
     }
 
     /** Rolls on at the present wheel speeds. */
-    void roll(double time) {
+    void advance(double time) {
         pose = DifferentialDrive.advance(pose, v(), omega(), time);
     }
 
@@ -73,30 +73,30 @@ final class RobotBody {
         rightSpeed = 0;
     }
 
-    Box box() {
-        return new Box(pose, spec.length(), spec.width());
+    OrientedBox box() {
+        return new OrientedBox(pose, spec.length(), spec.width());
     }
 
     /** How far any point of the body can come from its centre's present place in a time, metres. */
-    double span(double time) {
-        return spec.reach() + Math.abs(v()) * time;
+    double reachableRadius(double time) {
+        return spec.boundingRadius() + Math.abs(v()) * time;
     }
 
     /** A sweep of the body at its present wheel speeds. */
-    Sweep sweep() {
-        return new Sweep(spec.length(), spec.width(), v(), omega());
+    TimeOfImpact timeOfImpact() {
+        return new TimeOfImpact(spec.length(), spec.width(), v(), omega());
     }
 
     /** Where the body touches a figure: the ends of the common piece if a side lies flush, else one point. */
-    List<Vec> contacts(Convex figure) {
-        Box box = box();
-        List<Vec> points = new ArrayList<>();
-        Gap gap = BoxGap.between(box, figure);
-        if (gap.distance() > CONTACT) {
+    List<Vector2> contactPoints(ConvexShape figure) {
+        OrientedBox box = box();
+        List<Vector2> points = new ArrayList<>();
+        Separation gap = BoxDistance.between(box, figure);
+        if (gap.distance() > CONTACT_TOLERANCE) {
             return points;
         }
         for (int i = 0; i < 4; i++) {
-            Vec corner = box.corner(i);
+            Vector2 corner = box.corner(i);
             addIfNew(points, figure.nearestTo(corner), corner);
         }
         if (figure instanceof Segment segment) {
@@ -104,14 +104,14 @@ final class RobotBody {
             addIfNew(points, segment.b(), box.nearestTo(segment.b()));
         }
         if (points.isEmpty()) {
-            points.add(gap.onFigure());
+            points.add(gap.onShape());
         }
         return points;
     }
 
-    private static void addIfNew(List<Vec> points, Vec onFigure, Vec onBox) {
-        boolean touching = onFigure.distanceTo(onBox) <= CONTACT;
-        if (touching && points.stream().noneMatch(point -> point.distanceTo(onFigure) <= 2 * CONTACT)) {
+    private static void addIfNew(List<Vector2> points, Vector2 onFigure, Vector2 onBox) {
+        boolean touching = onFigure.distanceTo(onBox) <= CONTACT_TOLERANCE;
+        if (touching && points.stream().noneMatch(point -> point.distanceTo(onFigure) <= 2 * CONTACT_TOLERANCE)) {
             points.add(onFigure);
         }
     }

@@ -1,7 +1,7 @@
 package faultline.world;
 
 import faultline.geometry.Sector;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.sensor.Fault;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
@@ -14,13 +14,20 @@ import java.util.List;
  * @param sector its cone in the world
  * @param truth what is really there, whether it is on or not
  * @param reported what it gives the controller
- * @param hits where the cone's outline meets obstacles' outlines, of glossy ones what sends its light back, metres; empty where it is off
+ * @param intersections where the cone's outline meets obstacles' outlines, of glossy ones what sends its light back,
+ *     metres; empty where it is off
  * @param faults its active faults, oldest first
  */
-public record SensorSnapshot(SensorSpec spec, Sector sector, Reading truth, Reading reported, List<Vec> hits, List<Fault> faults) {
+public record SensorSnapshot(
+        SensorSpec spec,
+        Sector sector,
+        Reading truth,
+        Reading reported,
+        List<Vector2> intersections,
+        List<Fault> faults) {
 
     public SensorSnapshot {
-        hits = List.copyOf(hits);
+        intersections = List.copyOf(intersections);
         faults = List.copyOf(faults);
     }
 }

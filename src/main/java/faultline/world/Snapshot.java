@@ -1,7 +1,7 @@
 package faultline.world;
 
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import java.util.List;
 import java.util.Optional;
@@ -23,8 +23,19 @@ import java.util.Optional;
  * @param contacts where the robot touches obstacles, metres; empty before a collision
  * @param collision the first contact, empty before it
  */
-public record Snapshot(long tick, double time, double width, double height, boolean enclosed, RobotSpec robot, Pose pose,
-        double leftSpeed, double rightSpeed, List<SensorSnapshot> sensors, List<Obstacle> obstacles, List<Vec> contacts,
+public record Snapshot(
+        long tick,
+        double time,
+        double width,
+        double height,
+        boolean enclosed,
+        RobotSpec robot,
+        Pose pose,
+        double leftSpeed,
+        double rightSpeed,
+        List<SensorSnapshot> sensors,
+        List<Obstacle> obstacles,
+        List<Vector2> contacts,
         Optional<Collision> collision) {
 
     public Snapshot {

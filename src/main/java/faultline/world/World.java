@@ -1,7 +1,7 @@
 package faultline.world;
 
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import java.util.ArrayList;
@@ -15,16 +15,16 @@ public final class World {
 
     private final WorldSpec spec;
     private final double dt;
-    private final ObstacleField field;
+    private final ObstacleSet obstacleSet;
     private final RobotBody body;
-    private final SensorBank sensors;
-    private final Traffic traffic;
-    private final CommandDesk desk;
-    private final CommandUndo undo;
+    private final SensorArray sensors;
+    private final MotionStep motionStep;
+    private final CommandHandler commandHandler;
+    private final CommandInverter commandInverter;
     private final double decay;
     private long tick;
     private Optional<Collision> collision = Optional.empty();
-    private List<Vec> contacts = List.of();
+    private List<Vector2> contacts = List.of();
 
     /**
      * A world at tick 0, before its first sensing.
@@ -38,12 +38,12 @@ public final class World {
     public World(WorldSpec spec, RobotSpec robot, Pose start, double dt, long seed) {
         this.spec = spec;
         this.dt = dt;
-        this.field = new ObstacleField(spec);
+        this.obstacleSet = new ObstacleSet(spec);
         this.body = new RobotBody(robot, start);
-        this.sensors = new SensorBank(robot, seed);
-        this.traffic = new Traffic(field, body);
-        this.desk = new CommandDesk(spec, field, body, sensors, traffic);
-        this.undo = new CommandUndo(field, body, sensors);
+        this.sensors = new SensorArray(robot, seed);
+        this.motionStep = new MotionStep(obstacleSet, body);
+        this.commandHandler = new CommandHandler(spec, obstacleSet, body, sensors, motionStep);
+        this.commandInverter = new CommandInverter(obstacleSet, body, sensors);
         this.decay = robot.motor().decay(dt);
     }
 
@@ -51,11 +51,11 @@ public final class World {
      * What would take a command back.
      *
      * @param command that is not applied yet
-     * @return the commands, in order, that restore what it is about to change; a collision that it brings about stays. Empty where it will
-     *         be refused because it names something unknown
+     * @return the commands, in order, that restore what it is about to change; a collision that it brings about stays.
+     *     Empty where it will be refused because it names something unknown
      */
-    public List<Command> undoing(Command command) {
-        return undo.of(command);
+    public List<Command> inverseOf(Command command) {
+        return commandInverter.inverseOf(command);
     }
 
     /**
@@ -64,9 +64,9 @@ public final class World {
      * @param command what is to be done
      * @return why it was refused, empty where it was done
      */
-    public Optional<String> apply(Command command) {
-        Optional<String> refusal = desk.apply(command);
-        traffic.takeContact().ifPresent(contact -> collide(contact, tick, tick * dt));
+    public Optional<String> execute(Command command) {
+        Optional<String> refusal = commandHandler.execute(command);
+        motionStep.pollContact().ifPresent(contact -> recordCollision(contact, tick, tick * dt));
         return refusal;
     }
 
@@ -80,25 +80,26 @@ public final class World {
         if (collision.isEmpty()) {
             body.driveMotors(leftVolts, rightVolts, decay);
         }
-        traffic.move(dt);
-        traffic.takeContact().ifPresent(contact -> collide(contact, tick + 1, tick * dt + contact.time()));
+        motionStep.move(dt);
+        motionStep.pollContact().ifPresent(contact -> recordCollision(contact, tick + 1, tick * dt + contact.time()));
         tick++;
     }
 
-    private void collide(Traffic.Contact contact, long at, double time) {
+    private void recordCollision(MotionStep.Contact contact, long at, double time) {
         if (collision.isPresent()) {
             return;
         }
         contacts = contact.points();
-        collision = Optional.of(new Collision(middle(contacts), time, at, contact.obstacle(), faults(), switchedOff()));
+        collision =
+                Optional.of(new Collision(mean(contacts), time, at, contact.obstacle(), activeFaults(), switchedOff()));
     }
 
-    private static Vec middle(List<Vec> points) {
-        Vec sum = points.stream().reduce(Vec.ZERO, Vec::plus);
+    private static Vector2 mean(List<Vector2> points) {
+        Vector2 sum = points.stream().reduce(Vector2.ZERO, Vector2::plus);
         return sum.times(1.0 / points.size());
     }
 
-    private Map<String, List<Fault>> faults() {
+    private Map<String, List<Fault>> activeFaults() {
         Map<String, List<Fault>> faults = new TreeMap<>();
         for (int i = 0; i < body.spec().sensors().size(); i++) {
             if (!sensors.faults(i).isEmpty()) {
@@ -116,7 +117,7 @@ public final class World {
 
     /** Reads all sensors, then lets their faults act: step 6. */
     public void sense() {
-        sensors.sense(field, body.pose(), tick);
+        sensors.sense(obstacleSet, body.pose(), tick);
     }
 
     /**
@@ -208,7 +209,19 @@ public final class World {
      * @return the world now
      */
     public Snapshot snapshot() {
-        return new Snapshot(tick, tick * dt, spec.width(), spec.height(), spec.enclosed(), body.spec(), body.pose(),
-                body.leftSpeed(), body.rightSpeed(), sensors.snapshots(field, body.pose()), field.obstacles(), contacts, collision);
+        return new Snapshot(
+                tick,
+                tick * dt,
+                spec.width(),
+                spec.height(),
+                spec.enclosed(),
+                body.spec(),
+                body.pose(),
+                body.leftSpeed(),
+                body.rightSpeed(),
+                sensors.snapshots(obstacleSet, body.pose()),
+                obstacleSet.obstacles(),
+                contacts,
+                collision);
     }
 }

@@ -33,7 +33,9 @@ public record WorldSpec(double width, double height, boolean enclosed, int maxMo
                 throw new IllegalArgumentException("two obstacles are called " + obstacle.id());
             }
         }
-        long moving = obstacles.stream().filter(obstacle -> obstacle.motion().isPresent()).count();
+        long moving = obstacles.stream()
+                .filter(obstacle -> obstacle.motion().isPresent())
+                .count();
         if (moving > maxMoving) {
             throw new IllegalArgumentException(moving + " obstacles move, at most " + maxMoving + " may");
         }

@@ -21,24 +21,28 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Arguments in; exit code, output and complaints out. */
 class CommandLineTest {
 
-    private static final String STRUCK = "scenarios/struck-by-a-visitor.xml";
+    private static final String COLLIDING_SCENARIO = "scenarios/struck-by-a-visitor.xml";
 
     @TempDir
     private Path folder;
 
     /** What one command did. */
-    private record Outcome(int code, String out, String err) {
+    private record CommandResult(int code, String out, String err) {
 
         String value(String key) {
-            return out.lines().filter(line -> line.startsWith(key + ": ")).findFirst().orElseThrow().substring(key.length() + 2);
+            return out.lines()
+                    .filter(line -> line.startsWith(key + ": "))
+                    .findFirst()
+                    .orElseThrow()
+                    .substring(key.length() + 2);
         }
     }
 
-    private static Outcome command(String... args) {
+    private static CommandResult command(String... args) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        int code = new CommandLine(new Console(stream(out), stream(err))).run(args);
-        return new Outcome(code, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+        int code = new CommandLine(new CommandOutput(stream(out), stream(err))).run(args);
+        return new CommandResult(code, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
     }
 
     private static PrintStream stream(OutputStream out) {
@@ -47,15 +51,30 @@ class CommandLineTest {
 
     @Test
     void runPrintsTheSummaryAsKeysAndValues() {
-        Outcome run = command("run", STRUCK);
+        CommandResult run = command("run", COLLIDING_SCENARIO);
         assertEquals(0, run.code);
         assertEquals("", run.err);
-        assertEquals(List.of("ticks", "simulated_s", "real_time_factor", "state", "states", "collision", "collided_with", "coverage",
-                "distance_rms_m", "trajectory_hash", "seed", "expectations"), run.out.lines().map(line -> line.split(": ")[0]).toList());
+        assertEquals(
+                List.of(
+                        "ticks",
+                        "simulated_s",
+                        "real_time_factor",
+                        "state",
+                        "states",
+                        "collision",
+                        "collided_with",
+                        "coverage",
+                        "distance_rms_m",
+                        "trajectory_hash",
+                        "seed",
+                        "expectations"),
+                run.out.lines().map(line -> line.split(": ")[0]).toList());
         assertEquals("2000", run.value("ticks"));
         assertEquals("20", run.value("simulated_s"));
         assertEquals("NONE", run.value("state"));
-        assertTrue(run.value("collision").matches("2\\.125000000,2\\.100000000 at 8\\.9166666\\d{2}"), run.value("collision"));
+        assertTrue(
+                run.value("collision").matches("2\\.125000000,2\\.100000000 at 8\\.9166666\\d{2}"),
+                run.value("collision"));
         assertEquals("visitor", run.value("collided_with"));
         assertTrue(run.value("trajectory_hash").matches("[0-9a-f]{16}"), run.value("trajectory_hash"));
         assertEquals("held", run.value("expectations"));
@@ -63,7 +82,7 @@ class CommandLineTest {
 
     @Test
     void untilAndSeedTakeThePlaceOfTheFiles() {
-        Outcome run = command("run", STRUCK, "--until", "2.5", "--seed=-7");
+        CommandResult run = command("run", COLLIDING_SCENARIO, "--until", "2.5", "--seed=-7");
         assertEquals("250", run.value("ticks"));
         assertEquals("-7", run.value("seed"));
         assertEquals("none", run.value("collision"));
@@ -71,7 +90,7 @@ class CommandLineTest {
 
     @Test
     void anExpectationThatFailsIsExitCodeOneAndASentence() {
-        Outcome run = command("run", STRUCK, "--until", "1");
+        CommandResult run = command("run", COLLIDING_SCENARIO, "--until", "1");
         assertEquals(1, run.code);
         assertEquals("failed", run.value("expectations"));
         assertEquals("expected a collision, but there was none\n", run.err);
@@ -80,7 +99,8 @@ class CommandLineTest {
     @Test
     void theTrajectoryIsTheSameWhereverTheControllerRuns() {
         String file = "scenarios/inner-corner-90.xml";
-        assertEquals(command("run", file, "--until", "20").value("trajectory_hash"),
+        assertEquals(
+                command("run", file, "--until", "20").value("trajectory_hash"),
                 command("run", file, "--until", "20", "--threads", "controller").value("trajectory_hash"));
     }
 
@@ -89,25 +109,41 @@ class CommandLineTest {
         Path trace = folder.resolve("trace.csv");
         Path image = folder.resolve("image.png");
         Path journal = folder.resolve("journal.xml");
-        Outcome run = command("run", STRUCK, "--until", "12", "--seed", "5", "--trace", trace.toString(), "--image", image.toString(),
-                "--journal", journal.toString());
+        CommandResult run = command(
+                "run",
+                COLLIDING_SCENARIO,
+                "--until",
+                "12",
+                "--seed",
+                "5",
+                "--trace",
+                trace.toString(),
+                "--image",
+                image.toString(),
+                "--journal",
+                journal.toString());
         assertEquals(0, run.code, run.err);
         List<String> rows = Files.readAllLines(trace);
-        assertTrue(rows.get(0).startsWith("tick,t,x,y,heading_deg,v,omega,left_v,right_v,state,collided,front.true,front.reading,"), rows.get(0));
+        assertTrue(
+                rows.get(0)
+                        .startsWith(
+                                "tick,t,x,y,heading_deg,v,omega,left_v,right_v,state,collided,front.true,front.reading,"),
+                rows.get(0));
         assertEquals(1 + 1 + 1200, rows.size());
         assertEquals(1200, ImageIO.read(image.toFile()).getWidth());
-        Outcome replay = command("run", journal.toString());
+        CommandResult replay = command("run", journal.toString());
         assertEquals(run.value("trajectory_hash"), replay.value("trajectory_hash"));
         assertEquals("5", replay.value("seed"));
         assertEquals(List.of(image, journal, trace), filesInFolder());
     }
 
     @Test
-    void anOutputThatCannotBeWrittenIsToldBeforeTheRunAndLeavesNothing() throws IOException {
+    void anUnwritableOutputIsReportedBeforeTheRunAndLeavesNoFile() throws IOException {
         Path trace = folder.resolve("trace.csv");
         String image = folder.resolve("none").resolve("image.png").toString();
-        assertEquals(new Outcome(2, "", "faultline: " + image + ": the file cannot be written there\n"),
-                command("run", STRUCK, "--trace", trace.toString(), "--image", image));
+        assertEquals(
+                new CommandResult(2, "", "faultline: " + image + ": the file cannot be written there\n"),
+                command("run", COLLIDING_SCENARIO, "--trace", trace.toString(), "--image", image));
         assertEquals(List.of(), filesInFolder());
     }
 
@@ -118,15 +154,24 @@ class CommandLineTest {
     }
 
     @Test
-    void checkTellsGoodFilesAndBad() throws IOException {
+    void checkReportsValidAndInvalidFiles() throws IOException {
         Path bad = Files.writeString(folder.resolve("bad.xml"), "<scenario/>");
-        assertEquals(new Outcome(2, STRUCK + ": good\n", bad + ":1:12: the root element is <scenario xmlns=\"\">, allowed is <scenario "
-                + "xmlns=\"urn:faultline:scenario:1\">\n"), command("check", bad.toString(), STRUCK));
-        assertEquals(0, command("check", STRUCK).code);
+        assertEquals(
+                new CommandResult(
+                        2,
+                        COLLIDING_SCENARIO + ": good\n",
+                        bad + ":1:12: the root element is <scenario xmlns=\"\">, allowed is <scenario "
+                                + "xmlns=\"urn:faultline:scenario:1\">\n"),
+                command("check", bad.toString(), COLLIDING_SCENARIO));
+        assertEquals(0, command("check", COLLIDING_SCENARIO).code);
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            textBlock =
+                    """
             rnu x.xml                       | there is no command "rnu", allowed is run, check, figures, --help, --version, --startup-time or a scenario file; did you mean "run"?
             --hepl                          | there is no command "--hepl", allowed is run, check, figures, --help, --version, --startup-time or a scenario file; did you mean "--help"?
             a.xml b.xml                     | the window takes one scenario file, not also "b.xml"
@@ -148,12 +193,14 @@ class CommandLineTest {
             run a.xml --trace=              | "" is no name for a file
             """)
     void badUsageIsExitCodeTwoAndOneLine(String arguments, String complaint) {
-        assertEquals(new Outcome(2, "", "faultline: " + complaint + " (faultline --help tells more)\n"), command(arguments.split(" ")));
+        assertEquals(
+                new CommandResult(2, "", "faultline: " + complaint + " (faultline --help tells more)\n"),
+                command(arguments.split(" ")));
     }
 
     @Test
     void aHostileArgumentIsCutAndKeptOnOneLine() {
-        Outcome outcome = command("--" + "x\n".repeat(10_000));
+        CommandResult outcome = command("--" + "x\n".repeat(10_000));
         assertEquals(2, outcome.code);
         assertTrue(outcome.err.lines().count() == 1 && outcome.err.length() < 250, outcome.err);
     }
@@ -161,20 +208,30 @@ class CommandLineTest {
     @ParameterizedTest
     @CsvSource({"run none.xml", "none.xml", "check none.xml"})
     void aFileThatIsNotThereIsExitCodeTwoAndOneLine(String arguments) {
-        assertEquals(new Outcome(2, "", "none.xml: there is no such file\n"), command(arguments.split(" ")));
+        assertEquals(new CommandResult(2, "", "none.xml: there is no such file\n"), command(arguments.split(" ")));
     }
 
     @Test
     void helpNamesEveryCommandAndOption() {
-        Outcome help = command("--help");
+        CommandResult help = command("--help");
         assertEquals(0, help.code);
-        Stream.of("run FILE", "--until", "--seed", "--threads", "--trace", "--image", "--journal", "check", "--version", "Exit codes")
+        Stream.of(
+                        "run FILE",
+                        "--until",
+                        "--seed",
+                        "--threads",
+                        "--trace",
+                        "--image",
+                        "--journal",
+                        "check",
+                        "--version",
+                        "Exit codes")
                 .forEach(word -> assertTrue(help.out.contains(word), word));
     }
 
     @Test
     void versionIsOneLine() {
-        Outcome version = command("--version");
+        CommandResult version = command("--version");
         assertEquals(0, version.code);
         assertTrue(version.out.matches("faultline \\S.*\n"), version.out);
     }
@@ -188,7 +245,7 @@ class CommandLineTest {
                 throw new IOException("broken pipe");
             }
         };
-        assertEquals(2, new CommandLine(new Console(stream(closed), stream(err))).run("--help"));
+        assertEquals(2, new CommandLine(new CommandOutput(stream(closed), stream(err))).run("--help"));
         assertEquals("faultline: standard output cannot be written\n", err.toString(StandardCharsets.UTF_8));
     }
 }

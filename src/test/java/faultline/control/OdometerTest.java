@@ -12,8 +12,8 @@ class OdometerTest {
 
     private static final double EXACT = 1e-12;
     private static final double DT = 0.01;
-    private static final RobotSpec PROMPT = robot(0);
-    private static final RobotSpec LAZY = robot(0.1);
+    private static final RobotSpec LAG_FREE = robot(0);
+    private static final RobotSpec LAGGING = robot(0.1);
 
     private final Odometer odometer = new Odometer();
 
@@ -23,49 +23,49 @@ class OdometerTest {
 
     @Test
     void aSecondAt30CentimetresPerSecondIs30Centimetres() {
-        odometer.advance(PROMPT, 0.3, 0, DT, 100);
-        assertEquals(0.3, odometer.rolled(), EXACT);
-        assertEquals(0, odometer.turned());
+        odometer.advance(LAG_FREE, 0.3, 0, DT, 100);
+        assertEquals(0.3, odometer.deltaDistance(), EXACT);
+        assertEquals(0, odometer.deltaHeading());
     }
 
     @Test
     void headingAddsUpAndTheLastTurnDoesNot() {
-        odometer.advance(PROMPT, 0, 2, DT, 50);
-        odometer.advance(PROMPT, 0, -0.5, DT, 100);
-        assertEquals(-0.5, odometer.turned(), EXACT);
+        odometer.advance(LAG_FREE, 0, 2, DT, 50);
+        odometer.advance(LAG_FREE, 0, -0.5, DT, 100);
+        assertEquals(-0.5, odometer.deltaHeading(), EXACT);
         assertEquals(0.5, odometer.heading(), EXACT);
-        assertEquals(-0.5, odometer.omega(PROMPT), EXACT);
+        assertEquals(-0.5, odometer.omega(LAG_FREE), EXACT);
     }
 
     @Test
     void wheelsGoNoFasterThanTheSupplyAllows() {
-        odometer.advance(PROMPT, 5, 0, DT, 100);
-        assertEquals(0.6, odometer.rolled(), EXACT);
+        odometer.advance(LAG_FREE, 5, 0, DT, 100);
+        assertEquals(0.6, odometer.deltaDistance(), EXACT);
     }
 
     @Test
     void beforeAnyTickNothingHasMoved() {
-        odometer.advance(LAZY, 0.3, 1, DT, 0);
-        assertEquals(0, odometer.rolled());
+        odometer.advance(LAGGING, 0.3, 1, DT, 0);
+        assertEquals(0, odometer.deltaDistance());
         assertEquals(0, odometer.heading());
     }
 
     @Test
     void motorsWithoutLagHaveNone() {
-        assertEquals(0, Odometer.lag(PROMPT, DT));
+        assertEquals(0, Odometer.motorLag(LAG_FREE, DT));
     }
 
     @Test
     void forShortTicksTheLagIsTheTimeConstant() {
-        assertEquals(0.1, Odometer.lag(LAZY, 1e-6), 1e-6);
+        assertEquals(0.1, Odometer.motorLag(LAGGING, 1e-6), 1e-6);
     }
 
     @Test
     void aSpinNoLongerCommandedGoesOnForTheLag() {
-        odometer.advance(LAZY, 0, 1, DT, 1000);
-        assertEquals(1, odometer.omega(LAZY), 1e-9);
-        odometer.advance(LAZY, 0, 0, DT, 1000);
-        assertEquals(Odometer.lag(LAZY, DT), odometer.turned(), 1e-9);
-        assertTrue(odometer.turned() > 0.09, "about 1 rad/s for 0.1 s");
+        odometer.advance(LAGGING, 0, 1, DT, 1000);
+        assertEquals(1, odometer.omega(LAGGING), 1e-9);
+        odometer.advance(LAGGING, 0, 0, DT, 1000);
+        assertEquals(Odometer.motorLag(LAGGING, DT), odometer.deltaHeading(), 1e-9);
+        assertTrue(odometer.deltaHeading() > 0.09, "about 1 rad/s for 0.1 s");
     }
 }

@@ -11,47 +11,54 @@ import org.junit.jupiter.api.Test;
 /** What the wall follower shows of its working, beside a long wall. */
 class TelemetryTest {
 
-    private static BesideAWall start() {
-        return new BesideAWall(RobotSpec.DEFAULT, WallFollowing.DEFAULT, 1.2, 90);
+    private static StraightWallFixture start() {
+        return new StraightWallFixture(RobotSpec.DEFAULT, WallFollowing.DEFAULT, 1.2, 90);
     }
 
     @Test
     void theFirstMeetingPassesAllOfTurnMeasureAndAlign() {
-        BesideAWall robot = start().until(FollowerState.FOLLOW);
+        StraightWallFixture robot = start().runUntil(FollowerState.FOLLOW);
         assertEquals(List.of("SEARCH", "TURN", "MEASURE", "ALIGN", "FOLLOW"), robot.states());
         assertEquals(4, robot.telemetry().transitions());
     }
 
     @Test
     void whileSearchingOnlyTheWantedDistanceIsANumber() {
-        Telemetry telemetry = start().until(FollowerState.SEARCH).telemetry();
+        Telemetry telemetry = start().runUntil(FollowerState.SEARCH).telemetry();
         assertEquals("", telemetry.condition());
         assertEquals(0, telemetry.transitions());
-        assertEquals(0.25, telemetry.wanted());
-        assertEquals(Double.POSITIVE_INFINITY, telemetry.measured());
-        for (double none : new double[] {telemetry.proportional(), telemetry.derivative(), telemetry.tF3(), telemetry.tF4(), telemetry.tP()}) {
+        assertEquals(0.25, telemetry.wantedDistance());
+        assertEquals(Double.POSITIVE_INFINITY, telemetry.measuredDistance());
+        for (double none : new double[] {
+            telemetry.proportional(), telemetry.derivative(), telemetry.tF3(), telemetry.tF4(), telemetry.tP()
+        }) {
             assertTrue(Double.isNaN(none));
         }
     }
 
     @Test
     void theConditionAndTheTickOfTheLastTransitionAreShown() {
-        Telemetry telemetry = start().until(FollowerState.TURN).telemetry();
+        Telemetry telemetry = start().runUntil(FollowerState.TURN).telemetry();
         assertEquals("wall met", telemetry.condition());
-        long expected = Math.round((1.2 - 0.35) / 0.3 / Observed.DT);
-        assertEquals(expected, telemetry.since(), 10, "the way to 0.35 m from the wall takes 2.83 s, less the motors' lag");
+        long expected = Math.round((1.2 - 0.35) / 0.3 / Observations.DT);
+        assertEquals(
+                expected,
+                telemetry.sinceTick(),
+                10,
+                "the way to 0.35 m from the wall takes 2.83 s, less the motors' lag");
     }
 
     @Test
     void theFramesShowOnceTheWallHasBeenLeft() {
-        assertTrue(Double.isNaN(start().until(FollowerState.MEASURE).telemetry().tF4()));
-        assertTrue(start().until(FollowerState.ALIGN).telemetry().tF4() > 0);
+        assertTrue(
+                Double.isNaN(start().runUntil(FollowerState.MEASURE).telemetry().tF4()));
+        assertTrue(start().runUntil(FollowerState.ALIGN).telemetry().tF4() > 0);
     }
 
     @Test
     void whileFollowingTheReadingAndBothTermsShow() {
-        Telemetry telemetry = start().until(FollowerState.FOLLOW).telemetry();
-        assertEquals(0.25, telemetry.measured(), 0.02);
+        Telemetry telemetry = start().runUntil(FollowerState.FOLLOW).telemetry();
+        assertEquals(0.25, telemetry.measuredDistance(), 0.02);
         assertTrue(Double.isFinite(telemetry.proportional()) && Double.isFinite(telemetry.derivative()));
     }
 }

@@ -14,13 +14,13 @@ class WallSteeringTest {
 
     private static final double WANTED = 0.25;
 
-    private final Perception perception = Observed.perception(WANTED);
-    private final WallSteering steering = new WallSteering(perception, WANTED);
+    private final StateEstimate estimate = Observations.stateEstimate(WANTED);
+    private final WallSteering steering = new WallSteering(estimate, WANTED);
     private long tick;
 
     /** A tick of rolling straight on at 0.3 m/s, after which the left sensor reads this. */
     private void roll(double left) {
-        perception.look(Observed.at(++tick, Map.of("left", left)), 0.3, 0);
+        estimate.update(Observations.observation(++tick, Map.of("left", left)), 0.3, 0);
     }
 
     @Test
@@ -31,33 +31,33 @@ class WallSteeringTest {
     @Test
     void atTheWantedDistanceItGoesStraight() {
         steering.begin();
-        assertEquals(0, steering.alongWall());
+        assertEquals(0, steering.wallTurnRate());
     }
 
     @Test
     void aroundACornerItKeepsToTheCircleAboutIt() {
         steering.begin();
-        assertEquals(0.3 / 0.35, steering.aroundCorner(), 1e-12, "speed over radius");
+        assertEquals(0.3 / 0.35, steering.cornerTurnRate(), 1e-12, "speed over radius");
     }
 
     @Test
     void tooNearItTurnsAway() {
         roll(0.2);
         steering.begin();
-        assertTrue(steering.alongWall() < 0);
-        assertEquals(steering.alongWall(), steering.proportional() + steering.derivative(), 1e-12);
+        assertTrue(steering.wallTurnRate() < 0);
+        assertEquals(steering.wallTurnRate(), steering.proportional() + steering.derivative(), 1e-12);
     }
 
     @Test
     void aWallIsLostWhenNothingOrSomethingElseIsSeen() {
         steering.begin();
-        assertTrue(steering.inSight());
+        assertTrue(steering.isWallInSight());
         roll(Reading.NOTHING);
-        assertFalse(steering.inSight());
+        assertFalse(steering.isWallInSight());
         roll(0.7);
-        assertFalse(steering.inSight());
+        assertFalse(steering.isWallInSight());
         roll(0.24);
-        assertTrue(steering.inSight());
+        assertTrue(steering.isWallInSight());
     }
 
     @Test
@@ -96,11 +96,11 @@ class WallSteeringTest {
     @Test
     void roundACornerReadingsThatFallBelowTheCirclesSayThatAWallFollows() {
         steering.begin();
-        steering.takeCorner();
+        steering.switchToCorner();
         double way = 0;
         while (!steering.bendsBack() && way < 1) {
             way += 0.003;
-            perception.look(Observed.at(++tick, Map.of("left", 0.25 - way * way / 0.7)), 0.3, 0.3 / 0.35);
+            estimate.update(Observations.observation(++tick, Map.of("left", 0.25 - way * way / 0.7)), 0.3, 0.3 / 0.35);
             steering.trackCorner();
         }
         assertTrue(way < 0.08, "seen after " + way + " m");
@@ -114,7 +114,7 @@ class WallSteeringTest {
             roll(WANTED + 0.002 * random.nextGaussian());
             steering.trackWall();
         }
-        steering.takeCorner();
+        steering.switchToCorner();
         double way = 0;
         while (!steering.bendsBack() && way < 3) {
             way += 0.003;

@@ -52,11 +52,11 @@ class WallTrackerTest {
     void theInnovationBeforeThatIsKept() {
         tracker.predict(STEP, 0, 0);
         tracker.correct(0.252, STEP, RADIUS);
-        assertEquals(0, tracker.innovationBefore());
+        assertEquals(0, tracker.previousInnovation());
         tracker.predict(STEP, 0, 0);
-        assertEquals(0.002, tracker.innovationBefore(), 1e-12);
-        tracker.bend(0.1);
-        assertEquals(0, tracker.innovationBefore());
+        assertEquals(0.002, tracker.previousInnovation(), 1e-12);
+        tracker.turnHeading(0.1);
+        assertEquals(0, tracker.previousInnovation());
     }
 
     @Test
@@ -79,7 +79,7 @@ class WallTrackerTest {
     }
 
     @Test
-    void aThingElsewhereIsTakenAtItsDistanceAndTeachesNoHeading() {
+    void anOutlierIsTakenAtItsDistanceAndTeachesNoHeading() {
         tracker.predict(STEP, 0, 0);
         tracker.correct(0.4, STEP, RADIUS);
         assertEquals(0.4, tracker.distance());
@@ -105,9 +105,9 @@ class WallTrackerTest {
     }
 
     @Test
-    void aBendTurnsTheHeadingAndIsDealtWith() {
+    void turningTheHeadingClearsTheInnovations() {
         tracker.correct(0.26, 0, RADIUS);
-        tracker.bend(-0.1);
+        tracker.turnHeading(-0.1);
         assertEquals(-0.1, tracker.heading(), 1e-12);
         assertEquals(0, tracker.innovation());
     }
@@ -121,12 +121,12 @@ class WallTrackerTest {
             tracker.correct(tracker.distance() - 0.002, STEP, RADIUS);
         }
         assertEquals(-0.002, tracker.drift(), 1e-5);
-        tracker.bend(0);
+        tracker.turnHeading(0);
         assertEquals(0, tracker.drift());
     }
 
     @Test
     void aWayOfAQuarterOfAMillimetreLeaves2Point5PercentOfTheNoiseInTheDrift() {
-        assertEquals(0.025, WallTracker.driftNoise(0.00025), 1e-9);
+        assertEquals(0.025, WallTracker.driftNoiseShare(0.00025), 1e-9);
     }
 }

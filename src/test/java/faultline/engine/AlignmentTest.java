@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
-import faultline.control.Hand;
-import faultline.control.Timing;
+import faultline.control.TimingRule;
+import faultline.control.WallSide;
 import faultline.geometry.Angles;
 import faultline.geometry.Pose;
 import faultline.robot.MotorSpec;
@@ -20,71 +20,111 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Eq. (4) in the whole simulator: how parallel to a long wall the robot stands when ALIGN hands over to FOLLOW. The bound follows from the
- * rule's own error terms: each edge of the detection interval is known to one control period, so their mean to omega T at most; and the
- * spin that is left at the hand-over, below 1 deg/s, dies out with the motor. What the terms do where nothing is done about them, {@link
- * TimedTurnTest} shows.
+ * Eq. (4) in the whole simulator: how parallel to a long wall the robot stands when ALIGN hands over to FOLLOW. The
+ * bound follows from the rule's own error terms: each edge of the detection interval is known to one control period, so
+ * their mean to omega T at most; and the spin that is left at the hand-over, below 1 deg/s, dies out with the motor.
+ * What the terms do where nothing is done about them, {@link AlignmentModelTest} shows.
  */
 class AlignmentTest {
 
     private static final int COMBINATIONS = 1200;
-    private static final double ALLOWED = Math.toRadians(1.0);
-    private static final double HAND_OVER_RATE = Math.toRadians(1);
+    private static final double MAX_ERROR = Math.toRadians(1.0);
+    private static final double MAX_FINAL_RATE = Math.toRadians(1);
     private static final double DT = 0.01;
-    private static final double MOST_SECONDS = 60;
+    private static final double MAX_SECONDS = 60;
 
     /** One way to come to a wall; angles in radians, the approach from the wall's normal. */
-    private record Approach(double angle, double distance, double range, double cone, double rate, double period, double tau, Hand hand,
-            Timing timing) {
+    private record Approach(
+            double angle,
+            double distance,
+            double range,
+            double cone,
+            double rate,
+            double period,
+            double tau,
+            WallSide side,
+            TimingRule timingRule) {
 
-        static Approach usual(double angle) {
-            return new Approach(angle, 0.25, SensorSpec.DEFAULT_RANGE, SensorSpec.DEFAULT_CONE, RobotSpec.DEFAULT.turnRate(), 0,
-                    MotorSpec.DEFAULT.timeConstant(), Hand.LEFT, Timing.EQUAL_READINGS);
+        static Approach ofDefaultRobot(double angle) {
+            return new Approach(
+                    angle,
+                    0.25,
+                    SensorSpec.DEFAULT_RANGE,
+                    SensorSpec.DEFAULT_CONE,
+                    RobotSpec.DEFAULT.turnRate(),
+                    0,
+                    MotorSpec.DEFAULT.timeConstant(),
+                    WallSide.LEFT,
+                    TimingRule.EQUAL_READINGS);
         }
 
-        static Approach any(SplittableRandom random) {
+        static Approach random(SplittableRandom random) {
             double[] periods = {0, 0.01, 0.02, 0.03, 0.05};
-            return new Approach(Math.toRadians(random.nextDouble(-50, 50)), random.nextDouble(0.15, 0.4), random.nextDouble(0.5, 1.5),
-                    Math.toRadians(random.nextDouble(2, 60)), Math.toRadians(random.nextDouble(20, 120)),
-                    periods[random.nextInt(periods.length)], random.nextDouble(0.1), random.nextBoolean() ? Hand.LEFT : Hand.RIGHT,
-                    Timing.EQUAL_READINGS);
+            return new Approach(
+                    Math.toRadians(random.nextDouble(-50, 50)),
+                    random.nextDouble(0.15, 0.4),
+                    random.nextDouble(0.5, 1.5),
+                    Math.toRadians(random.nextDouble(2, 60)),
+                    Math.toRadians(random.nextDouble(20, 120)),
+                    periods[random.nextInt(periods.length)],
+                    random.nextDouble(0.1),
+                    random.nextBoolean() ? WallSide.LEFT : WallSide.RIGHT,
+                    TimingRule.EQUAL_READINGS);
         }
 
         double bound() {
-            return rate * Math.max(period, DT) + HAND_OVER_RATE * (tau + DT);
+            return rate * Math.max(period, DT) + MAX_FINAL_RATE * (tau + DT);
         }
 
-        /** How far from parallel the first FOLLOW tick finds the robot, radians; empty where it never came to follow. */
+        /**
+         * How far from parallel the first FOLLOW tick finds the robot, radians; empty where it never came to follow.
+         */
         Optional<Double> headingError() {
             try (Simulation simulation = new Simulation(setup(), ControllerMode.DIRECT)) {
-                while (simulation.time() < MOST_SECONDS && simulation.collision().isEmpty()) {
+                while (simulation.time() < MAX_SECONDS && simulation.collision().isEmpty()) {
                     simulation.tick();
                     if (simulation.telemetry().state().equals("FOLLOW")) {
-                        // The wall is the world's upper side: parallel to it with the wall on the left is heading 0, on the right pi.
-                        return Optional.of(Angles.difference(hand == Hand.LEFT ? 0 : Math.PI, simulation.pose().heading()));
+                        // The wall is the world's upper side: parallel to it with the wall on the left is heading 0, on
+                        // the right pi.
+                        return Optional.of(Angles.difference(
+                                side == WallSide.LEFT ? 0 : Math.PI,
+                                simulation.pose().heading()));
                     }
                 }
                 return Optional.empty();
             }
         }
 
-        private Setup setup() {
+        private SimulationSetup setup() {
             RobotSpec usual = RobotSpec.DEFAULT;
-            RobotSpec robot = new RobotSpec(usual.length(), usual.width(), usual.track(), usual.speed(), rate,
-                    new MotorSpec(tau, 0.1, 6), usual.sensors());
+            RobotSpec robot = new RobotSpec(
+                    usual.length(),
+                    usual.width(),
+                    usual.track(),
+                    usual.speed(),
+                    rate,
+                    new MotorSpec(tau, 0.1, 6),
+                    usual.sensors());
             for (SensorSpec sensor : usual.sensors()) {
                 robot = robot.withSensor(sensor.withRange(range).withCone(cone));
             }
-            return new Setup(new WorldSpec(30, 30, true, 0, List.of()), robot, new Pose(15, 28, Math.PI / 2 + angle),
-                    new ControllerSpec.WallFollowing(distance, hand, period, timing), List.of(), DT, 1, MOST_SECONDS);
+            return new SimulationSetup(
+                    new WorldSpec(30, 30, true, 0, List.of()),
+                    robot,
+                    new Pose(15, 28, Math.PI / 2 + angle),
+                    new ControllerSpec.WallFollowing(distance, side, period, timingRule),
+                    List.of(),
+                    DT,
+                    1,
+                    MAX_SECONDS);
         }
     }
 
     @Test
-    void fromAnyApproachTheUsualRobotEndsWithinOneDegree() {
+    void fromAnyApproachTheDefaultRobotEndsWithinOneDegree() {
         for (int degrees = -50; degrees <= 50; degrees++) {
-            Approach approach = Approach.usual(Math.toRadians(degrees));
-            assertEquals(0, approach.headingError().orElseThrow(), ALLOWED, approach::toString);
+            Approach approach = Approach.ofDefaultRobot(Math.toRadians(degrees));
+            assertEquals(0, approach.headingError().orElseThrow(), MAX_ERROR, approach::toString);
         }
     }
 
@@ -92,10 +132,10 @@ class AlignmentTest {
     void anyRobotEndsWithinTheBoundOfItsErrorTerms() {
         SplittableRandom random = new SplittableRandom(61);
         for (int i = 0; i < COMBINATIONS; i++) {
-            Approach approach = Approach.any(random);
+            Approach approach = Approach.random(random);
             Optional<Double> error = approach.headingError();
             assertTrue(error.isPresent(), () -> approach + " never follows");
-            assertEquals(0, error.get(), Math.min(ALLOWED, approach.bound()), approach::toString);
+            assertEquals(0, error.get(), Math.min(MAX_ERROR, approach.bound()), approach::toString);
         }
     }
 
@@ -103,18 +143,21 @@ class AlignmentTest {
     @ValueSource(doubles = {0, 0.02, 0.1, 0.2})
     void theMotorsLagIsMadeUpFor(double tau) {
         // Left alone, the lag would cost omega tau: 3 degrees at 0.05 s and 12 at 0.2 s.
-        assertEquals(0, straight(tau, Timing.EQUAL_READINGS).headingError().orElseThrow(), Math.toRadians(0.3));
+        assertEquals(
+                0,
+                straightApproach(tau, TimingRule.EQUAL_READINGS).headingError().orElseThrow(),
+                Math.toRadians(0.3));
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.02, 0.05, 0.2})
-    void thePaperToTheLetterLosesOmegaTauAndTheDelays(double tau) {
-        Approach letter = straight(tau, Timing.RANGE);
+    void thePapersExactRuleLosesOmegaTauAndTheDelays(double tau) {
+        Approach letter = straightApproach(tau, TimingRule.RANGE);
         assertEquals(-letter.rate * (tau + DT / 2), letter.headingError().orElseThrow(), letter.bound());
     }
 
-    private static Approach straight(double tau, Timing timing) {
-        Approach usual = Approach.usual(0);
-        return new Approach(0, usual.distance, usual.range, usual.cone, usual.rate, 0, tau, Hand.LEFT, timing);
+    private static Approach straightApproach(double tau, TimingRule timing) {
+        Approach usual = Approach.ofDefaultRobot(0);
+        return new Approach(0, usual.distance, usual.range, usual.cone, usual.rate, 0, tau, WallSide.LEFT, timing);
     }
 }

@@ -7,15 +7,16 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.engine.session.Session;
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
-import faultline.world.Motion;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Map;
@@ -36,29 +37,35 @@ class DeterminismTest {
 
     @Test
     void theControllersThreadMakesNoDifferenceInAnyTick() {
-        assertArrayEquals(bits(busyRoom(1), ControllerMode.DIRECT), bits(busyRoom(1), ControllerMode.OWN_THREAD));
+        assertArrayEquals(
+                hashesPerTick(busyRoom(1), ControllerMode.DIRECT),
+                hashesPerTick(busyRoom(1), ControllerMode.OWN_THREAD));
     }
 
     @Test
     void neitherDoesHavingRunBefore() {
-        long[] first = bits(busyRoom(2), ControllerMode.DIRECT);
+        long[] first = hashesPerTick(busyRoom(2), ControllerMode.DIRECT);
         for (int run = 0; run < 5; run++) {
-            assertArrayEquals(first, bits(busyRoom(2), ControllerMode.DIRECT));
+            assertArrayEquals(first, hashesPerTick(busyRoom(2), ControllerMode.DIRECT));
         }
     }
 
     @Test
-    void blindDrivesIntoThingsRepeatToo() {
-        RandomYards first = new RandomYards(51, RobotSpec.DEFAULT, 3);
-        RandomYards again = new RandomYards(51, RobotSpec.DEFAULT, 3);
+    void blindCollisionsRepeatToo() {
+        RandomWorlds first = new RandomWorlds(51, RobotSpec.DEFAULT, 3);
+        RandomWorlds again = new RandomWorlds(51, RobotSpec.DEFAULT, 3);
         for (int i = 0; i < 5; i++) {
-            assertArrayEquals(bits(first.next(3), ControllerMode.DIRECT), bits(again.next(3), ControllerMode.OWN_THREAD));
+            assertArrayEquals(
+                    hashesPerTick(first.nextSetup(3), ControllerMode.DIRECT),
+                    hashesPerTick(again.nextSetup(3), ControllerMode.OWN_THREAD));
         }
     }
 
     @Test
     void anotherSeedGivesAnotherRunWhereThereIsNoise() {
-        assertNotEquals(hashes(busyRoom(1)).lastEntry().getValue(), hashes(busyRoom(2)).lastEntry().getValue());
+        assertNotEquals(
+                hashes(busyRoom(1)).lastEntry().getValue(),
+                hashes(busyRoom(2)).lastEntry().getValue());
     }
 
     @Test
@@ -66,12 +73,12 @@ class DeterminismTest {
         Map<Long, Long> truth = hashes(busyRoom(3));
         try (Session session = Session.start(busyRoom(3))) {
             session.setSpeed(Double.POSITIVE_INFINITY);
-            session.run();
+            session.resume();
             Map<Long, Long> seen = new TreeMap<>();
             long tick = 0;
             while (tick < TICKS) {
                 Frame frame = session.frame();
-                tick = frame.world().tick();
+                tick = frame.snapshot().tick();
                 if (tick <= TICKS) {
                     seen.put(tick, frame.trajectoryHash());
                 }
@@ -86,11 +93,11 @@ class DeterminismTest {
         SplittableRandom random = new SplittableRandom(52);
         try (Session session = Session.start(busyRoom(4))) {
             session.setSpeed(Double.POSITIVE_INFINITY);
-            session.run();
+            session.resume();
             for (int sent = 0; sent < COMMANDS; sent++) {
-                session.send(anyCommand(random));
-                long reached = session.frame().world().tick();
-                while (sent % 10 == 0 && session.frame().world().tick() == reached) {
+                session.send(randomCommand(random));
+                long reached = session.frame().snapshot().tick();
+                while (sent % 10 == 0 && session.frame().snapshot().tick() == reached) {
                     Thread.onSpinWait();
                 }
             }
@@ -99,9 +106,12 @@ class DeterminismTest {
             while (journal.entries().size() + session.status().refusals() < COMMANDS) {
                 Thread.onSpinWait();
             }
-            assertEquals(COMMANDS, journal.entries().size() + session.status().refusals(), "every command is either done or refused");
+            assertEquals(
+                    COMMANDS,
+                    journal.entries().size() + session.status().refusals(),
+                    "every command is either done or refused");
             assertFalse(journal.entries().isEmpty());
-            while (session.frame().world().tick() < journal.ticks()) {
+            while (session.frame().snapshot().tick() < journal.ticks()) {
                 Thread.onSpinWait();
             }
             assertEquals(session.frame().trajectoryHash(), replay(journal));
@@ -113,7 +123,7 @@ class DeterminismTest {
             while (simulation.ticks() < journal.ticks()) {
                 for (Journal.Entry entry : journal.entries()) {
                     if (entry.tick() == simulation.ticks() + 1) {
-                        assertEquals(Optional.empty(), simulation.apply(entry.command()));
+                        assertEquals(Optional.empty(), simulation.execute(entry.command()));
                     }
                 }
                 simulation.tick();
@@ -122,26 +132,32 @@ class DeterminismTest {
         }
     }
 
-    private static Command anyCommand(SplittableRandom random) {
+    private static Command randomCommand(SplittableRandom random) {
         String sensor = RobotSpec.DEFAULT.sensors().get(random.nextInt(8)).id();
         return switch (random.nextInt(6)) {
             case 0 -> new Command.SwitchSensor(sensor, random.nextBoolean());
             case 1 -> new Command.InjectFault(sensor, new Fault.Bias(random.nextDouble(-0.1, 0.1)));
             case 2 -> new Command.ClearFaults(sensor);
-            case 3 -> new Command.MoveObstacle("desk", new Pose(random.nextDouble(4), random.nextDouble(3), random.nextDouble(7)));
+            case 3 ->
+                new Command.MoveObstacle(
+                        "desk", new Pose(random.nextDouble(4), random.nextDouble(3), random.nextDouble(7)));
             case 4 -> new Command.SetPlatform(0.25, random.nextDouble(0.15, 0.22), random.nextDouble(0.1, 0.4));
-            default -> new Command.TuneSensor(RobotSpec.DEFAULT.sensor(sensor).orElseThrow().withRange(random.nextDouble(0.3, 1)));
+            default ->
+                new Command.ConfigureSensor(
+                        RobotSpec.DEFAULT.sensor(sensor).orElseThrow().withRange(random.nextDouble(0.3, 1)));
         };
     }
 
     /** The raw bits of everything that the hash covers, tick by tick. */
-    private static long[] bits(Setup setup, ControllerMode mode) {
+    private static long[] hashesPerTick(SimulationSetup setup, ControllerMode mode) {
         LongStream.Builder bits = LongStream.builder();
         try (Simulation simulation = new Simulation(setup, mode)) {
             for (int tick = 0; tick < TICKS; tick++) {
                 simulation.tick();
                 Pose pose = simulation.pose();
-                for (double value : new double[] {pose.x(), pose.y(), pose.heading(), simulation.leftSpeed(), simulation.rightSpeed()}) {
+                for (double value : new double[] {
+                    pose.x(), pose.y(), pose.heading(), simulation.leftSpeed(), simulation.rightSpeed()
+                }) {
                     bits.add(Double.doubleToRawLongBits(value));
                 }
                 for (int sensor = 0; sensor < setup.robot().sensors().size(); sensor++) {
@@ -153,7 +169,7 @@ class DeterminismTest {
         return bits.build().toArray();
     }
 
-    private static TreeMap<Long, Long> hashes(Setup setup) {
+    private static TreeMap<Long, Long> hashes(SimulationSetup setup) {
         TreeMap<Long, Long> hashes = new TreeMap<>();
         try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
             hashes.put(0L, simulation.trajectoryHash());
@@ -166,19 +182,27 @@ class DeterminismTest {
     }
 
     /** A room with a desk and a visitor, noisy sensors, and faults that come and go, for the wall follower. */
-    private static Setup busyRoom(long seed) {
+    private static SimulationSetup busyRoom(long seed) {
         RobotSpec robot = RobotSpec.DEFAULT;
         for (SensorSpec sensor : robot.sensors()) {
-            robot = robot.withSensor(new SensorSpec(sensor.id(), sensor.seat(), sensor.bearing(), sensor.range(), sensor.cone(), true, 0.002));
+            robot = robot.withSensor(new SensorSpec(
+                    sensor.id(), sensor.mountPosition(), sensor.bearing(), sensor.range(), sensor.cone(), true, 0.002));
         }
-        Motion walk = new Motion(0.2, true, List.of(new Vec(2.5, 2.2), new Vec(2.5, 1.4)));
-        WorldSpec world = new WorldSpec(4, 3, true, 3, List.of(
-                new Obstacle("desk", new ObstacleShape.Rectangle(0.6, 0.4), new Pose(2, 1.5, 0.4)),
-                new Obstacle("visitor", new ObstacleShape.Circle(0.15), new Pose(2.5, 2.2, 0), Optional.of(walk))));
-        List<Setup.Timed> timeline = List.of(
-                new Setup.Timed(5, new Command.InjectFault("left", new Fault.Dropout(0.1))),
-                new Setup.Timed(10, new Command.ClearFaults("left")),
-                new Setup.Timed(12, new Command.SwitchSensor("rear", false)));
-        return new Setup(world, robot, new Pose(0.6, 0.6, 0.3), ControllerSpec.WallFollowing.DEFAULT, timeline, 0.01, seed, 60);
+        WaypointPath walk = new WaypointPath(0.2, true, List.of(new Vector2(2.5, 2.2), new Vector2(2.5, 1.4)));
+        WorldSpec world = new WorldSpec(
+                4,
+                3,
+                true,
+                3,
+                List.of(
+                        new Obstacle("desk", new ObstacleShape.Rectangle(0.6, 0.4), new Pose(2, 1.5, 0.4)),
+                        new Obstacle(
+                                "visitor", new ObstacleShape.Circle(0.15), new Pose(2.5, 2.2, 0), Optional.of(walk))));
+        List<SimulationSetup.TimedCommand> timeline = List.of(
+                new SimulationSetup.TimedCommand(5, new Command.InjectFault("left", new Fault.Dropout(0.1))),
+                new SimulationSetup.TimedCommand(10, new Command.ClearFaults("left")),
+                new SimulationSetup.TimedCommand(12, new Command.SwitchSensor("rear", false)));
+        return new SimulationSetup(
+                world, robot, new Pose(0.6, 0.6, 0.3), ControllerSpec.WallFollowing.DEFAULT, timeline, 0.01, seed, 60);
     }
 }

@@ -6,12 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.record.Channels;
-import faultline.engine.record.EventLog;
-import faultline.engine.record.RunEvent;
-import faultline.engine.record.StateTally;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.recording.EventLog;
+import faultline.engine.recording.RunEvent;
+import faultline.engine.recording.StateTally;
+import faultline.engine.recording.TraceChannels;
+import faultline.engine.session.Session;
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
@@ -34,33 +36,57 @@ class RecorderTest {
     private static final Command OFF = new Command.SwitchSensor("rear", false);
     private static final Command UNKNOWN = new Command.SwitchSensor("nose", false);
 
-    private final Setup room = setup(List.of(new Setup.Timed(0, OFF), new Setup.Timed(1.5, new Command.InjectFault("left", new Fault.Bias(0.02))),
-            new Setup.Timed(2, UNKNOWN)));
+    private final SimulationSetup room = setup(List.of(
+            new SimulationSetup.TimedCommand(0, OFF),
+            new SimulationSetup.TimedCommand(1.5, new Command.InjectFault("left", new Fault.Bias(0.02))),
+            new SimulationSetup.TimedCommand(2, UNKNOWN)));
 
-    private static Setup setup(List<Setup.Timed> timeline) {
+    private static SimulationSetup setup(List<SimulationSetup.TimedCommand> timeline) {
         Obstacle desk = new Obstacle("desk", new ObstacleShape.Rectangle(0.6, 0.4), new Pose(2, 1.5, 0.4));
-        return new Setup(new WorldSpec(4, 3, true, 3, List.of(desk)), RobotSpec.DEFAULT, new Pose(0.6, 0.6, 0.3),
+        return new SimulationSetup(
+                new WorldSpec(4, 3, true, 3, List.of(desk)),
+                RobotSpec.DEFAULT,
+                new Pose(0.6, 0.6, 0.3),
                 ControllerSpec.WallFollowing.DEFAULT,
-                timeline, 0.01, 1, 60);
+                timeline,
+                0.01,
+                1,
+                60);
     }
 
     /** A moment of the direct run. */
-    private record Moment(long tick, String state, int transitions, double measured, double leftVolts, double truth, double reported, long hash) {
-    }
+    private record Moment(
+            long tick,
+            String state,
+            int transitions,
+            double measuredDistance,
+            double leftVolts,
+            double trueReading,
+            double reportedReading,
+            long hash) {}
 
-    private static List<Moment> moments(Setup setup, int ticks) {
+    private static List<Moment> moments(SimulationSetup setup, int ticks) {
         List<Moment> moments = new ArrayList<>();
-        HeadlessRun.run(setup.withDuration(ticks * setup.dt()), ControllerMode.DIRECT,
-                List.of(s -> moments.add(new Moment(s.ticks(), s.telemetry().state(),
-                s.telemetry().transitions(), s.telemetry().measured(), s.leftVolts(), s.trueReading(2), s.reportedReading(2), s.trajectoryHash()))));
+        HeadlessRun.run(
+                setup.withDuration(ticks * setup.dt()),
+                ControllerMode.DIRECT,
+                List.of(s -> moments.add(new Moment(
+                        s.ticks(),
+                        s.telemetry().state(),
+                        s.telemetry().transitions(),
+                        s.telemetry().measuredDistance(),
+                        s.leftVolts(),
+                        s.trueReading(2),
+                        s.reportedReading(2),
+                        s.trajectoryHash()))));
         return moments;
     }
 
     /** The frame of a session that has run to a tick or a little farther, as fast as it can, while nobody looked. */
-    private static Frame ran(Session session, long ticks) {
+    private static Frame runTo(Session session, long ticks) {
         session.setSpeed(Double.POSITIVE_INFINITY);
-        session.run();
-        while (session.frame().world().tick() < ticks) {
+        session.resume();
+        while (session.frame().snapshot().tick() < ticks) {
             LockSupport.parkNanos(20_000_000);
         }
         session.pause();
@@ -73,7 +99,7 @@ class RecorderTest {
     private static List<RunEvent> events(Frame frame) {
         EventLog log = frame.recording().events();
         List<RunEvent> events = new ArrayList<>();
-        for (long i = log.first(); i < log.end(); i++) {
+        for (long i = log.firstIndex(); i < log.endIndex(); i++) {
             events.add(log.get(i));
         }
         return events;
@@ -82,13 +108,16 @@ class RecorderTest {
     @Test
     void atFullSpeedNoTransitionIsMissed() {
         try (Session session = Session.start(room)) {
-            Frame frame = ran(session, TICKS);
-            List<RunEvent.Transition> seen = events(frame).stream().filter(RunEvent.Transition.class::isInstance)
-                    .map(RunEvent.Transition.class::cast).filter(transition -> transition.tick() <= TICKS).toList();
+            Frame frame = runTo(session, TICKS);
+            List<RunEvent.StateChanged> seen = events(frame).stream()
+                    .filter(RunEvent.StateChanged.class::isInstance)
+                    .map(RunEvent.StateChanged.class::cast)
+                    .filter(transition -> transition.tick() <= TICKS)
+                    .toList();
             List<Moment> moments = moments(room, TICKS);
             assertTrue(seen.size() >= 8, "too few to judge by: " + seen.size());
             assertEquals(moments.get(TICKS).transitions(), seen.size());
-            for (RunEvent.Transition transition : seen) {
+            for (RunEvent.StateChanged transition : seen) {
                 Moment at = moments.get((int) transition.tick());
                 assertEquals(at.state(), transition.to());
                 assertEquals(moments.get((int) transition.tick() - 1).state(), transition.from());
@@ -100,12 +129,14 @@ class RecorderTest {
     @Test
     void everyTickIsTraced() {
         try (Session session = Session.start(room)) {
-            var level = ran(session, TICKS).recording().trace().finest();
+            var level = runTo(session, TICKS).recording().trace().finestLevel();
             for (Moment moment : moments(room, TICKS)) {
-                assertEquals((float) moment.measured(), level.low(Channels.MEASURED, moment.tick()));
-                assertEquals((float) moment.leftVolts(), level.low(Channels.LEFT_VOLTS, moment.tick()));
-                assertEquals((float) moment.truth(), level.low(Channels.truth(2), moment.tick()));
-                assertEquals((float) moment.reported(), level.low(Channels.reported(2), moment.tick()));
+                assertEquals(
+                        (float) moment.measuredDistance(), level.min(TraceChannels.MEASURED_DISTANCE, moment.tick()));
+                assertEquals((float) moment.leftVolts(), level.min(TraceChannels.LEFT_VOLTS, moment.tick()));
+                assertEquals((float) moment.trueReading(), level.min(TraceChannels.trueReading(2), moment.tick()));
+                assertEquals(
+                        (float) moment.reportedReading(), level.min(TraceChannels.reportedReading(2), moment.tick()));
             }
         }
     }
@@ -113,63 +144,91 @@ class RecorderTest {
     @Test
     void theTimelineIsLoggedWithItsRefusals() {
         try (Session session = Session.start(room)) {
-            List<RunEvent> commands = events(ran(session, 300)).stream().filter(event -> !(event instanceof RunEvent.Transition)).toList();
-            assertEquals(List.of(new RunEvent.Done(0, 0, OFF),
-                    new RunEvent.Done(150, 1.5, new Command.InjectFault("left", new Fault.Bias(0.02))),
-                    new RunEvent.Refused(200, 2, UNKNOWN, "the robot has no sensor nose")), commands);
+            List<RunEvent> commands = events(runTo(session, 300)).stream()
+                    .filter(event -> !(event instanceof RunEvent.StateChanged))
+                    .toList();
+            assertEquals(
+                    List.of(
+                            new RunEvent.CommandExecuted(0, 0, OFF),
+                            new RunEvent.CommandExecuted(
+                                    150, 1.5, new Command.InjectFault("left", new Fault.Bias(0.02))),
+                            new RunEvent.CommandRefused(200, 2, UNKNOWN, "the robot has no sensor nose")),
+                    commands);
         }
     }
 
     @Test
-    void whatIsDoneWhilePausedIsLoggedAtOnceWithTheComingTick() {
+    void commandsGivenWhilePausedAreLoggedAtOnceWithTheComingTick() {
         try (Session session = Session.start(setup(List.of()))) {
             session.send(OFF);
             session.send(UNKNOWN);
-            while (session.frame().recording().events().end() < 2) {
+            while (session.frame().recording().events().endIndex() < 2) {
                 LockSupport.parkNanos(100_000);
             }
-            assertEquals(List.of(new RunEvent.Done(1, 0.01, OFF), new RunEvent.Refused(1, 0.01, UNKNOWN, "the robot has no sensor nose")),
+            assertEquals(
+                    List.of(
+                            new RunEvent.CommandExecuted(1, 0.01, OFF),
+                            new RunEvent.CommandRefused(1, 0.01, UNKNOWN, "the robot has no sensor nose")),
                     events(session.frame()));
         }
     }
 
     @Test
     void theCollisionIsLoggedOnce() {
-        Setup blind = new Setup(room.world(), room.robot(), new Pose(0.6, 0.6, 0), new ControllerSpec.Drive(3, 3), List.of(), 0.01, 1, 60);
+        SimulationSetup blind = new SimulationSetup(
+                room.world(),
+                room.robot(),
+                new Pose(0.6, 0.6, 0),
+                new ControllerSpec.Drive(3, 3),
+                List.of(),
+                0.01,
+                1,
+                60);
         try (Session session = Session.start(blind)) {
-            Frame frame = ran(session, 2000);
+            Frame frame = runTo(session, 2000);
             List<RunEvent> events = events(frame);
             assertEquals(1, events.size());
-            assertEquals(frame.world().collision(), Optional.of(((RunEvent.Collided) events.get(0)).collision()));
+            assertEquals(frame.snapshot().collision(), Optional.of(((RunEvent.Collided) events.get(0)).collision()));
         }
     }
 
     @Test
-    void timeInStatesAndWaysBetweenThemAddUp() {
+    void timeInStatesAndTransitionsAddUp() {
         try (Session session = Session.start(room)) {
-            Frame frame = ran(session, TICKS);
-            StateTally tally = frame.recording().states();
-            assertEquals(frame.world().tick(), tally.states().stream().mapToLong(StateTally.Stay::ticks).sum());
-            assertEquals(frame.control().transitions(), tally.ways().stream().mapToLong(StateTally.Way::count).sum());
-            List<Moment> moments = moments(room, (int) frame.world().tick());
-            long inFollow = moments.stream().filter(moment -> moment.tick() > 0 && moment.state().equals("FOLLOW")).count();
-            assertEquals(inFollow, tally.stay("FOLLOW").orElseThrow().ticks());
-            assertEquals(1, tally.count("SEARCH", "TURN"));
-            assertEquals(0, tally.count("FOLLOW", "ALIGN"));
+            Frame frame = runTo(session, TICKS);
+            StateTally tally = frame.recording().stateTally();
+            assertEquals(
+                    frame.snapshot().tick(),
+                    tally.states().stream().mapToLong(StateTally.Dwell::ticks).sum());
+            assertEquals(
+                    frame.telemetry().transitions(),
+                    tally.transitions().stream()
+                            .mapToLong(StateTally.TransitionCount::count)
+                            .sum());
+            List<Moment> moments = moments(room, (int) frame.snapshot().tick());
+            long inFollow = moments.stream()
+                    .filter(moment -> moment.tick() > 0 && moment.state().equals("FOLLOW"))
+                    .count();
+            assertEquals(inFollow, tally.dwell("FOLLOW").orElseThrow().ticks());
+            assertEquals(1, tally.transitionCount("SEARCH", "TURN"));
+            assertEquals(0, tally.transitionCount("FOLLOW", "ALIGN"));
         }
     }
 
     @Test
     void keyframesAreEvenlySpacedTrueMomentsAndNeverTooMany() {
         try (Session session = Session.start(room)) {
-            Frame frame = ran(session, TICKS);
+            Frame frame = runTo(session, TICKS);
             Keyframes keyframes = frame.recording().keyframes();
-            List<Moment> moments = moments(room, (int) frame.world().tick());
-            assertTrue(keyframes.size() <= KeyframeRecorder.MOST && keyframes.size() >= KeyframeRecorder.MOST / 2);
-            for (long tick = 0; tick < frame.world().tick(); tick += 100) {
-                Frame key = keyframes.at(tick).orElseThrow();
-                assertEquals(tick / keyframes.stride() * keyframes.stride(), key.world().tick());
-                assertEquals(moments.get((int) key.world().tick()).hash(), key.trajectoryHash());
+            List<Moment> moments = moments(room, (int) frame.snapshot().tick());
+            assertTrue(keyframes.size() <= KeyframeRecorder.MAX_FRAMES
+                    && keyframes.size() >= KeyframeRecorder.MAX_FRAMES / 2);
+            for (long tick = 0; tick < frame.snapshot().tick(); tick += 100) {
+                Frame key = keyframes.frameAt(tick).orElseThrow();
+                assertEquals(
+                        tick / keyframes.stride() * keyframes.stride(),
+                        key.snapshot().tick());
+                assertEquals(moments.get((int) key.snapshot().tick()).hash(), key.trajectoryHash());
                 assertSame(Recording.EMPTY, key.recording());
             }
         }
@@ -187,10 +246,12 @@ class RecorderTest {
             Keyframes early = recorder.view();
             simulation.tick();
             recorder.add(simulation.frame());
-            assertEquals(1023, early.at(1023).orElseThrow().world().tick());
+            assertEquals(1023, early.frameAt(1023).orElseThrow().snapshot().tick());
             assertEquals(2, recorder.view().stride());
-            assertEquals(1022, recorder.view().at(1023).orElseThrow().world().tick());
-            assertEquals(1024, recorder.view().at(1025).orElseThrow().world().tick());
+            assertEquals(
+                    1022, recorder.view().frameAt(1023).orElseThrow().snapshot().tick());
+            assertEquals(
+                    1024, recorder.view().frameAt(1025).orElseThrow().snapshot().tick());
             assertNotEquals(early.size(), recorder.view().size());
         }
     }

@@ -4,17 +4,17 @@ import faultline.control.Telemetry;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import faultline.world.Collision;
-import faultline.world.Motion;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
+import faultline.world.WaypointPath;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -24,104 +24,133 @@ import java.util.Optional;
 public final class SampleFrames {
 
     /** A robot of the default size without sensors. */
-    public static final RobotSpec BLIND = new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), List.of());
+    public static final RobotSpec SENSORLESS =
+            new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), List.of());
 
     /** Reads nothing within range. */
     public static final Reading NOTHING = new Reading(Reading.NOTHING);
 
-    private SampleFrames() {
-    }
+    private SampleFrames() {}
 
     /** An enclosed world of 6 m x 4 m with a blind robot and obstacles. */
-    public static Frame of(Pose robot, Obstacle... obstacles) {
-        return of(robot, path(robot.position()), List.of(), obstacles);
+    public static Frame frameOf(Pose robot, Obstacle... obstacles) {
+        return frameOf(robot, pathThrough(robot.position()), List.of(), obstacles);
     }
 
-    public static Frame of(Pose robot, Path path, List<SensorSnapshot> sensors, Obstacle... obstacles) {
+    public static Frame frameOf(Pose robot, RobotPath path, List<SensorSnapshot> sensors, Obstacle... obstacles) {
         return frame(robot, path, sensors, List.of(obstacles), List.of(), Optional.empty());
     }
 
-    public static Frame frame(Pose robot, Path path, List<SensorSnapshot> sensors, List<Obstacle> obstacles, List<Vec> contacts,
+    public static Frame frame(
+            Pose robot,
+            RobotPath path,
+            List<SensorSnapshot> sensors,
+            List<Obstacle> obstacles,
+            List<Vector2> contacts,
             Optional<Collision> collision) {
-        Snapshot world = new Snapshot(1, 0.01, 6, 4, true, BLIND, robot, 0, 0, sensors, obstacles, contacts, collision);
-        return new Frame(world, Telemetry.named("FOLLOW"), 0, 0, path, 0, Recording.EMPTY);
+        Snapshot world =
+                new Snapshot(1, 0.01, 6, 4, true, SENSORLESS, robot, 0, 0, sensors, obstacles, contacts, collision);
+        return new Frame(world, Telemetry.ofState("FOLLOW"), 0, 0, path, 0, Recording.EMPTY);
     }
 
     /** A path through points. */
-    public static Path path(Vec... points) {
-        return growing(points).view();
+    public static RobotPath pathThrough(Vector2... points) {
+        return pathRecorder(points).view();
     }
 
     /** A recording of a path that can go on. */
-    static PathRecorder growing(Vec... points) {
+    static PathRecorder pathRecorder(Vector2... points) {
         PathRecorder recorder = new PathRecorder();
-        for (Vec point : points) {
+        for (Vector2 point : points) {
             recorder.record(point.x(), point.y());
         }
         return recorder;
     }
 
     /** Two views of one path, the second longer than the first. */
-    public static List<Path> grown(List<Vec> before, List<Vec> after) {
-        PathRecorder recorder = growing(before.toArray(Vec[]::new));
-        Path first = recorder.view();
+    public static List<RobotPath> growingPathViews(List<Vector2> before, List<Vector2> after) {
+        PathRecorder recorder = pathRecorder(before.toArray(Vector2[]::new));
+        RobotPath first = recorder.view();
         after.forEach(point -> recorder.record(point.x(), point.y()));
         return List.of(first, recorder.view());
     }
 
     /** A sound sensor of a robot at a pose. */
-    public static SensorSnapshot sensor(SensorSpec spec, Pose robot, Reading reading, Vec... hits) {
+    public static SensorSnapshot sensor(SensorSpec spec, Pose robot, Reading reading, Vector2... hits) {
         return new SensorSnapshot(spec, sector(spec, robot), reading, reading, List.of(hits), List.of());
     }
 
     /** A faulty sensor of a robot at a pose. */
-    public static SensorSnapshot faulty(SensorSpec spec, Pose robot, Reading truth, Reading reported, Fault... faults) {
+    public static SensorSnapshot faultySensor(
+            SensorSpec spec, Pose robot, Reading truth, Reading reported, Fault... faults) {
         return new SensorSnapshot(spec, sector(spec, robot), truth, reported, List.of(), List.of(faults));
     }
 
     private static Sector sector(SensorSpec spec, Pose robot) {
-        return Sector.of(robot.toOuter(spec.seat()), robot.heading() + spec.bearing(), spec.cone(), spec.range());
+        return Sector.of(
+                robot.toParent(spec.mountPosition()), robot.heading() + spec.bearing(), spec.cone(), spec.range());
     }
 
     /** A room with some of everything that can be painted, each fault kind and a collision included. */
-    public static Frame everything() {
+    public static Frame fullFrame() {
         Pose robot = new Pose(2.2, 1.2, Degrees.toRadians(20));
         List<Obstacle> obstacles = List.of(
-                new Obstacle("table", new ObstacleShape.Rectangle(1.4, 0.5), new Pose(3.08, 1.62, Degrees.toRadians(30))),
+                new Obstacle(
+                        "table", new ObstacleShape.Rectangle(1.4, 0.5), new Pose(3.08, 1.62, Degrees.toRadians(30))),
                 new Obstacle("box", new ObstacleShape.Rectangle(0.5, 0.3), new Pose(3.2, 3.2, Degrees.toRadians(-22))),
                 new Obstacle("sofa", new ObstacleShape.Ellipse(0.5, 0.25), new Pose(1.1, 3.2, Degrees.toRadians(15))),
                 new Obstacle("pole", new ObstacleShape.Circle(0.02), new Pose(1.7, 1.75, 0)),
-                new Obstacle("niche", new ObstacleShape.Polygon(List.of(new Vec(0, 0), new Vec(1, 0), new Vec(1, 0.9), new Vec(0.5, 0.4))),
+                new Obstacle(
+                        "niche",
+                        new ObstacleShape.Polygon(List.of(
+                                new Vector2(0, 0), new Vector2(1, 0), new Vector2(1, 0.9), new Vector2(0.5, 0.4))),
                         new Pose(4.8, 0.3, 0)),
-                new Obstacle("partition", new ObstacleShape.Wall(List.of(new Vec(0, 0), new Vec(0.8, 0), new Vec(0.8, 0.7))), new Pose(0, 2.2, 0)),
-                new Obstacle("visitor", new ObstacleShape.Circle(0.3), new Pose(4.6, 2.9, 0),
-                        Optional.of(new Motion(0.2, true, List.of(new Vec(3.9, 2.4), new Vec(5.5, 2.4), new Vec(5.5, 3.5))))));
-        Collision collision = new Collision(new Vec(2.42, 1.245), 12.48, 1248, "table",
-                Map.of("left", List.of(new Fault.Stuck(0.4)), "rear", List.of(new Fault.Dead())), List.of("rear-right"));
-        return frame(robot, curve(robot), sensors(robot), obstacles, List.of(collision.point()), Optional.of(collision));
+                new Obstacle(
+                        "partition",
+                        new ObstacleShape.Wall(List.of(new Vector2(0, 0), new Vector2(0.8, 0), new Vector2(0.8, 0.7))),
+                        new Pose(0, 2.2, 0)),
+                new Obstacle(
+                        "visitor",
+                        new ObstacleShape.Circle(0.3),
+                        new Pose(4.6, 2.9, 0),
+                        Optional.of(new WaypointPath(
+                                0.2,
+                                true,
+                                List.of(new Vector2(3.9, 2.4), new Vector2(5.5, 2.4), new Vector2(5.5, 3.5))))));
+        Collision collision = new Collision(
+                new Vector2(2.42, 1.245),
+                12.48,
+                1248,
+                "table",
+                Map.of("left", List.of(new Fault.Stuck(0.4)), "rear", List.of(new Fault.Dead())),
+                List.of("rear-right"));
+        return frame(
+                robot, curve(robot), sensors(robot), obstacles, List.of(collision.point()), Optional.of(collision));
     }
 
     private static List<SensorSnapshot> sensors(Pose robot) {
         List<SensorSpec> specs = RobotSpec.DEFAULT.sensors();
         List<SensorSnapshot> sensors = new ArrayList<>();
-        sensors.add(sensor(specs.get(0), robot, new Reading(0.24), new Vec(2.592, 1.234), new Vec(2.535, 1.37)));
+        sensors.add(
+                sensor(specs.get(0), robot, new Reading(0.24), new Vector2(2.592, 1.234), new Vector2(2.535, 1.37)));
         sensors.add(sensor(specs.get(1), robot, NOTHING));
-        sensors.add(faulty(specs.get(2), robot, new Reading(0.62), new Reading(0.4), new Fault.Stuck(0.4)));
-        sensors.add(faulty(specs.get(3), robot, NOTHING, NOTHING, new Fault.Bias(0.05)));
-        sensors.add(faulty(specs.get(4), robot, NOTHING, new Reading(Reading.OFF), new Fault.Dead()));
+        sensors.add(faultySensor(specs.get(2), robot, new Reading(0.62), new Reading(0.4), new Fault.Stuck(0.4)));
+        sensors.add(faultySensor(specs.get(3), robot, NOTHING, NOTHING, new Fault.Bias(0.05)));
+        sensors.add(faultySensor(specs.get(4), robot, NOTHING, new Reading(Reading.OFF), new Fault.Dead()));
         sensors.add(sensor(specs.get(5).withOn(false), robot, new Reading(Reading.OFF)));
-        sensors.add(faulty(specs.get(6), robot, NOTHING, NOTHING, new Fault.Dropout(0.5)));
+        sensors.add(faultySensor(specs.get(6), robot, NOTHING, NOTHING, new Fault.Dropout(0.5)));
         sensors.add(sensor(specs.get(7), robot, NOTHING));
         return sensors;
     }
 
-    private static Path curve(Pose end) {
-        List<Vec> points = new ArrayList<>();
+    private static RobotPath curve(Pose end) {
+        List<Vector2> points = new ArrayList<>();
         for (int i = 0; i < 3000; i++) {
             double a = i * 0.005;
-            points.add(new Vec(3 + (2.6 - 0.1 * Math.sin(5 * a)) * Math.cos(a), 2 + (1.6 - 0.08 * Math.cos(4 * a)) * Math.sin(a)));
+            points.add(new Vector2(
+                    3 + (2.6 - 0.1 * Math.sin(5 * a)) * Math.cos(a), 2 + (1.6 - 0.08 * Math.cos(4 * a)) * Math.sin(a)));
         }
         points.add(end.position());
-        return path(points.toArray(Vec[]::new));
+        return pathThrough(points.toArray(Vector2[]::new));
     }
 }

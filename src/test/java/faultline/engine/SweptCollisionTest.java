@@ -4,19 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
-import faultline.geometry.Box;
-import faultline.geometry.BoxOracle;
-import faultline.geometry.Convex;
+import faultline.geometry.BoxDistanceOracle;
+import faultline.geometry.ConvexShape;
+import faultline.geometry.OrientedBox;
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.robot.DifferentialDrive;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Obstacle;
+import faultline.world.ObstacleGeometry;
 import faultline.world.ObstacleShape;
-import faultline.world.Outline;
 import faultline.world.WorldSpec;
 import java.util.Comparator;
 import java.util.List;
@@ -27,35 +27,36 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Collisions of whole simulated ticks against an oracle that looks at every moment: the exact arc is bisected for as long as the speeds
- * allow that body and obstacles could have met in between.
+ * Collisions of whole simulated ticks against an oracle that looks at every moment: the exact arc is bisected for as
+ * long as the speeds allow that body and obstacles could have met in between.
  */
 class SweptCollisionTest {
 
-    private static final RobotSpec BLIND = new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), List.of());
-    private static final double TOUCHING = 1e-10;
-    private static final double NO_DEEPER = 1e-9;
+    private static final RobotSpec SENSORLESS =
+            new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), List.of());
+    private static final double CONTACT_TOLERANCE = 1e-10;
+    private static final double PENETRATION_TOLERANCE = 1e-9;
     private static final int TICKS = 30;
 
     @ParameterizedTest
     @CsvSource({"41, 0, 50", "42, 0, 10", "43, 3, 50", "44, 3, 5", "45, 1, 0.5"})
     void theRobotStopsWhereTheOracleSaysAndOverlapsNothing(long seed, int movers, double topSpeed) {
-        RandomYards yards = new RandomYards(seed, BLIND, topSpeed);
+        RandomWorlds yards = new RandomWorlds(seed, SENSORLESS, topSpeed);
         int collisions = 0;
         for (int i = 0; i < 40; i++) {
-            collisions += judge(yards.next(movers)) ? 1 : 0;
+            collisions += runAndCompare(yards.nextSetup(movers)) ? 1 : 0;
         }
         assertTrue(topSpeed < 1 || collisions > 4, "too few collisions to judge by: " + collisions);
     }
 
     /** Runs a yard, compares every tick with the oracle's, and says whether there was a collision. */
-    private static boolean judge(Setup setup) {
+    private static boolean runAndCompare(SimulationSetup setup) {
         try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
             for (int tick = 1; tick <= TICKS; tick++) {
                 Arc arc = Arc.next(setup, simulation);
                 boolean already = simulation.collision().isPresent();
                 simulation.tick();
-                overlapsNothing(setup, simulation);
+                assertNoOverlap(setup, simulation);
                 if (already) {
                     assertEquals(arc.start, simulation.pose(), "a robot that has collided stays where it is");
                 } else {
@@ -66,55 +67,73 @@ class SweptCollisionTest {
         }
     }
 
-    private static void overlapsNothing(Setup setup, Simulation simulation) {
-        Box core = new Box(simulation.pose(), simulation.robot().length() - 2 * NO_DEEPER, simulation.robot().width() - 2 * NO_DEEPER);
+    private static void assertNoOverlap(SimulationSetup setup, Simulation simulation) {
+        OrientedBox core = new OrientedBox(
+                simulation.pose(),
+                simulation.robot().length() - 2 * PENETRATION_TOLERANCE,
+                simulation.robot().width() - 2 * PENETRATION_TOLERANCE);
         for (Obstacle obstacle : simulation.snapshot().obstacles()) {
-            Outline outline = Outline.of(obstacle);
+            ObstacleGeometry outline = ObstacleGeometry.of(obstacle);
             assertTrue(!outline.contains(simulation.pose().position()), () -> "inside " + obstacle + " in " + setup);
-            for (Convex part : outline.parts()) {
-                assertTrue(BoxOracle.distance(core, part) > 0, () -> simulation.pose() + " overlaps " + part
-                        + " at " + simulation.ticks() + " after " + simulation.collision() + " in " + setup);
+            for (ConvexShape part : outline.parts()) {
+                assertTrue(
+                        BoxDistanceOracle.distance(core, part) > 0,
+                        () -> simulation.pose() + " overlaps " + part + " at " + simulation.ticks() + " after "
+                                + simulation.collision() + " in " + setup);
             }
         }
     }
 
     /** One tick's motion of the robot if nothing were in its way. */
-    private record Arc(Pose start, double begin, double v, double omega, double dt) {
+    private record Arc(Pose start, double startTime, double v, double omega, double dt) {
 
-        static Arc next(Setup setup, Simulation before) {
+        static Arc next(SimulationSetup setup, Simulation before) {
             ControllerSpec.Drive drive = (ControllerSpec.Drive) setup.controller();
             double decay = setup.robot().motor().decay(setup.dt());
             double left = setup.robot().motor().step(before.leftSpeed(), drive.leftVolts(), decay);
             double right = setup.robot().motor().step(before.rightSpeed(), drive.rightVolts(), decay);
-            return new Arc(before.pose(), before.time(), DifferentialDrive.linearVelocity(left, right),
-                    DifferentialDrive.angularVelocity(left, right, BLIND.track()), setup.dt());
+            return new Arc(
+                    before.pose(),
+                    before.time(),
+                    DifferentialDrive.linearVelocity(left, right),
+                    DifferentialDrive.angularVelocity(left, right, SENSORLESS.track()),
+                    setup.dt());
         }
 
-        void compare(Setup setup, Simulation after) {
+        void compare(SimulationSetup setup, Simulation after) {
             OptionalDouble contact = firstContact(setup);
-            assertEquals(contact.isPresent(), after.collision().isPresent(), () -> contact + " " + after.collision() + " in " + setup);
-            Pose expected = at(contact.orElse(dt));
-            assertEquals(0, expected.position().distanceTo(after.pose().position()), 1e-7, () -> contact + " in " + setup);
+            assertEquals(
+                    contact.isPresent(),
+                    after.collision().isPresent(),
+                    () -> contact + " " + after.collision() + " in " + setup);
+            Pose expected = poseAt(contact.orElse(dt));
+            assertEquals(
+                    0, expected.position().distanceTo(after.pose().position()), 1e-7, () -> contact + " in " + setup);
             assertEquals(expected.heading(), after.pose().heading(), 1e-6, () -> contact + " in " + setup);
             if (contact.isPresent()) {
                 Collision collision = after.collision().orElseThrow();
-                Vec point = contactPoint(setup, contact.getAsDouble());
-                assertEquals(begin + contact.getAsDouble(), collision.time(), 1e-7, () -> collision + " in " + setup);
-                assertEquals(0, point.distanceTo(collision.point()), 1e-6, () -> collision + " at " + point + " in " + setup);
+                Vector2 point = contactPoint(setup, contact.getAsDouble());
+                assertEquals(
+                        startTime + contact.getAsDouble(), collision.time(), 1e-7, () -> collision + " in " + setup);
+                assertEquals(
+                        0,
+                        point.distanceTo(collision.point()),
+                        1e-6,
+                        () -> collision + " at " + point + " in " + setup);
             }
         }
 
-        private Pose at(double time) {
+        private Pose poseAt(double time) {
             return DifferentialDrive.advance(start, v, omega, time);
         }
 
-        private Box box(double time) {
-            return new Box(at(time), BLIND.length(), BLIND.width());
+        private OrientedBox boxAt(double time) {
+            return new OrientedBox(poseAt(time), SENSORLESS.length(), SENSORLESS.width());
         }
 
-        private OptionalDouble firstContact(Setup setup) {
+        private OptionalDouble firstContact(SimulationSetup setup) {
             double first = Double.POSITIVE_INFINITY;
-            int figures = RandomYards.figures(setup, begin).size();
+            int figures = RandomWorlds.shapesAt(setup, startTime).size();
             for (int which = 0; which < figures; which++) {
                 first = Math.min(first, firstContact(setup, which, 0, Math.min(first, dt)));
             }
@@ -122,17 +141,20 @@ class SweptCollisionTest {
         }
 
         /** No point of the body or an obstacle is faster than this, so that a distance cannot fall faster. */
-        private double fastest(Setup setup) {
-            double mover = setup.world().obstacles().stream().mapToDouble(o -> o.motion().map(m -> m.speed()).orElse(0.0)).max().orElse(0);
-            return Math.abs(v) + Math.abs(omega) * BLIND.reach() + mover;
+        private double maxApproachSpeed(SimulationSetup setup) {
+            double mover = setup.world().obstacles().stream()
+                    .mapToDouble(o -> o.motion().map(m -> m.speed()).orElse(0.0))
+                    .max()
+                    .orElse(0);
+            return Math.abs(v) + Math.abs(omega) * SENSORLESS.boundingRadius() + mover;
         }
 
-        private double firstContact(Setup setup, int which, double from, double to) {
-            double least = gap(setup, which, from);
-            if (least <= TOUCHING) {
+        private double firstContact(SimulationSetup setup, int which, double from, double to) {
+            double least = distanceAt(setup, which, from);
+            if (least <= CONTACT_TOLERANCE) {
                 return from;
             }
-            if (least - fastest(setup) * (to - from) > TOUCHING || to - from < 1e-14) {
+            if (least - maxApproachSpeed(setup) * (to - from) > CONTACT_TOLERANCE || to - from < 1e-14) {
                 return Double.POSITIVE_INFINITY;
             }
             double middle = (from + to) / 2;
@@ -140,45 +162,56 @@ class SweptCollisionTest {
             return early < Double.POSITIVE_INFINITY ? early : firstContact(setup, which, middle, to);
         }
 
-        private double gap(Setup setup, int which, double time) {
-            return BoxOracle.distance(box(time), RandomYards.figures(setup, begin + time).get(which));
+        private double distanceAt(SimulationSetup setup, int which, double time) {
+            return BoxDistanceOracle.distance(
+                    boxAt(time), RandomWorlds.shapesAt(setup, startTime + time).get(which));
         }
 
-        private Vec contactPoint(Setup setup, double time) {
-            Convex touched = RandomYards.figures(setup, begin + time).stream()
-                    .min(Comparator.comparingDouble(figure -> BoxOracle.distance(box(time), figure))).orElseThrow();
-            return BoxOracle.nearest(box(time), touched);
+        private Vector2 contactPoint(SimulationSetup setup, double time) {
+            ConvexShape touched = RandomWorlds.shapesAt(setup, startTime + time).stream()
+                    .min(Comparator.comparingDouble(figure -> BoxDistanceOracle.distance(boxAt(time), figure)))
+                    .orElseThrow();
+            return BoxDistanceOracle.nearest(boxAt(time), touched);
         }
     }
 
     @Test
-    void whateverIsDoneToTheWorldTheRobotOverlapsNothing() {
+    void noCommandMakesTheRobotOverlapAnything() {
         SplittableRandom random = new SplittableRandom(47);
         int refused = 0;
         int collisions = 0;
         for (int i = 0; i < 100; i++) {
-            RandomYards yards = new RandomYards(random.nextLong(), BLIND, 0.6);
-            Setup setup = yards.next(2);
+            RandomWorlds yards = new RandomWorlds(random.nextLong(), SENSORLESS, 0.6);
+            SimulationSetup setup = yards.nextSetup(2);
             try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
                 for (int tick = 0; tick < TICKS; tick++) {
-                    refused += simulation.apply(meddling(random, yards, simulation)).isPresent() ? 1 : 0;
-                    overlapsNothing(setup, simulation);
+                    refused += simulation
+                                    .execute(randomCommand(random, yards, simulation))
+                                    .isPresent()
+                            ? 1
+                            : 0;
+                    assertNoOverlap(setup, simulation);
                     simulation.tick();
-                    overlapsNothing(setup, simulation);
+                    assertNoOverlap(setup, simulation);
                 }
                 collisions += simulation.collision().isPresent() ? 1 : 0;
             }
         }
-        assertTrue(refused > 50 && collisions > 50 && collisions < 100, refused + " refused, " + collisions + " collisions");
+        assertTrue(
+                refused > 50 && collisions > 50 && collisions < 100,
+                refused + " refused, " + collisions + " collisions");
     }
 
     /** Things put on or near the robot, or taken away, and platforms that grow and shrink. */
-    private static Command meddling(SplittableRandom random, RandomYards yards, Simulation simulation) {
-        Vec near = simulation.pose().position().plus(Vec.direction(random.nextDouble(7)).times(random.nextDouble(1)));
+    private static Command randomCommand(SplittableRandom random, RandomWorlds yards, Simulation simulation) {
+        Vector2 near = simulation
+                .pose()
+                .position()
+                .plus(Vector2.direction(random.nextDouble(7)).times(random.nextDouble(1)));
         String id = "o" + random.nextInt(6);
         Pose pose = new Pose(near.x(), near.y(), random.nextDouble(7));
         return switch (random.nextInt(4)) {
-            case 0 -> new Command.PutObstacle(new Obstacle(id, yards.shape(), pose));
+            case 0 -> new Command.PlaceObstacle(new Obstacle(id, yards.randomShape(), pose));
             case 1 -> new Command.RemoveObstacle(id);
             case 2 -> new Command.SetPlatform(random.nextDouble(0.1, 0.4), random.nextDouble(0.1, 0.4), 0.3);
             default -> new Command.MoveObstacle(id, pose);
@@ -187,18 +220,27 @@ class SweptCollisionTest {
 
     @Test
     void aWallWithoutThicknessStopsARobotAtFiftyMetresASecondInOneTick() {
-        Obstacle wall = new Obstacle("wall", new ObstacleShape.Wall(List.of(new Vec(0, -1), new Vec(0, 1))), new Pose(3, 2, 0));
+        Obstacle wall = new Obstacle(
+                "wall", new ObstacleShape.Wall(List.of(new Vector2(0, -1), new Vector2(0, 1))), new Pose(3, 2, 0));
         RobotSpec fast = new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, new MotorSpec(0, 1, 50), List.of());
-        Setup dash = new Setup(new WorldSpec(6, 4, true, 0, List.of(wall)), fast, new Pose(1, 2, 0), new ControllerSpec.Drive(50, 50),
-                List.of(), 0.1, 1, 1);
+        SimulationSetup dash = new SimulationSetup(
+                new WorldSpec(6, 4, true, 0, List.of(wall)),
+                fast,
+                new Pose(1, 2, 0),
+                new ControllerSpec.Drive(50, 50),
+                List.of(),
+                0.1,
+                1,
+                1);
         try (Simulation simulation = new Simulation(dash, ControllerMode.DIRECT)) {
             simulation.tick();
-            // Flush against the front, which is 0.125 ahead of the centre: 1.875 m at 50 m/s, and the middle of the front is the contact
+            // Flush against the front, which is 0.125 ahead of the centre: 1.875 m at 50 m/s, and the middle of the
+            // front is the contact
             // point.
             Collision collision = simulation.collision().orElseThrow();
-            assertEquals(2.875, simulation.pose().x(), NO_DEEPER);
+            assertEquals(2.875, simulation.pose().x(), PENETRATION_TOLERANCE);
             assertEquals(1.875 / 50, collision.time(), 1e-10);
-            assertEquals(0, collision.point().distanceTo(new Vec(3, 2)), 1e-6);
+            assertEquals(0, collision.point().distanceTo(new Vector2(3, 2)), 1e-6);
         }
     }
 }

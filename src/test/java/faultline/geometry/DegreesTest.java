@@ -16,15 +16,15 @@ class DegreesTest {
     void theTextOfAnyAngleReadsBackToTheSameBits() {
         SplittableRandom random = new SplittableRandom(4);
         for (int i = 0; i < 20_000; i++) {
-            readsBack(random.nextDouble(-10, 10));
-            readsBack(random.nextDouble() * Math.pow(10, random.nextInt(-20, 6)));
+            assertReadsBack(random.nextDouble(-10, 10));
+            assertReadsBack(random.nextDouble() * Math.pow(10, random.nextInt(-20, 6)));
         }
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {0, Math.PI, -Math.PI, Math.PI / 2, Double.MIN_NORMAL, 1e-300, 1e6, 0.1, 1})
     void theTextOfASpecialAngleReadsBackToTheSameBits(double radians) {
-        readsBack(radians);
+        assertReadsBack(radians);
     }
 
     @ParameterizedTest
@@ -47,11 +47,13 @@ class DegreesTest {
             BigDecimal truth = perDegree.multiply(BigDecimal.valueOf(degrees));
             double radians = Degrees.toRadians(degrees);
             BigDecimal error = truth.subtract(new BigDecimal(radians)).abs();
-            assertTrue(error.compareTo(new BigDecimal(Math.ulp(radians)).multiply(new BigDecimal("0.5"))) <= 0, degrees + " degrees");
+            assertTrue(
+                    error.compareTo(new BigDecimal(Math.ulp(radians)).multiply(new BigDecimal("0.5"))) <= 0,
+                    degrees + " degrees");
         }
     }
 
-    private static void readsBack(double radians) {
+    private static void assertReadsBack(double radians) {
         String text = Degrees.toText(radians);
         assertEquals(radians, Degrees.toRadians(new BigDecimal(text)), text);
         assertEquals(-1, text.indexOf('E'), text);

@@ -13,19 +13,20 @@ class RigidMotionTest {
     void equationOneIsTranslateRotateTranslateBack() {
         SplittableRandom random = new SplittableRandom(3);
         for (int i = 0; i < 1000; i++) {
-            Vec centre = new Vec(random.nextDouble(-10, 10), random.nextDouble(-10, 10));
-            Vec point = new Vec(random.nextDouble(-10, 10), random.nextDouble(-10, 10));
+            Vector2 centre = new Vector2(random.nextDouble(-10, 10), random.nextDouble(-10, 10));
+            Vector2 point = new Vector2(random.nextDouble(-10, 10), random.nextDouble(-10, 10));
             double theta = random.nextDouble(-10, 10);
-            Vec moved = point.minus(centre);
-            Vec turned = new Vec(moved.x() * Math.cos(theta) - moved.y() * Math.sin(theta),
+            Vector2 moved = point.minus(centre);
+            Vector2 turned = new Vector2(
+                    moved.x() * Math.cos(theta) - moved.y() * Math.sin(theta),
                     moved.x() * Math.sin(theta) + moved.y() * Math.cos(theta));
-            near(turned.plus(centre), RigidMotion.apply(RigidMotion.rotationAbout(centre, theta), point), 1e-13);
+            assertNear(turned.plus(centre), RigidMotion.apply(RigidMotion.rotationAbout(centre, theta), point), 1e-13);
         }
     }
 
     @Test
     void equationOneIsTheProductOfItsThreeMatrices() {
-        Vec centre = new Vec(2, -3);
+        Vector2 centre = new Vector2(2, -3);
         AffineTransform product = AffineTransform.getTranslateInstance(2, -3);
         product.concatenate(AffineTransform.getRotateInstance(0.7));
         product.concatenate(AffineTransform.getTranslateInstance(-2, 3));
@@ -40,24 +41,27 @@ class RigidMotionTest {
 
     @Test
     void theCentreStaysWhereItIs() {
-        Vec centre = new Vec(5, 7);
-        near(centre, RigidMotion.apply(RigidMotion.rotationAbout(centre, 1.2), centre), 1e-14);
+        Vector2 centre = new Vector2(5, 7);
+        assertNear(centre, RigidMotion.apply(RigidMotion.rotationAbout(centre, 1.2), centre), 1e-14);
     }
 
     @Test
     void aQuarterTurnIsCounterClockwise() {
-        near(new Vec(1, 2), RigidMotion.apply(RigidMotion.rotationAbout(new Vec(1, 1), Math.PI / 2), new Vec(2, 1)), 1e-15);
+        assertNear(
+                new Vector2(1, 2),
+                RigidMotion.apply(RigidMotion.rotationAbout(new Vector2(1, 1), Math.PI / 2), new Vector2(2, 1)),
+                1e-15);
     }
 
     @Test
-    void aPoseCarriesItsFrameAsAPoseDoes() {
+    void aPoseTransformMapsPointsAsThePoseDoes() {
         Pose pose = new Pose(1, 2, 0.6);
-        Vec local = new Vec(0.3, -0.4);
-        near(pose.toOuter(local), RigidMotion.apply(RigidMotion.to(pose), local), 1e-15);
-        near(local, pose.toLocal(pose.toOuter(local)), 1e-15);
+        Vector2 local = new Vector2(0.3, -0.4);
+        assertNear(pose.toParent(local), RigidMotion.apply(RigidMotion.poseTransform(pose), local), 1e-15);
+        assertNear(local, pose.toLocal(pose.toParent(local)), 1e-15);
     }
 
-    private static void near(Vec expected, Vec actual, double tolerance) {
+    private static void assertNear(Vector2 expected, Vector2 actual, double tolerance) {
         assertEquals(0, expected.distanceTo(actual), tolerance, () -> expected + " " + actual);
     }
 }

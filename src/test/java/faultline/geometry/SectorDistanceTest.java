@@ -7,65 +7,70 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Sector readings against the {@link SectorOracle}, to a billionth of a metre. */
+/** Sector readings against the {@link SectorDistanceOracle}, to a billionth of a metre. */
 class SectorDistanceTest {
 
     private static final int CASES = 40_000;
     private static final double TOLERANCE = 1e-9;
-    private static final double NOTHING = Double.POSITIVE_INFINITY;
+    private static final double OUT_OF_RANGE = Double.POSITIVE_INFINITY;
 
-    /** Sector apex (0, 0), axis along x, edges along (3, 4) and (3, -4), range 5: its outline has points with exact coordinates. */
+    /**
+     * Sector apex (0, 0), axis along x, edges along (3, 4) and (3, -4), range 5: its outline has points with exact
+     * coordinates.
+     */
     private static final Sector EXACT = new Sector(0, 0, 1, 0, 0.6, 0.8, 5);
 
     @Test
     void anyFigureReadsAsTheOracleSays() {
-        SectorScenes scenes = new SectorScenes(11, 1);
+        RandomSectorScenes scenes = new RandomSectorScenes(11, 1);
         int loose = 0;
         for (int i = 0; i < CASES; i++) {
             Sector sector = scenes.sector();
-            loose += judge(sector, scenes.figure(sector), TOLERANCE) ? 0 : 1;
+            loose += assertMatchesOracle(sector, scenes.figure(sector), TOLERANCE) ? 0 : 1;
         }
         assertTrue(loose < CASES / 100, loose + " of the ordinary cases left the oracle in doubt");
     }
 
     @Test
     void aFigureThatTouchesReadsAsOneOfTheSidesOfTheJump() {
-        SectorScenes scenes = new SectorScenes(12, 1);
+        RandomSectorScenes scenes = new RandomSectorScenes(12, 1);
         for (int i = 0; i < CASES; i++) {
             Sector sector = scenes.sector();
-            judge(sector, scenes.touching(sector), TOLERANCE);
+            assertMatchesOracle(sector, scenes.touching(sector), TOLERANCE);
         }
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {1e-6, 1e-3, 1e3, 1e6})
     void sizeDoesNotMatter(double size) {
-        SectorScenes scenes = new SectorScenes(13, size);
+        RandomSectorScenes scenes = new RandomSectorScenes(13, size);
         for (int i = 0; i < CASES / 10; i++) {
             Sector sector = scenes.sector();
-            judge(sector, scenes.figure(sector), TOLERANCE * size);
-            judge(sector, scenes.touching(sector), TOLERANCE * size);
+            assertMatchesOracle(sector, scenes.figure(sector), TOLERANCE * size);
+            assertMatchesOracle(sector, scenes.touching(sector), TOLERANCE * size);
         }
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {1e-6, 1e-4, 1e-2, 1e2, 1e4, 1e6})
     void anEllipseMayBeAsThinAsALine(double aspect) {
-        SectorScenes scenes = new SectorScenes(14, 1);
+        RandomSectorScenes scenes = new RandomSectorScenes(14, 1);
         for (int i = 0; i < CASES / 10; i++) {
             Sector sector = scenes.sector();
-            Vec place = scenes.figure(sector).centre();
+            Vector2 place = scenes.figure(sector).centre();
             double rx = Math.min(0.5, 0.5 * aspect);
-            judge(sector, Oval.at(new Pose(place.x(), place.y(), i), rx, rx / aspect), TOLERANCE);
+            assertMatchesOracle(sector, Ellipse.at(new Pose(place.x(), place.y(), i), rx, rx / aspect), TOLERANCE);
         }
     }
 
     /** Whether the oracle was sure. */
-    private static boolean judge(Sector sector, Convex figure, double tolerance) {
-        SectorOracle.Bounds bounds = SectorOracle.reading(sector, figure);
+    private static boolean assertMatchesOracle(Sector sector, ConvexShape figure, double tolerance) {
+        SectorDistanceOracle.Bounds bounds = SectorDistanceOracle.bounds(sector, figure);
         double reading = SectorDistance.nearest(sector, figure);
-        assertTrue(bounds.allow(reading, tolerance), () -> sector + " reads " + figure + " as " + reading + ", not " + bounds);
-        return bounds.tight(tolerance);
+        assertTrue(
+                bounds.contains(reading, tolerance),
+                () -> sector + " reads " + figure + " as " + reading + ", not " + bounds);
+        return bounds.isTight(tolerance);
     }
 
     @Test
@@ -86,15 +91,15 @@ class SectorDistanceTest {
 
     @Test
     void whatIsBehindTheApexIsNotSeen() {
-        assertEquals(NOTHING, SectorDistance.nearest(EXACT, new Segment(-0.001, -9, -0.001, 9)));
-        assertEquals(NOTHING, SectorDistance.nearest(EXACT, new Disc(-0.5, 0, 0.4)));
+        assertEquals(OUT_OF_RANGE, SectorDistance.nearest(EXACT, new Segment(-0.001, -9, -0.001, 9)));
+        assertEquals(OUT_OF_RANGE, SectorDistance.nearest(EXACT, new Disc(-0.5, 0, 0.4)));
     }
 
     @Test
     void theArcBelongsToTheSector() {
         assertEquals(5, SectorDistance.nearest(EXACT, new Segment(5, -1, 5, 1)));
         assertEquals(5, SectorDistance.nearest(EXACT, new Disc(6, 0, 1)));
-        assertEquals(NOTHING, SectorDistance.nearest(EXACT, new Segment(5.000000001, -1, 5.000000001, 1)));
+        assertEquals(OUT_OF_RANGE, SectorDistance.nearest(EXACT, new Segment(5.000000001, -1, 5.000000001, 1)));
     }
 
     @Test

@@ -12,40 +12,40 @@ import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 
 /**
- * Fails a test in which a component was changed on another thread than the event dispatch thread, or in which anything was thrown and not
- * caught.
+ * Fails a test in which a component was changed on another thread than the event dispatch thread, or in which anything
+ * was thrown and not caught.
  */
 public final class EdtChecker implements BeforeEachCallback, AfterEachCallback {
 
-    private final List<String> offences = new CopyOnWriteArrayList<>();
-    private RepaintManager before;
-    private Thread.UncaughtExceptionHandler handlerBefore;
+    private final List<String> violations = new CopyOnWriteArrayList<>();
+    private RepaintManager previousManager;
+    private Thread.UncaughtExceptionHandler previousHandler;
 
     @Override
     public void beforeEach(ExtensionContext context) {
-        before = RepaintManager.currentManager(null);
-        handlerBefore = Thread.getDefaultUncaughtExceptionHandler();
-        offences.clear();
-        RepaintManager.setCurrentManager(new Strict());
+        previousManager = RepaintManager.currentManager(null);
+        previousHandler = Thread.getDefaultUncaughtExceptionHandler();
+        violations.clear();
+        RepaintManager.setCurrentManager(new CheckingRepaintManager());
         Thread.setDefaultUncaughtExceptionHandler((thread, fault) -> {
             fault.printStackTrace();
-            offences.add("uncaught on " + thread.getName() + ": " + fault);
+            violations.add("uncaught on " + thread.getName() + ": " + fault);
         });
     }
 
     @Override
     public void afterEach(ExtensionContext context) {
-        RepaintManager.setCurrentManager(before);
-        Thread.setDefaultUncaughtExceptionHandler(handlerBefore);
-        assertEquals(List.of(), offences);
+        RepaintManager.setCurrentManager(previousManager);
+        Thread.setDefaultUncaughtExceptionHandler(previousHandler);
+        assertEquals(List.of(), violations);
     }
 
-    List<String> offences() {
-        return offences;
+    List<String> violations() {
+        return violations;
     }
 
     /** Sees every change of a component that shows. */
-    private final class Strict extends RepaintManager {
+    private final class CheckingRepaintManager extends RepaintManager {
         @Override
         public synchronized void addInvalidComponent(JComponent component) {
             check(component);
@@ -60,7 +60,8 @@ public final class EdtChecker implements BeforeEachCallback, AfterEachCallback {
 
         private void check(JComponent component) {
             if (!EventQueue.isDispatchThread()) {
-                offences.add(component.getClass().getName() + " was changed on thread " + Thread.currentThread().getName());
+                violations.add(component.getClass().getName() + " was changed on thread "
+                        + Thread.currentThread().getName());
             }
         }
     }

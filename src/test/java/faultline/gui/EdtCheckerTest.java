@@ -13,8 +13,8 @@ class EdtCheckerTest {
     void aLabelChangedOnTheTestsOwnThreadIsFound() {
         EdtChecker checker = new EdtChecker();
         checker.beforeEach(null);
-        JLabel label = GuiRobot.onEdt(() -> new JLabel("before"));
-        assertEquals(List.of(), checker.offences());
+        JLabel label = GuiRobot.callOnEdt(() -> new JLabel("before"));
+        assertEquals(List.of(), checker.violations());
         label.setText("after");
         assertThrows(AssertionError.class, () -> checker.afterEach(null));
     }

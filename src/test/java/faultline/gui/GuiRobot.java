@@ -28,8 +28,8 @@ import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 
 /**
- * Drives real windows with the mouse and the keyboard, for tests. Every read happens on the event dispatch thread, and nothing
- * sleeps: what a test waits for is a condition with a deadline, and the sentence that names it is the failure.
+ * Drives real windows with the mouse and the keyboard, for tests. Every read happens on the event dispatch thread, and
+ * nothing sleeps: what a test waits for is a condition with a deadline, and the sentence that names it is the failure.
  */
 public final class GuiRobot {
 
@@ -37,7 +37,7 @@ public final class GuiRobot {
     private static final long DEADLINE_SECONDS = 60;
 
     /** So often, in a wait, a window is given the focus, as a user would click on it. */
-    private static final long NUDGE_NANOS = TimeUnit.SECONDS.toNanos(3);
+    private static final long FOCUS_RETRY_NANOS = TimeUnit.SECONDS.toNanos(3);
 
     /** How many moves a drag is made of, so that components see a hand and not a jump. */
     private static final int DRAG_STEPS = 10;
@@ -53,7 +53,7 @@ public final class GuiRobot {
     }
 
     /** The value of an expression, taken on the event dispatch thread. */
-    public static <T> T onEdt(Callable<T> expression) {
+    public static <T> T callOnEdt(Callable<T> expression) {
         FutureTask<T> task = new FutureTask<>(expression);
         try {
             EventQueue.invokeAndWait(task);
@@ -66,8 +66,8 @@ public final class GuiRobot {
     }
 
     /** Does something on the event dispatch thread, and waits until it is done. */
-    public static void edt(Runnable action) {
-        onEdt(() -> {
+    public static void runOnEdt(Runnable action) {
+        callOnEdt(() -> {
             action.run();
             return true;
         });
@@ -81,45 +81,56 @@ public final class GuiRobot {
     /** Does something again and again until a condition, asked on the event dispatch thread, holds. */
     public void repeatUntil(String what, Callable<Boolean> condition, Runnable action) {
         long begun = System.nanoTime();
-        for (int nudges = 1; !onEdt(condition); action.run()) {
+        for (int nudges = 1; !callOnEdt(condition); action.run()) {
             long waited = System.nanoTime() - begun;
             if (waited > TimeUnit.SECONDS.toNanos(DEADLINE_SECONDS)) {
-                fail("waited " + DEADLINE_SECONDS + " s in vain until " + what + "; " + onEdt(GuiRobot::whatShows));
+                fail("waited " + DEADLINE_SECONDS + " s in vain until " + what + "; "
+                        + callOnEdt(GuiRobot::describeWindows));
             }
-            if (waited > nudges * NUDGE_NANOS) {
+            if (waited > nudges * FOCUS_RETRY_NANOS) {
                 int turn = nudges++;
-                edt(() -> focusSomething(turn));
+                runOnEdt(() -> focusNextWindow(turn));
             }
         }
     }
 
     /** What a failure is understood by: the windows that show, and what the keys go to. */
-    private static String whatShows() {
+    private static String describeWindows() {
         KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
-        String windows = Stream.of(Window.getWindows()).filter(Window::isShowing).map(GuiRobot::named).collect(Collectors.joining(", "));
-        String menus = Stream.of(MenuSelectionManager.defaultManager().getSelectedPath()).map(menu -> named(menu.getComponent()))
+        String windows = Stream.of(Window.getWindows())
+                .filter(Window::isShowing)
+                .map(GuiRobot::describe)
                 .collect(Collectors.joining(", "));
-        return "showing: " + windows + "; active: " + named(focus.getActiveWindow()) + "; focused: " + named(focus.getFocusOwner())
-                + "; open menus: " + menus;
+        String menus = Stream.of(MenuSelectionManager.defaultManager().getSelectedPath())
+                .map(menu -> describe(menu.getComponent()))
+                .collect(Collectors.joining(", "));
+        return "showing: " + windows + "; active: " + describe(focus.getActiveWindow()) + "; focused: "
+                + describe(focus.getFocusOwner()) + "; open menus: " + menus;
     }
 
     /** The class, and the title or name; where there is no component, "nothing". */
-    private static String named(Component component) {
+    private static String describe(Component component) {
         if (component == null) {
             return "nothing";
         }
-        String title = component instanceof Frame frame ? frame.getTitle() : component instanceof Dialog dialog ? dialog.getTitle()
-                : Components.name(component);
+        String title = component instanceof Frame frame
+                ? frame.getTitle()
+                : component instanceof Dialog dialog ? dialog.getTitle() : ComponentFinder.accessibleName(component);
         return component.getClass().getName() + " \"" + title + "\"";
     }
 
     /**
-     * Gives the focus to a window as a click on it would: on a busy machine a window manager now and then gives it to nobody when a dialog
-     * closes, and keeps it where it was when one opens late. Where several windows may have it, they take turns.
+     * Gives the focus to a window as a click on it would: on a busy machine a window manager now and then gives it to
+     * nobody when a dialog closes, and keeps it where it was when one opens late. Where several windows may have it,
+     * they take turns.
      */
-    private static void focusSomething(int turn) {
-        List<Window> showing = Stream.of(Window.getWindows()).filter(window -> window.isShowing() && window.isFocusableWindow()).toList();
-        List<Window> modal = showing.stream().filter(window -> window instanceof Dialog dialog && dialog.isModal()).toList();
+    private static void focusNextWindow(int turn) {
+        List<Window> showing = Stream.of(Window.getWindows())
+                .filter(window -> window.isShowing() && window.isFocusableWindow())
+                .toList();
+        List<Window> modal = showing.stream()
+                .filter(window -> window instanceof Dialog dialog && dialog.isModal())
+                .toList();
         List<Window> able = modal.isEmpty() ? showing : modal;
         if (!able.isEmpty()) {
             Window next = able.get(Math.floorMod(-turn, able.size()));
@@ -132,38 +143,39 @@ public final class GuiRobot {
 
     /** Shows a window and waits until it has its place and the focus. */
     public void open(Window window) {
-        edt(() -> window.setVisible(true));
+        runOnEdt(() -> window.setVisible(true));
         waitFor("the window shows", window::isShowing);
-        edt(window::toFront);
+        runOnEdt(window::toFront);
         waitFor("the window is focused", window::isFocused);
-        waitForRest(window);
-        waitUntilTheMouseHits(window);
+        waitUntilStill(window);
+        waitUntilMouseReaches(window);
     }
 
     /**
-     * A window manager may move a window once more after it has come to rest, and Java learns of it late. So the mouse is moved to the
-     * middle of where the window is thought to be until an event says that it is there.
+     * A window manager may move a window once more after it has come to rest, and Java learns of it late. So the mouse
+     * is moved to the middle of where the window is thought to be until an event says that it is there.
      */
-    private void waitUntilTheMouseHits(Window window) {
+    private void waitUntilMouseReaches(Window window) {
         AtomicReference<Point> hit = new AtomicReference<>(new Point());
         AWTEventListener listener = event -> {
             MouseEvent mouse = (MouseEvent) event;
             hit.set(SwingUtilities.convertPoint(mouse.getComponent(), mouse.getPoint(), window));
         };
-        edt(() -> window.getToolkit().addAWTEventListener(listener, AWTEvent.MOUSE_MOTION_EVENT_MASK));
+        runOnEdt(() -> window.getToolkit().addAWTEventListener(listener, AWTEvent.MOUSE_MOTION_EVENT_MASK));
         int[] turn = {0};
         waitFor("the mouse is where the window is", () -> {
             Point aim = new Point(window.getWidth() / 2 + 3 * (turn[0] % 2), window.getHeight() / 2);
-            boolean there = hit.get().distance(window.getWidth() / 2 + 3 * ((turn[0] + 1) % 2), window.getHeight() / 2) < 1.5;
+            boolean there =
+                    hit.get().distance(window.getWidth() / 2 + 3 * ((turn[0] + 1) % 2), window.getHeight() / 2) < 1.5;
             Point origin = window.getLocationOnScreen();
             robot.mouseMove(origin.x + aim.x, origin.y + aim.y);
             turn[0]++;
             return there;
         });
-        edt(() -> window.getToolkit().removeAWTEventListener(listener));
+        runOnEdt(() -> window.getToolkit().removeAWTEventListener(listener));
     }
 
-    private void waitForRest(Component component) {
+    private void waitUntilStill(Component component) {
         Point[] last = {new Point(Integer.MIN_VALUE, 0)};
         waitFor("the window stands still", () -> {
             Point now = component.getLocationOnScreen();
@@ -175,19 +187,19 @@ public final class GuiRobot {
 
     /** Closes a window for good. */
     public void close(Window window) {
-        edt(window::dispose);
+        runOnEdt(window::dispose);
         robot.waitForIdle();
     }
 
     /** Waits until all that is to be painted is. */
     public void waitForPaint() {
-        edt(() -> Toolkit.getDefaultToolkit().sync());
+        runOnEdt(() -> Toolkit.getDefaultToolkit().sync());
         robot.waitForIdle();
     }
 
     /** Moves the mouse to a place of a component. */
     public void moveTo(Component component, double x, double y) {
-        Point origin = onEdt(component::getLocationOnScreen);
+        Point origin = callOnEdt(component::getLocationOnScreen);
         robot.mouseMove(origin.x + (int) Math.round(x), origin.y + (int) Math.round(y));
         robot.waitForIdle();
     }
@@ -212,7 +224,7 @@ public final class GuiRobot {
     }
 
     /** Moves the mouse in small steps from one place of a component to another; no button changes. */
-    public void glide(Component component, double fromX, double fromY, double toX, double toY) {
+    public void moveSmoothly(Component component, double fromX, double fromY, double toX, double toY) {
         for (int step = 0; step <= DRAG_STEPS; step++) {
             double share = (double) step / DRAG_STEPS;
             moveTo(component, fromX + share * (toX - fromX), fromY + share * (toY - fromY));
@@ -223,18 +235,18 @@ public final class GuiRobot {
     public void drag(Component component, double fromX, double fromY, double toX, double toY, int button) {
         moveTo(component, fromX, fromY);
         press(button);
-        glide(component, fromX, fromY, toX, toY);
+        moveSmoothly(component, fromX, fromY, toX, toY);
         release(button);
     }
 
     /** Turns the wheel where the mouse is: negative notches away from the user. */
-    public void wheel(int notches) {
+    public void rotateWheel(int notches) {
         robot.mouseWheel(notches);
         robot.waitForIdle();
     }
 
     /** Presses keys, KeyEvent codes, in order and lets them go in reverse: modifiers first. */
-    public void type(int... keys) {
+    public void pressKeys(int... keys) {
         for (int key : keys) {
             robot.keyPress(key);
         }
@@ -245,7 +257,7 @@ public final class GuiRobot {
     }
 
     /** Holds a key, a KeyEvent code, while something is done. */
-    public void holding(int key, Runnable action) {
+    public void whileHolding(int key, Runnable action) {
         robot.keyPress(key);
         robot.waitForIdle();
         action.run();

@@ -13,14 +13,14 @@ class DifferentialDriveOracleTest {
     private static final int STEPS = 400;
 
     @Test
-    void anArcIsWhatEquationThreeIntegratesTo() {
+    void anArcIsTheIntegralOfEquationThree() {
         SplittableRandom random = new SplittableRandom(1);
         for (int i = 0; i < CASES; i++) {
             Pose from = new Pose(random.nextDouble(-5, 5), random.nextDouble(-5, 5), random.nextDouble(-7, 7));
             double v = random.nextDouble(-2, 2);
             double omega = random.nextDouble(-4, 4);
             double dt = random.nextDouble(0, 1);
-            near(rungeKutta(from, v, omega, dt), DifferentialDrive.advance(from, v, omega, dt), 1e-9);
+            assertNear(rungeKutta(from, v, omega, dt), DifferentialDrive.advance(from, v, omega, dt), 1e-9);
         }
     }
 
@@ -28,8 +28,8 @@ class DifferentialDriveOracleTest {
     void theTaylorLimitJoinsTheClosedFormWithoutAStep() {
         Pose from = new Pose(1, 2, 0.3);
         for (double omega = 1e-14; omega < 1e-2; omega *= 1.1) {
-            near(rungeKutta(from, 1, omega, 1), DifferentialDrive.advance(from, 1, omega, 1), 1e-13);
-            near(rungeKutta(from, 1, -omega, 1), DifferentialDrive.advance(from, 1, -omega, 1), 1e-13);
+            assertNear(rungeKutta(from, 1, omega, 1), DifferentialDrive.advance(from, 1, omega, 1), 1e-13);
+            assertNear(rungeKutta(from, 1, -omega, 1), DifferentialDrive.advance(from, 1, -omega, 1), 1e-13);
         }
     }
 
@@ -37,7 +37,7 @@ class DifferentialDriveOracleTest {
     void equalAndOppositeWheelsTurnOnTheSpot() {
         double v = DifferentialDrive.linearVelocity(-0.3, 0.3);
         double omega = DifferentialDrive.angularVelocity(-0.3, 0.3, 0.2);
-        near(new Pose(1, 2, 0.5 + 3), DifferentialDrive.advance(new Pose(1, 2, 0.5), v, omega, 1), 1e-15);
+        assertNear(new Pose(1, 2, 0.5 + 3), DifferentialDrive.advance(new Pose(1, 2, 0.5), v, omega, 1), 1e-15);
     }
 
     @Test
@@ -53,7 +53,7 @@ class DifferentialDriveOracleTest {
         // Radius v / omega = 0.2: the left wheels run on a circle of 0.1, the right ones of 0.3, three times as fast.
         assertEquals(0.2, v / omega, 1e-15);
         Pose half = DifferentialDrive.advance(Pose.ORIGIN, v, omega, Math.PI / omega);
-        near(new Pose(0, 0.4, Math.PI), half, 1e-15);
+        assertNear(new Pose(0, 0.4, Math.PI), half, 1e-15);
     }
 
     @Test
@@ -63,7 +63,7 @@ class DifferentialDriveOracleTest {
         for (int i = 0; i < 2000; i++) {
             pieces = DifferentialDrive.advance(pieces, 0.3, 0.7, 0.001);
         }
-        near(whole, pieces, 1e-12);
+        assertNear(whole, pieces, 1e-12);
     }
 
     private static Pose rungeKutta(Pose from, double v, double omega, double dt) {
@@ -82,7 +82,7 @@ class DifferentialDriveOracleTest {
         return new Pose(x, y, theta);
     }
 
-    private static void near(Pose expected, Pose actual, double tolerance) {
+    private static void assertNear(Pose expected, Pose actual, double tolerance) {
         assertEquals(expected.x(), actual.x(), tolerance, () -> expected + " " + actual);
         assertEquals(expected.y(), actual.y(), tolerance, () -> expected + " " + actual);
         assertEquals(expected.heading(), actual.heading(), tolerance, () -> expected + " " + actual);

@@ -15,7 +15,8 @@ class MotorSpecTest {
     void aTickIsTheSolutionOfTheDifferentialEquation() {
         SplittableRandom random = new SplittableRandom(2);
         for (int i = 0; i < 200; i++) {
-            MotorSpec motor = new MotorSpec(random.nextDouble(0.01, 0.5), random.nextDouble(0.01, 1), random.nextDouble(1, 20));
+            MotorSpec motor =
+                    new MotorSpec(random.nextDouble(0.01, 0.5), random.nextDouble(0.01, 1), random.nextDouble(1, 20));
             double speed = random.nextDouble(-2, 2);
             double volts = random.nextDouble(-25, 25);
             double dt = random.nextDouble(0, 0.1);
@@ -51,7 +52,7 @@ class MotorSpecTest {
 
     @ParameterizedTest
     @CsvSource({"-0.1, 0.1, 6", "NaN, 0.1, 6", "0.05, 0, 6", "0.05, Infinity, 6", "0.05, 0.1, 0", "0.05, 0.1, NaN"})
-    void aSenselessMotorIsRefused(double timeConstant, double speedConstant, double maxVoltage) {
+    void anInvalidMotorIsRejected(double timeConstant, double speedConstant, double maxVoltage) {
         assertThrows(IllegalArgumentException.class, () -> new MotorSpec(timeConstant, speedConstant, maxVoltage));
     }
 

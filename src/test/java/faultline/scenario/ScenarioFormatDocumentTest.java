@@ -17,7 +17,12 @@ class ScenarioFormatDocumentTest {
     private static final Path DOCUMENT = Path.of("docs/scenario-format.md");
 
     private static List<String> all(String pattern, String text) {
-        return Pattern.compile(pattern, Pattern.DOTALL).matcher(text).results().map((MatchResult found) -> found.group(1)).distinct().toList();
+        return Pattern.compile(pattern, Pattern.DOTALL)
+                .matcher(text)
+                .results()
+                .map((MatchResult found) -> found.group(1))
+                .distinct()
+                .toList();
     }
 
     @Test
@@ -26,14 +31,18 @@ class ScenarioFormatDocumentTest {
         String schema = Files.readString(Path.of("docs/scenario-1.xsd"));
         List<String> names = all("(?:element|attribute|enumeration) (?:name|value)=\"([^\"]+)\"", schema);
         assertTrue(names.size() > 60, names.toString());
-        assertEquals(List.of(), names.stream().filter(name -> !document.contains("`" + name + "`")
-                && !document.contains("### " + name + "\n")).toList());
+        assertEquals(
+                List.of(),
+                names.stream()
+                        .filter(name ->
+                                !document.contains("`" + name + "`") && !document.contains("### " + name + "\n"))
+                        .toList());
     }
 
     @Test
     void theExampleIsAGoodScenario() throws Exception {
         List<String> examples = all("```xml\n(.*?)```", Files.readString(DOCUMENT));
         assertEquals(1, examples.size());
-        assertEquals(List.of(), ScenarioText.complaints(examples.get(0)));
+        assertEquals(List.of(), SampleScenario.problems(examples.get(0)));
     }
 }

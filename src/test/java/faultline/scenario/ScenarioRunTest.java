@@ -20,9 +20,12 @@ class ScenarioRunTest {
 
     @Test
     void threeLinesLoadRunAndAssert() throws ScenarioException {
-        ScenarioRun run = Scenario.load(Path.of("scenarios/inner-corner-90.xml")).run();
+        ScenarioRun run =
+                Scenario.load(Path.of("scenarios/inner-corner-90.xml")).run();
         assertEquals(List.of(), run.unmetExpectations());
-        assertTrue(run.collision().isEmpty() && run.states().contains("FOLLOW") && run.coverage().orElse(0) > 0.9);
+        assertTrue(run.collision().isEmpty()
+                && run.states().contains("FOLLOW")
+                && run.coverage().orElse(0) > 0.9);
     }
 
     @Test
@@ -47,10 +50,12 @@ class ScenarioRunTest {
     }
 
     @Test
-    void theCollisionTellsWhereWhatAndWhichSensorsWereFaulty() throws ScenarioException {
+    void theCollisionHasItsPointObstacleAndFaultySensors() throws ScenarioException {
         ScenarioRun run = run("collision-on-purpose.xml");
         assertEquals("pole", run.collision().orElseThrow().obstacle());
-        assertEquals(List.of("front"), List.copyOf(run.collision().orElseThrow().faults().keySet()));
+        assertEquals(
+                List.of("front"),
+                List.copyOf(run.collision().orElseThrow().faults().keySet()));
     }
 
     @Test
@@ -59,15 +64,22 @@ class ScenarioRunTest {
         String hash = scenario.run().trajectoryHash();
         assertTrue(hash.matches("[0-9a-f]{16}"), hash);
         assertEquals(hash, scenario.run().trajectoryHash());
-        assertEquals(hash, ScenarioRun.of(scenario, ControllerMode.OWN_THREAD).trajectoryHash());
+        assertEquals(
+                hash, ScenarioRun.execute(scenario, ControllerMode.OWN_THREAD).trajectoryHash());
     }
 
     @Test
     void whatIsNotThereIsRefusedInOneSentence() throws ScenarioException {
         ScenarioRun run = run("struck-by-a-visitor.xml");
-        assertEquals("there is no 20.5 s in a run of 20.0 s", assertThrows(IllegalArgumentException.class, () -> run.poseAt(20.5)).getMessage());
+        assertEquals(
+                "there is no 20.5 s in a run of 20.0 s",
+                assertThrows(IllegalArgumentException.class, () -> run.poseAt(20.5))
+                        .getMessage());
         assertThrows(IllegalArgumentException.class, () -> run.poseAt(-1));
-        assertEquals("the robot has no sensor \"lefft\", only front, front-left, left, rear-left, rear, rear-right, right, front-right; did you mean "
-                + "\"left\"?", assertThrows(IllegalArgumentException.class, () -> run.reading("lefft", 1)).getMessage());
+        assertEquals(
+                "the robot has no sensor \"lefft\", only front, front-left, left, rear-left, rear, rear-right, right, front-right; did you mean "
+                        + "\"left\"?",
+                assertThrows(IllegalArgumentException.class, () -> run.reading("lefft", 1))
+                        .getMessage());
     }
 }

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import faultline.engine.Setup;
+import faultline.engine.SimulationSetup;
 import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -24,18 +24,21 @@ class ScenarioWriterTest {
     void whateverAScenarioHoldsReadsBackEqual() throws ScenarioException {
         for (int seed = 0; seed < 500; seed++) {
             Scenario scenario = new RandomScenarios(seed).next();
-            assertEquals(scenario, ScenarioText.read(ScenarioWriter.toText(scenario, Remarks.NONE)), "seed " + seed);
+            assertEquals(
+                    scenario, SampleScenario.read(ScenarioWriter.toText(scenario, XmlComments.NONE)), "seed " + seed);
         }
     }
 
     @Test
     void aWrittenFileIsIndentedAndInAStableOrder() throws ScenarioException {
-        Scenario scenario = ScenarioText.read("""
+        Scenario scenario = SampleScenario.read(
+                """
                 <scenario xmlns="urn:faultline:scenario:1" name="A &lt; B"><robot y="2" x="1"><sensor cone="30" id="left"/></robot>
                 <world height="4" width="6"><wall id="w" points="3,1 3,2" y="0" x="0"/></world><expect collision="true" states="FOLLOW SEARCH"/>
                 <timeline><fault at="1" until="2.5" sensor="left" kind="off"/></timeline></scenario>
                 """);
-        assertEquals("""
+        assertEquals(
+                """
                 <?xml version="1.0" encoding="UTF-8"?>
                 <scenario xmlns="urn:faultline:scenario:1" name="A &lt; B" duration="120" tick="0.01" seed="1">
                   <world width="6" height="4" enclosed="true" maxMoving="3">
@@ -51,12 +54,13 @@ class ScenarioWriterTest {
                   </timeline>
                   <expect collision="true" states="FOLLOW SEARCH"/>
                 </scenario>
-                """, ScenarioWriter.toText(scenario, Remarks.NONE));
+                """,
+                ScenarioWriter.toText(scenario, XmlComments.NONE));
     }
 
     @Test
     void savingLeavesTheFileAndNothingElse() throws Exception {
-        Scenario scenario = ScenarioText.read(ScenarioText.PLAIN);
+        Scenario scenario = SampleScenario.read(SampleScenario.PLAIN);
         Path file = folder.resolve("room.xml");
         Files.writeString(file, "what was there before");
         scenario.save(file);
@@ -66,21 +70,24 @@ class ScenarioWriterTest {
 
     @Test
     void aScenarioThatNoFileMayHoldIsNotSavedAndTheOldFileStays() throws Exception {
-        Scenario plain = ScenarioText.read(ScenarioText.PLAIN);
-        Setup setup = plain.setup();
+        Scenario plain = SampleScenario.read(SampleScenario.PLAIN);
+        SimulationSetup setup = plain.setup();
         WorldSpec vast = new WorldSpec(1e6, 1, true, 3, List.of());
-        Scenario bad = plain.withSetup(new Setup(vast, setup.robot(), setup.start(), setup.controller(), List.of(), 0.01, 1, 1));
+        Scenario bad = plain.withSetup(
+                new SimulationSetup(vast, setup.robot(), setup.start(), setup.controller(), List.of(), 0.01, 1, 1));
         Path file = folder.resolve("room.xml");
         Files.writeString(file, "what was there before");
         IOException refusal = assertThrows(IOException.class, () -> bad.save(file));
-        assertEquals("the scenario cannot be saved: width of <world> is \"1000000\", allowed is a number "
-                + "from 0.000001 to 100000 metres", refusal.getMessage());
+        assertEquals(
+                "the scenario cannot be saved: width of <world> is \"1000000\", allowed is a number "
+                        + "from 0.000001 to 100000 metres",
+                refusal.getMessage());
         assertEquals("what was there before", Files.readString(file));
     }
 
     @Test
-    void aFolderThatIsNotThereIsToldInOneLine() throws ScenarioException {
-        Scenario scenario = ScenarioText.read(ScenarioText.PLAIN);
+    void aMissingFolderIsReportedInOneLine() throws ScenarioException {
+        Scenario scenario = SampleScenario.read(SampleScenario.PLAIN);
         Path file = folder.resolve("none").resolve("room.xml");
         IOException refusal = assertThrows(IOException.class, () -> scenario.save(file));
         assertEquals(file + ": the file cannot be written there", refusal.getMessage());

@@ -22,21 +22,31 @@ class ShippedScenariosListTest {
     @Test
     void everyFileOfTheFolderIsListed() throws IOException {
         try (Stream<Path> files = Files.list(Path.of("scenarios"))) {
-            assertEquals(files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".xml")).sorted().toList(),
+            assertEquals(
+                    files.map(file -> file.getFileName().toString())
+                            .filter(name -> name.endsWith(".xml"))
+                            .sorted()
+                            .toList(),
                     ShippedScenarios.names());
         }
     }
 
     @Test
-    void aJarIsLookedInto() throws IOException {
+    void scenariosInAJarAreListed() throws IOException {
         Path jar = folder.resolve("program.jar");
-        try (OutputStream out = Files.newOutputStream(jar); JarOutputStream entries = new JarOutputStream(out)) {
-            for (String name : List.of("scenarios/yard.xml", "scenarios/", "other/office.xml", "scenarios/a.xml", "scenarios/notes.txt",
+        try (OutputStream out = Files.newOutputStream(jar);
+                JarOutputStream entries = new JarOutputStream(out)) {
+            for (String name : List.of(
+                    "scenarios/yard.xml",
+                    "scenarios/",
+                    "other/office.xml",
+                    "scenarios/a.xml",
+                    "scenarios/notes.txt",
                     "scenarios/studies/b.xml")) {
                 entries.putNextEntry(new JarEntry(name));
                 entries.closeEntry();
             }
         }
-        assertEquals(List.of("a.xml", "yard.xml"), ShippedScenarios.inJar(jar));
+        assertEquals(List.of("a.xml", "yard.xml"), ShippedScenarios.listJar(jar));
     }
 }

@@ -19,7 +19,9 @@ class ShippedScenariosTest {
 
     static List<Path> files() throws IOException {
         try (Stream<Path> files = Files.walk(FOLDER)) {
-            return files.filter(file -> file.toString().endsWith(".xml")).sorted().toList();
+            return files.filter(file -> file.toString().endsWith(".xml"))
+                    .sorted()
+                    .toList();
         }
     }
 
@@ -32,16 +34,18 @@ class ShippedScenariosTest {
 
     @ParameterizedTest
     @MethodSource("files")
-    void everyShippedScenarioExpectsSomethingAndTellsWhatItShows(Path file) throws ScenarioException {
+    void everyShippedScenarioHasAnExpectationAndADescription(Path file) throws ScenarioException {
         Scenario scenario = Scenario.load(file);
-        assertTrue(!scenario.expect().equals(Expectation.NONE), "expects nothing");
+        assertTrue(!scenario.expectation().equals(Expectation.NONE), "expects nothing");
         assertTrue(!scenario.name().isEmpty() && !scenario.description().isEmpty(), "tells nothing");
     }
 
     @ParameterizedTest
     @MethodSource("files")
     void everyShippedScenarioIsInTheProgramAsWell(Path file) throws ScenarioException {
-        assertEquals(Scenario.load(file), Scenario.shipped(FOLDER.relativize(file).toString()));
+        assertEquals(
+                Scenario.load(file),
+                Scenario.loadShipped(FOLDER.relativize(file).toString()));
     }
 
     @Test

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import java.util.List;
 import java.util.Optional;
@@ -19,12 +19,12 @@ class MovingObstaclesTest {
         return new World(new WorldSpec(6, 4, false, 3, List.of(obstacles)), RobotSpec.DEFAULT, robot, TICK, 1);
     }
 
-    private static Obstacle visitor(double x, double y, double speed, boolean loop, Vec... points) {
-        Motion motion = new Motion(speed, loop, List.of(points));
+    private static Obstacle visitor(double x, double y, double speed, boolean loop, Vector2... points) {
+        WaypointPath motion = new WaypointPath(speed, loop, List.of(points));
         return new Obstacle("visitor", new ObstacleShape.Circle(0.1), new Pose(x, y, 0), Optional.of(motion));
     }
 
-    private static Vec after(World world, double seconds) {
+    private static Vector2 positionAfter(World world, double seconds) {
         long ticks = Math.round(seconds / TICK);
         for (long i = 0; i < ticks; i++) {
             world.move(0, 0);
@@ -32,67 +32,81 @@ class MovingObstaclesTest {
         return world.snapshot().obstacles().get(0).pose().position();
     }
 
-    private static void assertAt(double x, double y, Vec point) {
+    private static void assertAt(double x, double y, Vector2 point) {
         assertEquals(x, point.x(), 1e-9);
         assertEquals(y, point.y(), 1e-9);
     }
 
     @Test
-    void itGoesToTheFirstWayPointAndOnAtConstantSpeed() {
-        World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 0.5, false, new Vec(1, 0), new Vec(1, 1)));
-        assertAt(0.5, 0, after(world, 1));
-        assertAt(1, 0.5, after(world, 2));
+    void itPassesTheWaypointsAtConstantSpeed() {
+        World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 0.5, false, new Vector2(1, 0), new Vector2(1, 1)));
+        assertAt(0.5, 0, positionAfter(world, 1));
+        assertAt(1, 0.5, positionAfter(world, 2));
     }
 
     @Test
-    void atAnotherSpeedItGoesOnToTheWayPointThatItWasGoingTo() {
-        Obstacle visitor = visitor(0, 0, 0.5, false, new Vec(1, 0), new Vec(1, 1));
+    void aSpeedChangeKeepsTheNextWaypoint() {
+        Obstacle visitor = visitor(0, 0, 0.5, false, new Vector2(1, 0), new Vector2(1, 1));
         World world = world(new Pose(5, 3.5, 0), visitor);
-        assertAt(1, 0.5, after(world, 3));
-        Obstacle faster = visitor(1, 0.5, 1, false, new Vec(1, 0), new Vec(1, 1));
-        assertEquals(Optional.empty(), world.apply(new Command.PutObstacle(faster)));
-        assertAt(1, 0.75, after(world, 0.25));
+        assertAt(1, 0.5, positionAfter(world, 3));
+        Obstacle faster = visitor(1, 0.5, 1, false, new Vector2(1, 0), new Vector2(1, 1));
+        assertEquals(Optional.empty(), world.execute(new Command.PlaceObstacle(faster)));
+        assertAt(1, 0.75, positionAfter(world, 0.25));
     }
 
     @Test
-    void onAnotherWayItGoesToTheFirstWayPoint() {
-        World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 0.5, false, new Vec(1, 0), new Vec(1, 1)));
-        after(world, 3);
-        assertEquals(Optional.empty(), world.apply(new Command.PutObstacle(visitor(1, 0.5, 0.5, false, new Vec(0, 0.5), new Vec(1, 1)))));
-        assertAt(0.5, 0.5, after(world, 1));
+    void onAnotherPathItGoesToTheFirstWaypoint() {
+        World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 0.5, false, new Vector2(1, 0), new Vector2(1, 1)));
+        positionAfter(world, 3);
+        assertEquals(
+                Optional.empty(),
+                world.execute(new Command.PlaceObstacle(
+                        visitor(1, 0.5, 0.5, false, new Vector2(0, 0.5), new Vector2(1, 1)))));
+        assertAt(0.5, 0.5, positionAfter(world, 1));
     }
 
     @Test
-    void withoutALoopItStaysAtTheLastWayPoint() {
-        World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 0.5, false, new Vec(1, 0)));
-        assertAt(1, 0, after(world, 10));
+    void withoutALoopItStaysAtTheLastWaypoint() {
+        World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 0.5, false, new Vector2(1, 0)));
+        assertAt(1, 0, positionAfter(world, 10));
     }
 
     @Test
-    void withALoopTheLastWayPointIsFollowedByTheFirst() {
-        World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 0.5, true, new Vec(0, 0), new Vec(1, 0)));
-        assertAt(0.5, 0, after(world, 3));
-        assertAt(0.5, 0, after(world, 2));
+    void withALoopTheLastWaypointIsFollowedByTheFirst() {
+        World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 0.5, true, new Vector2(0, 0), new Vector2(1, 0)));
+        assertAt(0.5, 0, positionAfter(world, 3));
+        assertAt(0.5, 0, positionAfter(world, 2));
     }
 
     @Test
-    void manyWayPointsMayFallIntoOneTick() {
-        World world = world(new Pose(5, 3.5, 0), visitor(0, 0, 100, true, new Vec(0, 0), new Vec(0.1, 0), new Vec(0.1, 0.1), new Vec(0, 0.1)));
+    void manyWaypointsMayFallIntoOneTick() {
+        World world = world(
+                new Pose(5, 3.5, 0),
+                visitor(
+                        0,
+                        0,
+                        100,
+                        true,
+                        new Vector2(0, 0),
+                        new Vector2(0.1, 0),
+                        new Vector2(0.1, 0.1),
+                        new Vector2(0, 0.1)));
         // 1 m a tick is two and a half times round the square of 0.4 m.
-        assertAt(0.1, 0.1, after(world, TICK));
+        assertAt(0.1, 0.1, positionAfter(world, TICK));
     }
 
     @Test
-    void wayPointsAllInOnePlaceAreAStandstill() {
-        World world = world(new Pose(5, 3.5, 0), visitor(1, 1, 1, true, new Vec(1, 1), new Vec(1, 1)));
-        assertAt(1, 1, after(world, 1));
+    void coincidentWaypointsAreAStandstill() {
+        World world = world(new Pose(5, 3.5, 0), visitor(1, 1, 1, true, new Vector2(1, 1), new Vector2(1, 1)));
+        assertAt(1, 1, positionAfter(world, 1));
     }
 
     @Test
     void itStopsAtTheStandingRobotAndThatIsTheRobotsCollision() {
-        // The robot's left flank is at y = 2.1; the visitor comes down from above and touches it with its centre at 2.2.
-        World world = world(new Pose(2, 2, 0), visitor(2, 3, 0.5, false, new Vec(2, 0)));
-        assertAt(2, 2.2, after(world, 5));
+        // The robot's left flank is at y = 2.1; the visitor comes down from above and touches it with its centre at
+        // 2.2.
+        World world = world(new Pose(2, 2, 0), visitor(2, 3, 0.5, false, new Vector2(2, 0)));
+        assertAt(2, 2.2, positionAfter(world, 5));
         Collision collision = world.collision().orElseThrow();
         assertEquals("visitor", collision.obstacle());
         assertAt(2, 2.1, collision.point());
@@ -100,15 +114,15 @@ class MovingObstaclesTest {
     }
 
     @Test
-    void itGoesOnWhenItsWayLeadsOffAgain() {
-        World world = world(new Pose(2, 2, 0), visitor(2, 3, 0.5, true, new Vec(2, 2.2), new Vec(2, 3)));
+    void itResumesWhenItsPathLeadsAway() {
+        World world = world(new Pose(2, 2, 0), visitor(2, 3, 0.5, true, new Vector2(2, 2.2), new Vector2(2, 3)));
         // It turns round where it just touches: 1.6 s to get there, 1.6 s to come back.
-        assertAt(2, 3, after(world, 3.2));
+        assertAt(2, 3, positionAfter(world, 3.2));
     }
 
     @Test
     void oneThatTheRobotRunsIntoIsStoppedWithIt() {
-        World world = world(new Pose(2, 2, 0), visitor(3, 2, 0.01, false, new Vec(3, 3)));
+        World world = world(new Pose(2, 2, 0), visitor(3, 2, 0.01, false, new Vector2(3, 3)));
         for (int i = 0; i < 500; i++) {
             world.move(6, 6);
         }

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.Reading;
@@ -18,46 +18,49 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /**
- * What commands do to the world, and what they are refused for. The robot stands at (2, 2) and looks along x; a desk stands 1 m ahead of
- * its front.
+ * What commands do to the world, and what they are refused for. The robot stands at (2, 2) and looks along x; a desk
+ * stands 1 m ahead of its front.
  */
 class WorldCommandsTest {
 
     private static final int FRONT = 0;
-    private static final Obstacle DESK = new Obstacle("desk", new ObstacleShape.Rectangle(0.5, 0.5), new Pose(3.375, 2, 0));
-    private static final Optional<String> DONE = Optional.empty();
+    private static final Obstacle DESK =
+            new Obstacle("desk", new ObstacleShape.Rectangle(0.5, 0.5), new Pose(3.375, 2, 0));
+    private static final Optional<String> SUCCESS = Optional.empty();
 
     private World world;
 
     @BeforeEach
-    void aRoomWithADesk() {
+    void createRoomWithDesk() {
         world = new World(new WorldSpec(6, 4, true, 1, List.of(DESK)), RobotSpec.DEFAULT, new Pose(2, 2, 0), 0.01, 1);
     }
 
     @Test
     void aMovedObstacleIsSeenWhereItIs() {
-        assertEquals(DONE, world.apply(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0))));
+        assertEquals(SUCCESS, world.execute(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0))));
         world.sense();
         // The desk's near side is at 2.625, the front sensor's seat at 2.125.
         assertEquals(0.5, world.trueReading(FRONT), 1e-12);
     }
 
     @Test
-    void whatAGlossyWallDoesNotSendBackIsNotCircledEither() {
-        // The front cone of 20 degrees meets the desk's near side squarely, and that of a desk turned by 30 degrees at 20 to 40.
+    void aSpecularWallIsCircledOnlyWhereItReflects() {
+        // The front cone of 20 degrees meets the desk's near side squarely, and that of a desk turned by 30 degrees at
+        // 20 to 40.
         double within = Degrees.toRadians(15);
-        world.apply(new Command.PutObstacle(new Obstacle("desk", DESK.shape(), new Pose(2.875, 2, 0), Optional.empty(), within)));
-        assertEquals(2, world.snapshot().sensors().get(FRONT).hits().size());
-        world.apply(new Command.MoveObstacle("desk", new Pose(2.875, 2, Degrees.toRadians(30))));
+        world.execute(new Command.PlaceObstacle(
+                new Obstacle("desk", DESK.shape(), new Pose(2.875, 2, 0), Optional.empty(), within)));
+        assertEquals(2, world.snapshot().sensors().get(FRONT).intersections().size());
+        world.execute(new Command.MoveObstacle("desk", new Pose(2.875, 2, Degrees.toRadians(30))));
         world.sense();
         assertEquals(Reading.NOTHING, world.trueReading(FRONT));
-        assertEquals(List.of(), world.snapshot().sensors().get(FRONT).hits());
+        assertEquals(List.of(), world.snapshot().sensors().get(FRONT).intersections());
     }
 
     @Test
-    void aSensorThatIsSwitchedOffReportsOffAndStillHasATruth() {
-        world.apply(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0)));
-        assertEquals(DONE, world.apply(new Command.SwitchSensor("front", false)));
+    void aSensorThatIsSwitchedOffReportsOffAndStillHasATrueReading() {
+        world.execute(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0)));
+        assertEquals(SUCCESS, world.execute(new Command.SwitchSensor("front", false)));
         world.sense();
         assertTrue(Reading.isOff(world.reportedReading(FRONT)));
         assertEquals(0.5, world.trueReading(FRONT), 1e-12);
@@ -65,31 +68,31 @@ class WorldCommandsTest {
 
     @Test
     void faultsActInTheOrderInWhichTheyCame() {
-        world.apply(new Command.InjectFault("front", new Fault.Stuck(0.3)));
-        world.apply(new Command.InjectFault("front", new Fault.Bias(0.2)));
+        world.execute(new Command.InjectFault("front", new Fault.Stuck(0.3)));
+        world.execute(new Command.InjectFault("front", new Fault.Bias(0.2)));
         world.sense();
         assertEquals(0.5, world.reportedReading(FRONT), 1e-12);
-        world.apply(new Command.ClearFaults("front"));
-        world.apply(new Command.InjectFault("front", new Fault.Bias(0.2)));
-        world.apply(new Command.InjectFault("front", new Fault.Stuck(0.3)));
+        world.execute(new Command.ClearFaults("front"));
+        world.execute(new Command.InjectFault("front", new Fault.Bias(0.2)));
+        world.execute(new Command.InjectFault("front", new Fault.Stuck(0.3)));
         world.sense();
         assertEquals(0.3, world.reportedReading(FRONT), 1e-12);
     }
 
     @Test
-    void nothingMendsADeadSensorButClearingItsFault() {
-        world.apply(new Command.InjectFault("front", new Fault.Dead()));
-        world.apply(new Command.InjectFault("front", new Fault.Stuck(0.3)));
+    void onlyClearingItsFaultRestoresADeadSensor() {
+        world.execute(new Command.InjectFault("front", new Fault.Dead()));
+        world.execute(new Command.InjectFault("front", new Fault.Stuck(0.3)));
         world.sense();
         assertTrue(Reading.isOff(world.reportedReading(FRONT)));
-        assertEquals(DONE, world.apply(new Command.ClearFault("front", new Fault.Dead())));
+        assertEquals(SUCCESS, world.execute(new Command.ClearFault("front", new Fault.Dead())));
         world.sense();
         assertEquals(0.3, world.reportedReading(FRONT), 1e-12);
     }
 
     @Test
-    void anObstacleLaidOnTheRobotIsSlidUntilItTouchesAndThatIsACollision() {
-        assertEquals(DONE, world.apply(new Command.MoveObstacle("desk", new Pose(2, 2, 0))));
+    void anObstacleMovedOntoTheRobotSlidesUntilItTouchesAndThatIsACollision() {
+        assertEquals(SUCCESS, world.execute(new Command.MoveObstacle("desk", new Pose(2, 2, 0))));
         Collision collision = world.collision().orElseThrow();
         assertEquals("desk", collision.obstacle());
         // The body's front is at 2.125; the middle of the 0.2 m wide flush contact is on the axis.
@@ -101,8 +104,9 @@ class WorldCommandsTest {
 
     @Test
     void anObstacleThatOverlapsAsSoonAsItIsTurnedIsRefused() {
-        world.apply(new Command.PutObstacle(new Obstacle("beam", new ObstacleShape.Rectangle(0.1, 3.9), new Pose(2.3, 2, 0))));
-        Optional<String> refusal = world.apply(new Command.MoveObstacle("beam", new Pose(2.3, 2, StrictMath.PI / 2)));
+        world.execute(new Command.PlaceObstacle(
+                new Obstacle("beam", new ObstacleShape.Rectangle(0.1, 3.9), new Pose(2.3, 2, 0))));
+        Optional<String> refusal = world.execute(new Command.MoveObstacle("beam", new Pose(2.3, 2, StrictMath.PI / 2)));
         assertEquals(Optional.of("beam cannot be put there: it would overlap the robot"), refusal);
         assertTrue(world.collision().isEmpty());
         assertEquals(0, world.snapshot().obstacles().get(1).pose().heading());
@@ -110,84 +114,90 @@ class WorldCommandsTest {
 
     @Test
     void aCollisionKeepsTheFaultsAndSwitchesOfItsMoment() {
-        world.apply(new Command.InjectFault("left", new Fault.Stuck(0.3)));
-        world.apply(new Command.SwitchSensor("rear", false));
-        world.apply(new Command.MoveObstacle("desk", new Pose(2, 2, 0)));
-        world.apply(new Command.ClearFaults("left"));
+        world.execute(new Command.InjectFault("left", new Fault.Stuck(0.3)));
+        world.execute(new Command.SwitchSensor("rear", false));
+        world.execute(new Command.MoveObstacle("desk", new Pose(2, 2, 0)));
+        world.execute(new Command.ClearFaults("left"));
         Collision collision = world.collision().orElseThrow();
         assertEquals(Map.of("left", List.of(new Fault.Stuck(0.3))), collision.faults());
-        assertEquals(List.of("rear"), collision.off());
+        assertEquals(List.of("rear"), collision.switchedOff());
     }
 
     @Test
-    void whatIsUnknownIsRefusedByName() {
-        assertEquals(Optional.of("there is no obstacle sofa"), world.apply(new Command.MoveObstacle("sofa", Pose.ORIGIN)));
-        assertEquals(Optional.of("there is no obstacle sofa"), world.apply(new Command.RemoveObstacle("sofa")));
-        assertEquals(Optional.of("the robot has no sensor top"), world.apply(new Command.SwitchSensor("top", true)));
-        assertEquals(Optional.of("front has no such fault"), world.apply(new Command.ClearFault("front", new Fault.Dead())));
+    void unknownIdsAreNamedInTheRefusal() {
+        assertEquals(
+                Optional.of("there is no obstacle sofa"), world.execute(new Command.MoveObstacle("sofa", Pose.ORIGIN)));
+        assertEquals(Optional.of("there is no obstacle sofa"), world.execute(new Command.RemoveObstacle("sofa")));
+        assertEquals(Optional.of("the robot has no sensor top"), world.execute(new Command.SwitchSensor("top", true)));
+        assertEquals(
+                Optional.of("front has no such fault"),
+                world.execute(new Command.ClearFault("front", new Fault.Dead())));
     }
 
     @Test
     void noMoreObstaclesMayMoveThanTheWorldAllows() {
-        Motion motion = new Motion(0.1, true, List.of(new Vec(1, 1), new Vec(5, 1)));
+        WaypointPath motion = new WaypointPath(0.1, true, List.of(new Vector2(1, 1), new Vector2(5, 1)));
         Obstacle one = new Obstacle("one", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0), Optional.of(motion));
         Obstacle two = new Obstacle("two", new ObstacleShape.Circle(0.1), new Pose(5, 1, 0), Optional.of(motion));
-        assertEquals(DONE, world.apply(new Command.PutObstacle(one)));
-        assertEquals(DONE, world.apply(new Command.PutObstacle(one)));
-        assertEquals(Optional.of("at most 1 obstacles may move"), world.apply(new Command.PutObstacle(two)));
+        assertEquals(SUCCESS, world.execute(new Command.PlaceObstacle(one)));
+        assertEquals(SUCCESS, world.execute(new Command.PlaceObstacle(one)));
+        assertEquals(Optional.of("at most 1 obstacles may move"), world.execute(new Command.PlaceObstacle(two)));
     }
 
     @Test
     void aPlatformGrowsOnlyWhereItHasRoom() {
-        assertEquals(DONE, world.apply(new Command.SetPlatform(1, 0.5, 0.2)));
+        assertEquals(SUCCESS, world.execute(new Command.SetPlatform(1, 0.5, 0.2)));
         assertEquals(1, world.robot().length());
-        Optional<String> refusal = world.apply(new Command.SetPlatform(2.5, 0.5, 0.2));
+        Optional<String> refusal = world.execute(new Command.SetPlatform(2.5, 0.5, 0.2));
         assertEquals(Optional.of("the robot has no room for that platform: it would overlap desk"), refusal);
         assertEquals(1, world.robot().length());
     }
 
     @Test
     void anObstacleThatIsTakenAwayIsNotSeen() {
-        world.apply(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0)));
-        assertEquals(DONE, world.apply(new Command.RemoveObstacle("desk")));
+        world.execute(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0)));
+        assertEquals(SUCCESS, world.execute(new Command.RemoveObstacle("desk")));
         world.sense();
         assertFalse(Double.isFinite(world.trueReading(FRONT)));
     }
 
     /** Takes what it finds back and forth: a command, its undoing and the command again. */
-    private void assertUndoneExactly(Command command) {
+    private void assertInvertedExactly(Command command) {
         Snapshot before = world.snapshot();
-        List<Command> undo = world.undoing(command);
-        assertEquals(DONE, world.apply(command));
+        List<Command> undo = world.inverseOf(command);
+        assertEquals(SUCCESS, world.execute(command));
         assertNotEquals(before, world.snapshot());
-        undo.forEach(back -> assertEquals(DONE, world.apply(back)));
+        undo.forEach(back -> assertEquals(SUCCESS, world.execute(back)));
         assertEquals(before, world.snapshot());
     }
 
     @Test
-    void everyCommandCanBeTakenBackExactly() {
-        assertUndoneExactly(new Command.MoveObstacle("desk", new Pose(5, 3, 1)));
-        assertUndoneExactly(new Command.PutObstacle(new Obstacle("desk", new ObstacleShape.Circle(0.1), new Pose(1, 3, 0))));
-        assertUndoneExactly(new Command.PutObstacle(new Obstacle("lamp", new ObstacleShape.Circle(0.1), new Pose(1, 3, 0))));
-        assertUndoneExactly(new Command.RemoveObstacle("desk"));
-        assertUndoneExactly(new Command.SetPlatform(0.3, 0.2, 0.1));
-        assertUndoneExactly(new Command.SwitchSensor("front", false));
-        assertUndoneExactly(new Command.TuneSensor(RobotSpec.DEFAULT.sensors().get(FRONT).withRange(0.4)));
+    void everyCommandHasAnExactInverse() {
+        assertInvertedExactly(new Command.MoveObstacle("desk", new Pose(5, 3, 1)));
+        assertInvertedExactly(
+                new Command.PlaceObstacle(new Obstacle("desk", new ObstacleShape.Circle(0.1), new Pose(1, 3, 0))));
+        assertInvertedExactly(
+                new Command.PlaceObstacle(new Obstacle("lamp", new ObstacleShape.Circle(0.1), new Pose(1, 3, 0))));
+        assertInvertedExactly(new Command.RemoveObstacle("desk"));
+        assertInvertedExactly(new Command.SetPlatform(0.3, 0.2, 0.1));
+        assertInvertedExactly(new Command.SwitchSensor("front", false));
+        assertInvertedExactly(new Command.ConfigureSensor(
+                RobotSpec.DEFAULT.sensors().get(FRONT).withRange(0.4)));
     }
 
     @Test
-    void faultsComeBackInTheirOrder() {
-        world.apply(new Command.InjectFault("front", new Fault.Stuck(0.3)));
-        world.apply(new Command.InjectFault("front", new Fault.Bias(0.2)));
-        assertUndoneExactly(new Command.InjectFault("front", new Fault.Stuck(0.3)));
-        assertUndoneExactly(new Command.ClearFault("front", new Fault.Stuck(0.3)));
-        assertUndoneExactly(new Command.ClearFaults("front"));
+    void faultsAreRestoredInTheirOrder() {
+        world.execute(new Command.InjectFault("front", new Fault.Stuck(0.3)));
+        world.execute(new Command.InjectFault("front", new Fault.Bias(0.2)));
+        assertInvertedExactly(new Command.InjectFault("front", new Fault.Stuck(0.3)));
+        assertInvertedExactly(new Command.ClearFault("front", new Fault.Stuck(0.3)));
+        assertInvertedExactly(new Command.ClearFaults("front"));
     }
 
     @Test
-    void whatIsUnknownHasNothingToTakeBack() {
-        assertEquals(List.of(), world.undoing(new Command.MoveObstacle("sofa", new Pose(1, 3, 0))));
-        assertEquals(List.of(), world.undoing(new Command.RemoveObstacle("sofa")));
-        assertEquals(List.of(), world.undoing(new Command.SwitchSensor("nose", false)));
+    void commandsOnUnknownIdsHaveNoInverse() {
+        assertEquals(List.of(), world.inverseOf(new Command.MoveObstacle("sofa", new Pose(1, 3, 0))));
+        assertEquals(List.of(), world.inverseOf(new Command.RemoveObstacle("sofa")));
+        assertEquals(List.of(), world.inverseOf(new Command.SwitchSensor("nose", false)));
     }
 }

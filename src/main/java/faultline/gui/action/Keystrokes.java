@@ -1,6 +1,6 @@
 package faultline.gui.action;
 
-import faultline.gui.text.Texts;
+import faultline.gui.text.Messages;
 import java.awt.Component;
 import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
@@ -14,20 +14,22 @@ import javax.swing.text.JTextComponent;
 /** Keys of actions, and how they are written. */
 public final class Keystrokes {
 
-    private static final int OTHER_MODIFIERS =
-            InputEvent.CTRL_DOWN_MASK | InputEvent.ALT_DOWN_MASK | InputEvent.META_DOWN_MASK | InputEvent.ALT_GRAPH_DOWN_MASK;
+    private static final int OTHER_MODIFIERS = InputEvent.CTRL_DOWN_MASK
+            | InputEvent.ALT_DOWN_MASK
+            | InputEvent.META_DOWN_MASK
+            | InputEvent.ALT_GRAPH_DOWN_MASK;
 
     /** In the order in which they are written. */
-    private static final List<Modifier> MODIFIERS = List.of(new Modifier(InputEvent.META_DOWN_MASK, "key.meta"),
-            new Modifier(InputEvent.CTRL_DOWN_MASK, "key.ctrl"), new Modifier(InputEvent.ALT_DOWN_MASK, "key.alt"),
+    private static final List<Modifier> MODIFIERS = List.of(
+            new Modifier(InputEvent.META_DOWN_MASK, "key.meta"),
+            new Modifier(InputEvent.CTRL_DOWN_MASK, "key.ctrl"),
+            new Modifier(InputEvent.ALT_DOWN_MASK, "key.alt"),
             new Modifier(InputEvent.SHIFT_DOWN_MASK, "key.shift"));
 
     /** A key that is held, and the key of its name. */
-    private record Modifier(int mask, String name) {
-    }
+    private record Modifier(int mask, String name) {}
 
-    private Keystrokes() {
-    }
+    private Keystrokes() {}
 
     /**
      * A key alone.
@@ -35,7 +37,7 @@ public final class Keystrokes {
      * @param key a code of {@link KeyEvent}
      * @return the stroke
      */
-    public static KeyStroke plain(int key) {
+    public static KeyStroke unmodified(int key) {
         return KeyStroke.getKeyStroke(key, 0);
     }
 
@@ -45,7 +47,7 @@ public final class Keystrokes {
      * @param sign the sign
      * @return the stroke
      */
-    public static KeyStroke sign(char sign) {
+    public static KeyStroke character(char sign) {
         return KeyStroke.getKeyStroke(sign);
     }
 
@@ -55,28 +57,28 @@ public final class Keystrokes {
      * @param key a code of {@link KeyEvent}
      * @return the stroke
      */
-    public static KeyStroke menu(int key) {
+    public static KeyStroke menuShortcut(int key) {
         return KeyStroke.getKeyStroke(key, menuMask());
     }
 
     /**
-     * A sign with the platform's menu key, for people to read. Which keys make the sign differs from keyboard to keyboard, and none types
-     * it while the menu key is down: the keys have to be bound besides.
+     * A sign with the platform's menu key, for people to read. Which keys make the sign differs from keyboard to
+     * keyboard, and none types it while the menu key is down: the keys have to be bound besides.
      *
      * @param sign the sign
      * @return the stroke
      */
-    public static KeyStroke menuSign(char sign) {
+    public static KeyStroke menuCharacter(char sign) {
         return KeyStroke.getKeyStroke(Character.valueOf(sign), menuMask());
     }
 
     /**
-     * Whether a stroke is one of {@link #menuSign}.
+     * Whether a stroke is one of {@link #menuCharacter}.
      *
      * @param stroke the stroke
      * @return true where it is only to be read
      */
-    public static boolean isMenuSign(KeyStroke stroke) {
+    public static boolean isMenuCharacter(KeyStroke stroke) {
         return stroke.getKeyCode() == KeyEvent.VK_UNDEFINED && (stroke.getModifiers() & menuMask()) != 0;
     }
 
@@ -86,13 +88,15 @@ public final class Keystrokes {
      * @param key a code of {@link KeyEvent}
      * @return the stroke
      */
-    public static KeyStroke menuShift(int key) {
+    public static KeyStroke menuShiftShortcut(int key) {
         return KeyStroke.getKeyStroke(key, menuMask() | InputEvent.SHIFT_DOWN_MASK);
     }
 
     /** Without a display nobody can say what the menu key is. */
     private static int menuMask() {
-        return GraphicsEnvironment.isHeadless() ? InputEvent.CTRL_DOWN_MASK : Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx();
+        return GraphicsEnvironment.isHeadless()
+                ? InputEvent.CTRL_DOWN_MASK
+                : Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx();
     }
 
     /**
@@ -101,16 +105,21 @@ public final class Keystrokes {
      * @param stroke the stroke
      * @return such as Ctrl+O, or [
      */
-    public static String text(KeyStroke stroke) {
-        String held = MODIFIERS.stream().filter(modifier -> (stroke.getModifiers() & modifier.mask()) != 0)
-                .map(modifier -> Texts.text(modifier.name()) + "+").collect(Collectors.joining());
-        return held + (stroke.getKeyCode() == KeyEvent.VK_UNDEFINED ? String.valueOf(stroke.getKeyChar()) : key(stroke.getKeyCode()));
+    public static String toText(KeyStroke stroke) {
+        String held = MODIFIERS.stream()
+                .filter(modifier -> (stroke.getModifiers() & modifier.mask()) != 0)
+                .map(modifier -> Messages.get(modifier.name()) + "+")
+                .collect(Collectors.joining());
+        return held
+                + (stroke.getKeyCode() == KeyEvent.VK_UNDEFINED
+                        ? String.valueOf(stroke.getKeyChar())
+                        : keyText(stroke.getKeyCode()));
     }
 
     /** Keys that are called by a word have it in the texts; others are called by what is printed on them. */
-    private static String key(int code) {
-        String named = plain(code).toString().replace("pressed ", "key.");
-        return Texts.has(named) ? Texts.text(named) : KeyEvent.getKeyText(code);
+    private static String keyText(int code) {
+        String named = unmodified(code).toString().replace("pressed ", "key.");
+        return Messages.contains(named) ? Messages.get(named) : KeyEvent.getKeyText(code);
     }
 
     /**
@@ -119,7 +128,7 @@ public final class Keystrokes {
      * @param stroke the stroke
      * @return true where a text field with the focus must get it
      */
-    public static boolean types(KeyStroke stroke) {
+    public static boolean producesText(KeyStroke stroke) {
         boolean functionKey = stroke.getKeyCode() >= KeyEvent.VK_F1 && stroke.getKeyCode() <= KeyEvent.VK_F12;
         return !functionKey && (stroke.getModifiers() & OTHER_MODIFIERS) == 0;
     }
@@ -132,6 +141,6 @@ public final class Keystrokes {
      * @return true where it is typed into a text
      */
     public static boolean isTypedInto(Component focused, KeyStroke stroke) {
-        return focused instanceof JTextComponent && types(stroke);
+        return focused instanceof JTextComponent && producesText(stroke);
     }
 }

@@ -1,6 +1,6 @@
 package faultline.gui.action;
 
-import faultline.gui.text.Texts;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import java.awt.event.ActionEvent;
 import java.util.Optional;
@@ -9,15 +9,18 @@ import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.KeyStroke;
 
-/** One thing that the user can do, with its name, tool tip, key and icon. The texts come from the key {@code action.KEY}. */
+/**
+ * One thing that the user can do, with its name, tool tip, key and icon. The texts come from the key
+ * {@code action.KEY}.
+ */
 public final class UiAction extends AbstractAction {
 
     private final String key;
-    private final transient Consumer<UiAction> deed;
+    private final transient Consumer<UiAction> handler;
 
     private UiAction(String key, Consumer<UiAction> deed) {
         this.key = key;
-        this.deed = deed;
+        this.handler = deed;
         rename(key);
         putValue(ACTION_COMMAND_KEY, key);
     }
@@ -53,9 +56,9 @@ public final class UiAction extends AbstractAction {
      * @param stroke the key
      * @return this action
      */
-    public UiAction on(KeyStroke stroke) {
+    public UiAction withAccelerator(KeyStroke stroke) {
         putValue(ACCELERATOR_KEY, stroke);
-        explain();
+        updateToolTip();
         return this;
     }
 
@@ -65,7 +68,7 @@ public final class UiAction extends AbstractAction {
      * @param glyph the drawing
      * @return this action
      */
-    public UiAction drawn(Glyph glyph) {
+    public UiAction withIcon(Glyph glyph) {
         putValue(LARGE_ICON_KEY, glyph.icon());
         return this;
     }
@@ -78,7 +81,7 @@ public final class UiAction extends AbstractAction {
      */
     public void rename(String textKey, String value) {
         rename(key);
-        putValue(Action.NAME, Texts.text("action." + textKey, value).replaceFirst("&", ""));
+        putValue(Action.NAME, Messages.get("action." + textKey, value).replaceFirst("&", ""));
     }
 
     /**
@@ -87,17 +90,21 @@ public final class UiAction extends AbstractAction {
      * @param textKey of the texts
      */
     public void rename(String textKey) {
-        String name = Texts.text("action." + textKey);
+        String name = Messages.get("action." + textKey);
         int mark = name.indexOf('&');
         putValue(Action.NAME, name.replace("&", ""));
         putValue(MNEMONIC_KEY, mark < 0 ? null : (int) Character.toUpperCase(name.charAt(mark + 1)));
-        putValue(LONG_DESCRIPTION, Texts.text("action." + textKey + ".tip"));
-        explain();
+        putValue(LONG_DESCRIPTION, Messages.get("action." + textKey + ".tip"));
+        updateToolTip();
     }
 
-    private void explain() {
+    private void updateToolTip() {
         String tip = (String) getValue(LONG_DESCRIPTION);
-        putValue(SHORT_DESCRIPTION, stroke().map(stroke -> tip + " (" + Keystrokes.text(stroke) + ")").orElse(tip));
+        putValue(
+                SHORT_DESCRIPTION,
+                accelerator()
+                        .map(stroke -> tip + " (" + Keystrokes.toText(stroke) + ")")
+                        .orElse(tip));
     }
 
     /**
@@ -123,7 +130,7 @@ public final class UiAction extends AbstractAction {
      *
      * @return empty where it has none
      */
-    public Optional<KeyStroke> stroke() {
+    public Optional<KeyStroke> accelerator() {
         return Optional.ofNullable((KeyStroke) getValue(ACCELERATOR_KEY));
     }
 
@@ -156,6 +163,6 @@ public final class UiAction extends AbstractAction {
 
     @Override
     public void actionPerformed(ActionEvent event) {
-        deed.accept(this);
+        handler.accept(this);
     }
 }

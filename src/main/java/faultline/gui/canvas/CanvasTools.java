@@ -1,14 +1,19 @@
 package faultline.gui.canvas;
 
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
-import faultline.gui.edit.FreshIds;
+import faultline.geometry.Vector2;
+import faultline.gui.canvas.tool.MeasureTool;
+import faultline.gui.canvas.tool.PlaceTool;
+import faultline.gui.canvas.tool.PointsTool;
+import faultline.gui.canvas.tool.Tool;
+import faultline.gui.canvas.tool.ToolContext;
+import faultline.gui.edit.IdGenerator;
 import faultline.gui.edit.PointShapes;
-import faultline.gui.edit.ReadyShape;
-import faultline.gui.edit.Snap;
+import faultline.gui.edit.ShapePreset;
+import faultline.gui.edit.SnapSettings;
 import faultline.world.Command;
-import faultline.world.Motion;
 import faultline.world.Obstacle;
+import faultline.world.WaypointPath;
 import java.awt.EventQueue;
 import java.awt.Point;
 import java.util.ArrayList;
@@ -20,20 +25,21 @@ import java.util.function.Consumer;
 import javax.swing.JComponent;
 
 /**
- * What the hand does with a canvas beyond looking: its tools, its snapping, what is selected, and who is told. Event dispatch thread only.
+ * What the hand does with a canvas beyond looking: its tools, its snapping, what is selected, and who is told. Event
+ * dispatch thread only.
  */
 public final class CanvasTools {
 
     /** How fast an obstacle moves that is given way-points, metres per second. */
-    private static final double USUAL_SPEED = 0.2;
+    private static final double DEFAULT_SPEED = 0.2;
 
-    private final Desk desk;
-    private final Hand hand;
+    private final ToolContext context;
+    private final CanvasMouse mouse;
     private final JComponent canvas;
 
-    CanvasTools(Desk desk, Hand hand, JComponent canvas) {
-        this.desk = desk;
-        this.hand = hand;
+    CanvasTools(ToolContext desk, CanvasMouse hand, JComponent canvas) {
+        this.context = desk;
+        this.mouse = hand;
         this.canvas = canvas;
     }
 
@@ -42,48 +48,60 @@ public final class CanvasTools {
      *
      * @param shape what is placed
      */
-    public void place(ReadyShape shape) {
-        use(new PlaceTool(shape, desk));
+    public void placeShape(ShapePreset shape) {
+        activate(new PlaceTool(shape, context));
     }
 
     /** Lets the left button draw a wall from point to point. */
     public void drawWall() {
-        use(new PointsTool(desk, 2, false, points -> desk.put(PointShapes.wall(fresh("wall"), points))));
+        activate(new PointsTool(
+                context, 2, false, points -> context.placeObstacle(PointShapes.wall(newId("wall"), points))));
     }
 
     /** Lets the left button draw a polygon from corner to corner, or free hand. */
     public void drawPolygon() {
-        use(new PointsTool(desk, 3, true, points -> desk.put(PointShapes.polygon(fresh("polygon"), points))));
+        activate(new PointsTool(
+                context, 3, true, points -> context.placeObstacle(PointShapes.polygon(newId("polygon"), points))));
     }
 
-    /** Lets the left button give the selected obstacle a way from where it stands; nothing happens where none or several are selected. */
-    public void drawWay() {
-        desk.scene().single().ifPresent(obstacle -> use(new PointsTool(desk, 1, true, points -> moveAlong(obstacle.id(), points))));
+    /**
+     * Lets the left button give the selected obstacle a way from where it stands; nothing happens where none or several
+     * are selected.
+     */
+    public void drawMotionPath() {
+        context.model()
+                .singleSelected()
+                .ifPresent(obstacle ->
+                        activate(new PointsTool(context, 1, true, points -> setMotionPath(obstacle.id(), points))));
     }
 
     /** Lets the left button measure distances and angles until it is told to stop; nothing is changed. */
     public void measure() {
-        use(new MeasureTool());
+        activate(new MeasureTool());
     }
 
-    private boolean moveAlong(String id, List<Vec> points) {
-        desk.scene().obstacles().stream().filter(obstacle -> obstacle.id().equals(id)).findFirst().ifPresent(obstacle -> {
-            List<Vec> way = new ArrayList<>(points);
-            way.add(obstacle.pose().position());
-            Motion motion = new Motion(obstacle.motion().map(Motion::speed).orElse(USUAL_SPEED), true, way);
-            desk.editor().send(new Command.PutObstacle(obstacle.moving(Optional.of(motion))));
-        });
+    private boolean setMotionPath(String id, List<Vector2> points) {
+        context.model().obstacles().stream()
+                .filter(obstacle -> obstacle.id().equals(id))
+                .findFirst()
+                .ifPresent(obstacle -> {
+                    List<Vector2> way = new ArrayList<>(points);
+                    way.add(obstacle.pose().position());
+                    WaypointPath motion = new WaypointPath(
+                            obstacle.motion().map(WaypointPath::speed).orElse(DEFAULT_SPEED), true, way);
+                    context.commandSink().send(new Command.PlaceObstacle(obstacle.withMotion(Optional.of(motion))));
+                });
         return true;
     }
 
-    private String fresh(String stem) {
-        return FreshIds.like(stem, desk.scene().ids());
+    private String newId(String stem) {
+        return IdGenerator.uniqueId(stem, context.model().obstacleIds());
     }
 
-    private void use(Tool tool) {
+    private void activate(Tool tool) {
         assert EventQueue.isDispatchThread();
-        hand.cancel();
-        hand.tool().set(Optional.of(tool));
+        mouse.cancel();
+        mouse.tool().set(Optional.of(tool));
         canvas.requestFocusInWindow();
         canvas.repaint();
     }
@@ -94,7 +112,7 @@ public final class CanvasTools {
      * @param listener gets true while the left button neither selects nor moves
      */
     public void addToolListener(Consumer<Boolean> listener) {
-        hand.tool().listen(tool -> listener.accept(tool.isPresent()));
+        mouse.tool().addListener(tool -> listener.accept(tool.isPresent()));
     }
 
     /**
@@ -102,8 +120,8 @@ public final class CanvasTools {
      *
      * @param snap the steps
      */
-    public void setSnap(Snap snap) {
-        hand.setSnap(snap);
+    public void setSnap(SnapSettings snap) {
+        mouse.setSnap(snap);
     }
 
     /**
@@ -112,7 +130,7 @@ public final class CanvasTools {
      * @return of the frame that shows
      */
     public Set<String> ids() {
-        return desk.scene().ids();
+        return context.model().obstacleIds();
     }
 
     /**
@@ -121,7 +139,7 @@ public final class CanvasTools {
      * @return as they stand in the frame that shows, in drawing order
      */
     public List<Obstacle> selected() {
-        return desk.scene().selected();
+        return context.model().selected();
     }
 
     /**
@@ -131,12 +149,12 @@ public final class CanvasTools {
      */
     public void select(Collection<String> ids) {
         assert EventQueue.isDispatchThread();
-        desk.scene().select(ids);
+        context.model().select(ids);
     }
 
     /** Selects all obstacles. */
     public void selectAll() {
-        select(desk.scene().obstacles().stream().map(Obstacle::id).toList());
+        select(context.model().obstacles().stream().map(Obstacle::id).toList());
     }
 
     /**
@@ -144,8 +162,8 @@ public final class CanvasTools {
      *
      * @param ids their ids
      */
-    public void selectSoon(Collection<String> ids) {
-        desk.scene().await(ids);
+    public void selectWhenPresent(Collection<String> ids) {
+        context.model().selectWhenPresent(ids);
     }
 
     /**
@@ -154,7 +172,7 @@ public final class CanvasTools {
      * @param listener gets their ids
      */
     public void addSelectionListener(Consumer<Set<String>> listener) {
-        desk.scene().selection().listen(listener);
+        context.model().selection().addListener(listener);
     }
 
     /**
@@ -164,7 +182,9 @@ public final class CanvasTools {
      */
     public void selectSensor(Optional<String> sensor) {
         assert EventQueue.isDispatchThread();
-        desk.scene().sensor().set(sensor.filter(id -> desk.scene().sensor(id).isPresent()));
+        context.model()
+                .sensor()
+                .set(sensor.filter(id -> context.model().sensor(id).isPresent()));
     }
 
     /**
@@ -173,7 +193,7 @@ public final class CanvasTools {
      * @param listener gets its id, empty where none is selected
      */
     public void addSensorListener(Consumer<Optional<String>> listener) {
-        desk.scene().sensor().listen(listener);
+        context.model().sensor().addListener(listener);
     }
 
     /**
@@ -182,7 +202,7 @@ public final class CanvasTools {
      * @param listener gets one sentence
      */
     public void addNoteListener(Consumer<String> listener) {
-        desk.watchers().listenToNotes(listener);
+        context.listeners().addNoteListener(listener);
     }
 
     /**
@@ -191,7 +211,7 @@ public final class CanvasTools {
      * @param listener gets the place on the canvas
      */
     public void addMenuListener(Consumer<Point> listener) {
-        desk.watchers().listenToMenus(listener);
+        context.listeners().addMenuListener(listener);
     }
 
     /**
@@ -200,6 +220,6 @@ public final class CanvasTools {
      * @param listener gets the pose, where there is room for the robot
      */
     public void addStartListener(Consumer<Pose> listener) {
-        desk.watchers().listenToStarts(listener);
+        context.listeners().addStartListener(listener);
     }
 }

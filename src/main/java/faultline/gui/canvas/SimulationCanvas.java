@@ -1,17 +1,23 @@
 package faultline.gui.canvas;
 
 import faultline.engine.Frame;
-import faultline.geometry.Vec;
-import faultline.gui.edit.Editor;
-import faultline.gui.text.Texts;
+import faultline.geometry.Vector2;
+import faultline.gui.canvas.cache.BackBuffer;
+import faultline.gui.canvas.tool.CanvasListeners;
+import faultline.gui.canvas.tool.CanvasModel;
+import faultline.gui.canvas.tool.ToolContext;
+import faultline.gui.canvas.tool.Viewport;
+import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.PendingEdits;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.FocusRing;
-import faultline.paint.Brush;
-import faultline.paint.Camera;
-import faultline.paint.Ghost;
-import faultline.paint.Layer;
-import faultline.paint.Palette;
-import faultline.paint.ScenePainter;
-import faultline.paint.Shot;
+import faultline.paint.export.RenderRequest;
+import faultline.paint.scene.Layer;
+import faultline.paint.scene.ReferenceOverlay;
+import faultline.paint.scene.ScenePainter;
+import faultline.paint.surface.Camera;
+import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Palette;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
@@ -26,49 +32,50 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 
 /**
- * The picture of the world in the window. It shows the newest frame that it was given, the badge of the first collision included,
- * and sends what mouse and keys do to obstacles as commands; what they change shows when a frame brings it back.
+ * The picture of the world in the window. It shows the newest frame that it was given, the badge of the first collision
+ * included, and sends what mouse and keys do to obstacles as commands; what they change shows when a frame brings it
+ * back.
  */
 public final class SimulationCanvas extends JComponent {
 
     private static final double ZOOM_STEP = 1.25;
 
-    private final Scene scene = new Scene();
-    private final Viewpoint viewpoint = new Viewpoint();
-    private final Picture picture;
-    private final Plate plate = new Plate();
-    private final Set<Layer> layers = Layer.usual();
-    private final Courier courier;
-    private final Hand hand;
+    private final CanvasModel model = new CanvasModel();
+    private final Viewport viewport = new Viewport();
+    private final CachedSceneRenderer renderer;
+    private final BackBuffer backBuffer = new BackBuffer();
+    private final Set<Layer> layers = Layer.defaults();
+    private final PendingEdits pendingEdits;
+    private final CanvasMouse mouse;
     private final CanvasTools tools;
-    private final FocusRing ring = new FocusRing(this);
+    private final FocusRing focusRing = new FocusRing(this);
     private Palette palette = Palette.LIGHT;
-    private Optional<Runnable> painted = Optional.empty();
+    private Optional<Runnable> paintListener = Optional.empty();
 
     /**
      * A canvas without a frame.
      *
      * @param editor gets what the hand does
      */
-    public SimulationCanvas(Editor editor) {
+    public SimulationCanvas(CommandSink editor) {
         this(editor, System::nanoTime);
     }
 
     /** A canvas that looks at a clock, nanoseconds, to see when it has painted long enough. */
-    SimulationCanvas(Editor editor, LongSupplier clock) {
-        picture = new Picture(clock);
-        Watchers watchers = new Watchers();
-        courier = new Courier(Objects.requireNonNull(editor, "editor"));
-        hand = new Hand(viewpoint, new Grips(scene, viewpoint, courier, watchers), watchers);
-        tools = new CanvasTools(new Desk(scene, viewpoint, editor, watchers), hand, this);
-        new Keys(scene, courier, hand).install(this);
-        addMouseListener(hand);
-        addMouseMotionListener(hand);
-        addMouseWheelListener(hand);
-        scene.selection().listen(selected -> repaint());
-        scene.sensor().listen(selected -> repaint());
-        scene.ghost().listen(ghost -> repaint());
-        viewpoint.camera().listen(camera -> repaint());
+    SimulationCanvas(CommandSink editor, LongSupplier clock) {
+        renderer = new CachedSceneRenderer(clock);
+        CanvasListeners watchers = new CanvasListeners();
+        pendingEdits = new PendingEdits(Objects.requireNonNull(editor, "editor"));
+        mouse = new CanvasMouse(viewport, new GesturePicker(model, viewport, pendingEdits, watchers), watchers);
+        tools = new CanvasTools(new ToolContext(model, viewport, editor, watchers), mouse, this);
+        new CanvasKeys(model, pendingEdits, mouse).install(this);
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
+        addMouseWheelListener(mouse);
+        model.selection().addListener(selected -> repaint());
+        model.sensor().addListener(selected -> repaint());
+        model.referenceOverlay().addListener(ghost -> repaint());
+        viewport.camera().addListener(camera -> repaint());
         setFocusable(true);
         setOpaque(true);
         setPreferredSize(new Dimension(800, 560));
@@ -79,12 +86,12 @@ public final class SimulationCanvas extends JComponent {
      *
      * @param newest the frame
      */
-    public void show(Frame newest) {
+    public void setFrame(Frame newest) {
         assert EventQueue.isDispatchThread();
-        scene.show(newest);
-        courier.frameShown(scene.obstacles());
-        hand.frameShown();
-        viewpoint.show(newest.world());
+        model.setFrame(newest);
+        pendingEdits.frameChanged(model.obstacles());
+        mouse.releaseIfTargetGone();
+        viewport.setWorld(newest.snapshot());
         repaint();
     }
 
@@ -94,7 +101,7 @@ public final class SimulationCanvas extends JComponent {
      * @return empty before the first
      */
     public Optional<Frame> frame() {
-        return scene.frame();
+        return model.frame();
     }
 
     /**
@@ -103,9 +110,14 @@ public final class SimulationCanvas extends JComponent {
      * @param colours to paint it in
      * @return empty before the first frame
      */
-    public Optional<Shot> shot(Palette colours) {
+    public Optional<RenderRequest> renderRequest(Palette colours) {
         assert EventQueue.isDispatchThread();
-        return frame().map(now -> new Shot(now, camera(), colours, new ScenePainter(layers, PictureWords.spoken(Brush.FONT)), scene.ghost().get()));
+        return frame().map(now -> new RenderRequest(
+                now,
+                camera(),
+                colours,
+                new ScenePainter(layers, LocalizedLabels.create(DrawContext.DEFAULT_FONT)),
+                model.referenceOverlay().get()));
     }
 
     /**
@@ -124,9 +136,9 @@ public final class SimulationCanvas extends JComponent {
      *
      * @param ghost the earlier run, empty for none
      */
-    public void setGhost(Optional<Ghost> ghost) {
+    public void setReferenceOverlay(Optional<ReferenceOverlay> ghost) {
         assert EventQueue.isDispatchThread();
-        scene.ghost().set(ghost);
+        model.referenceOverlay().set(ghost);
     }
 
     /**
@@ -158,19 +170,19 @@ public final class SimulationCanvas extends JComponent {
     /** Shows the whole world, and goes on doing so when the canvas is resized, until the hand zooms or pans. */
     public void fit() {
         assert EventQueue.isDispatchThread();
-        viewpoint.fit();
+        viewport.fit();
     }
 
     /** Zooms in on the middle. */
     public void zoomIn() {
         assert EventQueue.isDispatchThread();
-        viewpoint.zoom(ZOOM_STEP);
+        viewport.zoom(ZOOM_STEP);
     }
 
     /** Zooms out from the middle. */
     public void zoomOut() {
         assert EventQueue.isDispatchThread();
-        viewpoint.zoom(1 / ZOOM_STEP);
+        viewport.zoom(1 / ZOOM_STEP);
     }
 
     /**
@@ -179,7 +191,7 @@ public final class SimulationCanvas extends JComponent {
      * @return the camera, which says what point of the world is where on the canvas and how many pixels a metre has
      */
     public Camera camera() {
-        return viewpoint.camera().get();
+        return viewport.camera().get();
     }
 
     /**
@@ -189,7 +201,7 @@ public final class SimulationCanvas extends JComponent {
      */
     public void setFollowing(boolean follow) {
         assert EventQueue.isDispatchThread();
-        viewpoint.setFollowing(follow);
+        viewport.setFollowing(follow);
     }
 
     /**
@@ -198,7 +210,7 @@ public final class SimulationCanvas extends JComponent {
      * @return true where it is
      */
     public boolean isFollowing() {
-        return viewpoint.isFollowing();
+        return viewport.isFollowing();
     }
 
     /**
@@ -206,8 +218,8 @@ public final class SimulationCanvas extends JComponent {
      *
      * @param listener gets metres, empty where the mouse has left the canvas
      */
-    public void addCursorListener(Consumer<Optional<Vec>> listener) {
-        hand.cursor().listen(listener);
+    public void addCursorListener(Consumer<Optional<Vector2>> listener) {
+        mouse.cursorPoint().addListener(listener);
     }
 
     /**
@@ -216,7 +228,7 @@ public final class SimulationCanvas extends JComponent {
      * @param listener gets the camera
      */
     public void addCameraListener(Consumer<Camera> listener) {
-        viewpoint.camera().listen(listener);
+        viewport.camera().addListener(listener);
     }
 
     /**
@@ -233,41 +245,41 @@ public final class SimulationCanvas extends JComponent {
      *
      * @param listener told on the event dispatch thread, after the next painting of a frame
      */
-    public void whenPainted(Runnable listener) {
+    public void runAfterNextPaint(Runnable listener) {
         assert EventQueue.isDispatchThread();
-        painted = Optional.of(listener);
+        paintListener = Optional.of(listener);
     }
 
     @Override
     public void setBounds(int x, int y, int width, int height) {
         super.setBounds(x, y, width, height);
-        viewpoint.resize(width, height);
+        viewport.resize(width, height);
     }
 
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D own = (Graphics2D) graphics.create();
         try {
-            plate.paint(own, getWidth(), getHeight(), this::paintScene);
+            backBuffer.paint(own, getWidth(), getHeight(), this::paintScene);
         } finally {
             own.dispose();
         }
-        ring.paint(graphics);
+        focusRing.paint(graphics);
     }
 
     private void paintScene(Graphics2D graphics) {
         graphics.setColor(palette.canvas());
         graphics.fillRect(0, 0, getWidth(), getHeight());
-        scene.frame().ifPresent(frame -> {
-            picture.paint(graphics, camera(), palette, layers, frame, scene);
-            hand.paint(new Brush(graphics, camera(), palette).lettered(PictureWords.font()));
+        model.frame().ifPresent(frame -> {
+            renderer.paint(graphics, camera(), palette, layers, frame, model);
+            mouse.paint(new DrawContext(graphics, camera(), palette).withFont(LocalizedLabels.font()));
         });
-        if (!picture.isComplete()) {
+        if (!renderer.isComplete()) {
             repaint();
         }
-        if (scene.frame().isPresent()) {
-            painted.ifPresent(EventQueue::invokeLater);
-            painted = Optional.empty();
+        if (model.frame().isPresent()) {
+            paintListener.ifPresent(EventQueue::invokeLater);
+            paintListener = Optional.empty();
         }
     }
 
@@ -275,8 +287,8 @@ public final class SimulationCanvas extends JComponent {
     public AccessibleContext getAccessibleContext() {
         if (accessibleContext == null) {
             accessibleContext = new Accessibility();
-            accessibleContext.setAccessibleName(Texts.text("canvas"));
-            accessibleContext.setAccessibleDescription(Texts.text("canvas.description"));
+            accessibleContext.setAccessibleName(Messages.get("canvas"));
+            accessibleContext.setAccessibleDescription(Messages.get("canvas.description"));
         }
         return accessibleContext;
     }

@@ -15,12 +15,12 @@ public final class Autosave implements AutoCloseable {
     private static final Logger LOG = Logger.getLogger(Autosave.class.getName());
     private static final int PERIOD_MILLIS = 30_000;
 
-    private final Bench bench;
-    private final Recovery recovery;
-    private final Timer timer = new Timer(PERIOD_MILLIS, event -> keep());
-    private volatile Optional<Scenario> kept = Optional.empty();
+    private final Workspace workspace;
+    private final RecoveryStore recovery;
+    private final Timer timer = new Timer(PERIOD_MILLIS, event -> saveUnsavedEdits());
+    private volatile Optional<Scenario> lastWritten = Optional.empty();
     private volatile boolean closed;
-    private boolean certain;
+    private boolean lastWriteSucceeded;
 
     /**
      * Begins to keep edits.
@@ -28,41 +28,43 @@ public final class Autosave implements AutoCloseable {
      * @param bench whose
      * @param recovery where
      */
-    public Autosave(Bench bench, Recovery recovery) {
+    public Autosave(Workspace bench, RecoveryStore recovery) {
         assert EventQueue.isDispatchThread();
-        this.bench = bench;
+        this.workspace = bench;
         this.recovery = recovery;
         timer.start();
     }
 
     /** Keeps what is unsaved now, or forgets what was, unless that is done already. */
-    void keep() {
-        Optional<Scenario> unsaved = bench.scenario().filter(scenario -> bench.isChanged());
-        if (!certain || !unsaved.equals(kept)) {
-            kept = unsaved;
-            certain = true;
-            Optional<Path> origin = bench.file();
-            Background.run(() -> {
-                write(origin, unsaved);
-                return unsaved;
-            }, done -> {
-            }, why -> {
-                // Next time, once more.
-                certain = false;
-                LOG.log(Level.WARNING, "unsaved edits cannot be kept", why);
-            });
+    void saveUnsavedEdits() {
+        Optional<Scenario> unsaved = workspace.scenario().filter(scenario -> workspace.isChanged());
+        if (!lastWriteSucceeded || !unsaved.equals(lastWritten)) {
+            lastWritten = unsaved;
+            lastWriteSucceeded = true;
+            Optional<Path> origin = workspace.file();
+            BackgroundTasks.run(
+                    () -> {
+                        write(origin, unsaved);
+                        return unsaved;
+                    },
+                    done -> {},
+                    why -> {
+                        // Next time, once more.
+                        lastWriteSucceeded = false;
+                        LOG.log(Level.WARNING, "unsaved edits cannot be kept", why);
+                    });
         }
     }
 
     /** One at a time, each for as long as nothing newer is to be kept; and none after the end. */
     synchronized void write(Optional<Path> origin, Optional<Scenario> unsaved) throws IOException {
-        if (closed || !unsaved.equals(kept)) {
+        if (closed || !unsaved.equals(lastWritten)) {
             return;
         }
         if (unsaved.isPresent()) {
-            recovery.keep(origin, unsaved.get());
+            recovery.save(origin, unsaved.get());
         } else {
-            recovery.forget();
+            recovery.delete();
         }
     }
 
@@ -71,14 +73,16 @@ public final class Autosave implements AutoCloseable {
     public void close() {
         timer.stop();
         closed = true;
-        Background.finish(() -> {
-            forget();
-            return recovery;
-        }, done -> {
-        }, why -> LOG.log(Level.WARNING, "kept edits cannot be taken away", why));
+        BackgroundTasks.runBeforeExit(
+                () -> {
+                    discardRecoveryFile();
+                    return recovery;
+                },
+                done -> {},
+                why -> LOG.log(Level.WARNING, "kept edits cannot be taken away", why));
     }
 
-    private synchronized void forget() throws IOException {
-        recovery.forget();
+    private synchronized void discardRecoveryFile() throws IOException {
+        recovery.delete();
     }
 }

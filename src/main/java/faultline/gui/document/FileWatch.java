@@ -13,29 +13,29 @@ import java.util.function.Consumer;
 import javax.swing.Timer;
 
 /**
- * Notices when somebody else changes the open file. The file is looked at off the event dispatch thread; a change is told once it has
- * rested from one look to the next, so that half a file is never taken for a whole one, and only where the file now holds another scenario
- * or none.
+ * Notices when somebody else changes the open file. The file is looked at off the event dispatch thread; a change is
+ * told once it has rested from one look to the next, so that half a file is never taken for a whole one, and only where
+ * the file now holds another scenario or none.
  */
 public final class FileWatch implements AutoCloseable {
 
     private static final int PERIOD_MILLIS = 2000;
 
-    private final Bench bench;
+    private final Workspace workspace;
     private final Consumer<Path> changed;
     private final Consumer<ScenarioException> broken;
-    private final Timer timer = new Timer(PERIOD_MILLIS, event -> look());
-    private Optional<Stamp> settled = Optional.empty();
-    private Optional<Stamp> last = Optional.empty();
-    private boolean looking;
+    private final Timer timer = new Timer(PERIOD_MILLIS, event -> poll());
+    private Optional<FileVersion> lastRead = Optional.empty();
+    private Optional<FileVersion> lastSeen = Optional.empty();
+    private boolean polling;
 
     /** What tells two versions of a file apart without reading them. */
-    private record Stamp(Path file, FileTime modified, long size) {
-    }
+    private record FileVersion(Path file, FileTime modified, long size) {}
 
-    /** What a look has found; where the file was worth reading, either the scenario or what is wrong with it is there. */
-    private record Sight(Stamp stamp, Optional<Scenario> scenario, Optional<ScenarioException> complaint) {
-    }
+    /**
+     * What a look has found; where the file was worth reading, either the scenario or what is wrong with it is there.
+     */
+    private record PollResult(FileVersion version, Optional<Scenario> scenario, Optional<ScenarioException> failure) {}
 
     /**
      * Begins to watch the open file, whichever it is.
@@ -44,67 +44,69 @@ public final class FileWatch implements AutoCloseable {
      * @param changed told that it holds another scenario, on the event dispatch thread
      * @param broken told that it can no longer be read, on the event dispatch thread
      */
-    public FileWatch(Bench bench, Consumer<Path> changed, Consumer<ScenarioException> broken) {
+    public FileWatch(Workspace bench, Consumer<Path> changed, Consumer<ScenarioException> broken) {
         assert EventQueue.isDispatchThread();
-        this.bench = bench;
+        this.workspace = bench;
         this.changed = changed;
         this.broken = broken;
         timer.start();
     }
 
     /** Looks at the file, soon. */
-    void look() {
-        if (!looking && bench.file().isPresent()) {
-            looking = true;
-            Path file = bench.file().get();
-            Optional<Stamp> before = last;
-            Optional<Stamp> known = settled;
-            Background.run(() -> see(file, before, known), this::seen, gone -> looking = false);
+    void poll() {
+        if (!polling && workspace.file().isPresent()) {
+            polling = true;
+            Path file = workspace.file().get();
+            Optional<FileVersion> before = lastSeen;
+            Optional<FileVersion> known = lastRead;
+            BackgroundTasks.run(() -> inspect(file, before, known), this::inspected, gone -> polling = false);
         }
     }
 
     /** Whether a look is not over yet. */
-    boolean isLooking() {
-        return looking;
+    boolean isPolling() {
+        return polling;
     }
 
-    private static Sight see(Path file, Optional<Stamp> before, Optional<Stamp> known) throws IOException {
+    private static PollResult inspect(Path file, Optional<FileVersion> before, Optional<FileVersion> known)
+            throws IOException {
         BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
-        Optional<Stamp> now = Optional.of(new Stamp(file, attributes.lastModifiedTime(), attributes.size()));
+        Optional<FileVersion> now =
+                Optional.of(new FileVersion(file, attributes.lastModifiedTime(), attributes.size()));
         boolean worthReading = now.equals(before) && !now.equals(known);
-        return worthReading ? read(file, now.get()) : new Sight(now.get(), Optional.empty(), Optional.empty());
+        return worthReading ? read(file, now.get()) : new PollResult(now.get(), Optional.empty(), Optional.empty());
     }
 
-    private static Sight read(Path file, Stamp stamp) {
+    private static PollResult read(Path file, FileVersion stamp) {
         try {
-            return new Sight(stamp, Optional.of(Scenario.load(file)), Optional.empty());
+            return new PollResult(stamp, Optional.of(Scenario.load(file)), Optional.empty());
         } catch (ScenarioException wrong) {
-            return new Sight(stamp, Optional.empty(), Optional.of(wrong));
+            return new PollResult(stamp, Optional.empty(), Optional.of(wrong));
         }
     }
 
-    private void seen(Sight sight) {
-        looking = false;
-        last = Optional.of(sight.stamp());
-        if (bench.file().equals(Optional.of(sight.stamp().file()))) {
-            sight.scenario().ifPresent(this::holds);
-            sight.complaint().ifPresent(this::isBroken);
+    private void inspected(PollResult sight) {
+        polling = false;
+        lastSeen = Optional.of(sight.version());
+        if (workspace.file().equals(Optional.of(sight.version().file()))) {
+            sight.scenario().ifPresent(this::scenarioFound);
+            sight.failure().ifPresent(this::fileBroken);
         }
     }
 
-    private void holds(Scenario found) {
-        settled = last;
-        if (!bench.saved().equals(Optional.of(found))) {
-            if (!bench.scenario().equals(Optional.of(found))) {
-                changed.accept(last.orElseThrow().file());
+    private void scenarioFound(Scenario found) {
+        lastRead = lastSeen;
+        if (!workspace.savedScenario().equals(Optional.of(found))) {
+            if (!workspace.scenario().equals(Optional.of(found))) {
+                changed.accept(lastSeen.orElseThrow().file());
             }
-            bench.fileHolds(Optional.of(found));
+            workspace.setSavedScenario(Optional.of(found));
         }
     }
 
-    private void isBroken(ScenarioException wrong) {
-        settled = last;
-        bench.fileHolds(Optional.empty());
+    private void fileBroken(ScenarioException wrong) {
+        lastRead = lastSeen;
+        workspace.setSavedScenario(Optional.empty());
         broken.accept(wrong);
     }
 

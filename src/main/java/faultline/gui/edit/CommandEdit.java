@@ -12,10 +12,10 @@ import javax.swing.undo.UndoableEdit;
 /** One edit of the world. Edits of one gesture become one: its first state comes back with undo, its last with redo. */
 final class CommandEdit extends AbstractUndoableEdit {
 
-    private final int gesture;
-    private final transient Map<Object, Step> steps = new LinkedHashMap<>();
+    private final int gestureId;
+    private final transient Map<Object, ReversibleCommand> steps = new LinkedHashMap<>();
     private final transient Sender sender;
-    private boolean later;
+    private boolean ahead;
 
     /** Brings undone and redone edits to the run. */
     @FunctionalInterface
@@ -25,33 +25,33 @@ final class CommandEdit extends AbstractUndoableEdit {
         void send(CommandEdit edit, boolean done, List<Command> commands);
     }
 
-    CommandEdit(int gesture, List<Step> steps, Sender sender) {
-        this.gesture = gesture;
+    CommandEdit(int gesture, List<ReversibleCommand> steps, Sender sender) {
+        this.gestureId = gesture;
         this.sender = sender;
         steps.forEach(this::add);
     }
 
-    private void add(Step step) {
-        steps.merge(step.about(), step, Step::then);
+    private void add(ReversibleCommand step) {
+        steps.merge(step.target(), step, ReversibleCommand::mergedWith);
     }
 
     /** Whether the world is as it was before, such as after a drag that was cancelled. */
-    boolean isNothing() {
-        return steps.values().stream().allMatch(Step::isNothing);
+    boolean isNoOp() {
+        return steps.values().stream().allMatch(ReversibleCommand::isNoOp);
     }
 
     /** Whether it is undone only because the run stands at a moment before it. */
-    boolean isLater() {
-        return later;
+    boolean isAhead() {
+        return ahead;
     }
 
-    void setLater(boolean newLater) {
-        later = newLater;
+    void setAhead(boolean newLater) {
+        ahead = newLater;
     }
 
     @Override
     public boolean addEdit(UndoableEdit newer) {
-        boolean same = newer instanceof CommandEdit edit && edit.gesture == gesture;
+        boolean same = newer instanceof CommandEdit edit && edit.gestureId == gestureId;
         if (same) {
             ((CommandEdit) newer).steps.values().forEach(this::add);
         }
@@ -61,17 +61,21 @@ final class CommandEdit extends AbstractUndoableEdit {
     @Override
     public void undo() {
         super.undo();
-        later = false;
-        List<Step> backwards = new ArrayList<>(steps.values());
+        ahead = false;
+        List<ReversibleCommand> backwards = new ArrayList<>(steps.values());
         Collections.reverse(backwards);
-        sender.send(this, false, backwards.stream().flatMap(step -> step.undo().stream()).toList());
+        sender.send(
+                this,
+                false,
+                backwards.stream().flatMap(step -> step.undo().stream()).toList());
     }
 
     @Override
     public void redo() {
         super.redo();
-        later = false;
-        sender.send(this, true, steps.values().stream().map(Step::redo).toList());
+        ahead = false;
+        sender.send(
+                this, true, steps.values().stream().map(ReversibleCommand::redo).toList());
     }
 
     /** It may be kept though the history drops it: see {@link EditHistory}. */
@@ -82,6 +86,6 @@ final class CommandEdit extends AbstractUndoableEdit {
 
     @Override
     public String getPresentationName() {
-        return EditNames.of(List.copyOf(steps.values()));
+        return EditNames.nameOf(List.copyOf(steps.values()));
     }
 }

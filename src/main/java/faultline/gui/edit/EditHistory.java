@@ -5,52 +5,59 @@ import javax.swing.undo.UndoManager;
 import javax.swing.undo.UndoableEdit;
 
 /**
- * The edits so far. One that came to nothing is not kept. A new edit drops what was undone, as everywhere; but not what is undone only
- * because the run was taken back to a moment before it: that can still be redone.
+ * The edits so far. One that came to nothing is not kept. A new edit drops what was undone, as everywhere; but not what
+ * is undone only because the run was taken back to a moment before it: that can still be redone.
  */
 final class EditHistory extends UndoManager {
 
-    private static final int MOST_EDITS = 1000;
+    private static final int MAX_EDITS = 1000;
 
     private boolean quiet;
 
     EditHistory() {
-        setLimit(MOST_EDITS);
+        setLimit(MAX_EDITS);
     }
 
     @Override
     public synchronized boolean addEdit(UndoableEdit edit) {
-        List<CommandEdit> later = later();
+        List<CommandEdit> later = editsAhead();
         boolean added = super.addEdit(edit);
-        if (lastEdit() instanceof CommandEdit last && last.isNothing()) {
+        if (lastEdit() instanceof CommandEdit last && last.isNoOp()) {
             trimEdits(edits.size() - 1, edits.size() - 1);
         }
-        quietly(() -> putBack(later));
+        quietly(() -> restoreAhead(later));
         return added;
     }
 
-    private void putBack(List<CommandEdit> later) {
+    private void restoreAhead(List<CommandEdit> later) {
         later.forEach(edit -> {
             edit.redo();
             super.addEdit(edit);
         });
         later.forEach(edit -> undo());
-        later.forEach(edit -> edit.setLater(true));
+        later.forEach(edit -> edit.setAhead(true));
     }
 
     /** What can be redone only because the run stands at a moment before it. */
-    List<CommandEdit> later() {
+    List<CommandEdit> editsAhead() {
         UndoableEdit next = editToBeRedone();
-        return next == null ? List.of() : edits.subList(edits.indexOf(next), edits.size()).stream()
-                .filter(CommandEdit.class::isInstance).map(CommandEdit.class::cast).filter(CommandEdit::isLater).toList();
+        return next == null
+                ? List.of()
+                : edits.subList(edits.indexOf(next), edits.size()).stream()
+                        .filter(CommandEdit.class::isInstance)
+                        .map(CommandEdit.class::cast)
+                        .filter(CommandEdit::isAhead)
+                        .toList();
     }
 
     /** Whether an edit is one of its own here, rather than a part of another. */
-    boolean holds(CommandEdit edit) {
+    boolean contains(CommandEdit edit) {
         return edits.contains(edit);
     }
 
-    /** The run has come past the moment when an edit was done, or was taken back before the moment when it was undone. */
+    /**
+     * The run has come past the moment when an edit was done, or was taken back before the moment when it was undone.
+     */
     void redoQuietly(CommandEdit edit) {
         if (editToBeRedone() == edit) {
             quietly(this::redo);
@@ -58,17 +65,18 @@ final class EditHistory extends UndoManager {
     }
 
     /**
-     * The run has come past the moment when an edit was undone, or, which is later then, was taken back before the moment when it was done.
+     * The run has come past the moment when an edit was undone, or, which is later then, was taken back before the
+     * moment when it was done.
      */
     void undoQuietly(CommandEdit edit, boolean later) {
         if (editToBeUndone() == edit) {
             quietly(this::undo);
-            edit.setLater(later);
+            edit.setAhead(later);
         }
     }
 
     /** The world has refused to do an edit again, or to undo it: it stands where it stood. */
-    void takeBack(CommandEdit edit, boolean done) {
+    void revert(CommandEdit edit, boolean done) {
         if (done) {
             undoQuietly(edit, false);
         } else {

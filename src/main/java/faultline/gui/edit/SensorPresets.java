@@ -1,6 +1,6 @@
 package faultline.gui.edit;
 
-import faultline.control.Hand;
+import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
@@ -9,14 +9,16 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Which sensors are on: the two that following a wall needs, the third that an acute inner corner needs besides, or all. */
+/**
+ * Which sensors are on: the two that following a wall needs, the third that an acute inner corner needs besides, or
+ * all.
+ */
 public final class SensorPresets {
 
     /** Ahead, towards the wall, and ahead on the far side; radians with the wall on the left. */
     private static final List<Double> BEARINGS = List.of(0.0, Math.PI / 2, -Math.PI / 4);
 
-    private SensorPresets() {
-    }
+    private SensorPresets() {}
 
     /**
      * The commands that switch so many sensors on and all others off.
@@ -32,14 +34,16 @@ public final class SensorPresets {
             robot.sensors().forEach(sensor -> wanted.add(sensor.id()));
         } else {
             BEARINGS.subList(0, count).forEach(bearing -> robot.sensors().stream()
-                    .min(Comparator.comparingDouble(sensor -> off(sensor, wallOnLeft ? bearing : -bearing))).ifPresent(sensor ->
-                            wanted.add(sensor.id())));
+                    .min(Comparator.comparingDouble(sensor -> angleBetween(sensor, wallOnLeft ? bearing : -bearing)))
+                    .ifPresent(sensor -> wanted.add(sensor.id())));
         }
-        return robot.sensors().stream().filter(sensor -> sensor.on() != wanted.contains(sensor.id()))
-                .<Command>map(sensor -> new Command.SwitchSensor(sensor.id(), !sensor.on())).toList();
+        return robot.sensors().stream()
+                .filter(sensor -> sensor.on() != wanted.contains(sensor.id()))
+                .<Command>map(sensor -> new Command.SwitchSensor(sensor.id(), !sensor.on()))
+                .toList();
     }
 
-    private static double off(SensorSpec sensor, double bearing) {
+    private static double angleBetween(SensorSpec sensor, double bearing) {
         return Math.abs(Math.IEEEremainder(sensor.bearing() - bearing, 2 * Math.PI));
     }
 }

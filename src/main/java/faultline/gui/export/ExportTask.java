@@ -1,8 +1,8 @@
 package faultline.gui.export;
 
-import faultline.gui.document.Guard;
-import faultline.gui.text.Texts;
-import faultline.scenario.AtomicFile;
+import faultline.gui.document.ExitGuard;
+import faultline.gui.text.Messages;
+import faultline.io.AtomicFile;
 import java.awt.Component;
 import java.awt.EventQueue;
 import java.io.IOException;
@@ -13,40 +13,44 @@ import java.util.function.Consumer;
 import javax.swing.ProgressMonitor;
 import javax.swing.SwingWorker;
 
-/** Writes one export off the event dispatch thread; what takes long shows how far it is and can be cancelled, which leaves no file. */
+/**
+ * Writes one export off the event dispatch thread; what takes long shows how far it is and can be cancelled, which
+ * leaves no file.
+ */
 final class ExportTask extends SwingWorker<Void, Void> {
 
-    private static final int WHOLE = 100;
+    private static final int MAX_PROGRESS = 100;
 
-    private final Export export;
+    private final FileExport export;
     private final Path file;
-    private final Consumer<Path> written;
-    private final Consumer<Throwable> failed;
+    private final Consumer<Path> onWritten;
+    private final Consumer<Throwable> onFailed;
     private final ProgressMonitor monitor;
 
-    ExportTask(Component parent, Export export, Path file, Consumer<Path> written, Consumer<Throwable> failed) {
+    ExportTask(Component parent, FileExport export, Path file, Consumer<Path> written, Consumer<Throwable> failed) {
         assert EventQueue.isDispatchThread();
         this.export = export;
         this.file = file;
-        this.written = written;
-        this.failed = failed;
-        monitor = new ProgressMonitor(parent, Texts.text("export.writing", String.valueOf(file.getFileName())), "", 0, WHOLE);
+        this.onWritten = written;
+        this.onFailed = failed;
+        monitor = new ProgressMonitor(
+                parent, Messages.get("export.writing", String.valueOf(file.getFileName())), "", 0, MAX_PROGRESS);
         addPropertyChangeListener(change -> {
             if (change.getPropertyName().equals("progress")) {
-                show((Integer) change.getNewValue());
+                updateMonitor((Integer) change.getNewValue());
             }
         });
     }
 
     /** Begins, and keeps the program from ending before it is done: a window may be closed meanwhile. */
-    void begin() {
+    void start() {
         execute();
-        Guard.until(this);
+        ExitGuard.keepAliveUntilDone(this);
     }
 
-    private void show(int percent) {
+    private void updateMonitor(int percent) {
         // The last step closes the monitor, and is left to the end.
-        monitor.setProgress(Math.min(percent, WHOLE - 1));
+        monitor.setProgress(Math.min(percent, MAX_PROGRESS - 1));
         if (monitor.isCanceled()) {
             cancel(false);
         }
@@ -55,17 +59,17 @@ final class ExportTask extends SwingWorker<Void, Void> {
     @Override
     protected Void doInBackground() throws IOException {
         try (AtomicFile out = AtomicFile.create(file)) {
-            export.write(out.stream(), this::reached);
+            export.write(out.stream(), this::reportProgress);
             out.commit();
         }
         return null;
     }
 
-    private void reached(double share) {
+    private void reportProgress(double share) {
         if (isCancelled()) {
             throw new CancellationException();
         }
-        setProgress((int) (WHOLE * share));
+        setProgress((int) (MAX_PROGRESS * share));
     }
 
     @Override
@@ -73,9 +77,9 @@ final class ExportTask extends SwingWorker<Void, Void> {
         monitor.close();
         try {
             get();
-            written.accept(file);
+            onWritten.accept(file);
         } catch (ExecutionException broken) {
-            failed.accept(broken.getCause());
+            onFailed.accept(broken.getCause());
         } catch (CancellationException cancelled) {
             // As the user wanted.
         } catch (InterruptedException broken) {

@@ -1,6 +1,6 @@
 package faultline.gui.export;
 
-import faultline.engine.TraceWriter;
+import faultline.engine.metrics.TraceWriter;
 import faultline.scenario.Scenario;
 import java.io.BufferedWriter;
 import java.io.IOException;
@@ -15,13 +15,13 @@ import java.util.concurrent.CompletableFuture;
  *
  * @param run completed with the scenario that replays it
  */
-record TraceExport(CompletableFuture<Scenario> run) implements Export {
+record TraceExport(CompletableFuture<Scenario> run) implements FileExport {
 
     @Override
-    public void write(OutputStream out, Progress progress) throws IOException {
+    public void write(OutputStream out, ProgressListener progress) throws IOException {
         Writer text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
         TraceWriter trace = new TraceWriter(text);
-        Replay.of(run).run(trace::observe, progress);
+        HeadlessReplay.of(run).run(trace::observe, progress);
         text.flush();
     }
 }

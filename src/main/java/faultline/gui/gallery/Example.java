@@ -3,15 +3,15 @@ package faultline.gui.gallery;
 import faultline.engine.ControllerMode;
 import faultline.engine.Frame;
 import faultline.engine.Simulation;
-import faultline.gui.canvas.PictureWords;
-import faultline.gui.text.Texts;
-import faultline.paint.Brush;
-import faultline.paint.Camera;
-import faultline.paint.FrameImage;
-import faultline.paint.Layer;
-import faultline.paint.Palette;
-import faultline.paint.ScenePainter;
-import faultline.paint.Shot;
+import faultline.gui.canvas.LocalizedLabels;
+import faultline.gui.text.Messages;
+import faultline.paint.export.FrameRenderer;
+import faultline.paint.export.RenderRequest;
+import faultline.paint.scene.Layer;
+import faultline.paint.scene.ScenePainter;
+import faultline.paint.surface.Camera;
+import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
 import java.awt.Font;
@@ -23,34 +23,39 @@ import java.util.Set;
 /**
  * One example.
  *
- * @param file its name, for {@link Scenario#shipped(String)}
+ * @param file its name, for {@link Scenario#loadShipped(String)}
  * @param title for people
  * @param description for people
- * @param picture some while into its run, {@link #WIDTH} by {@link #HEIGHT} at {@link #FINENESS}
+ * @param thumbnail some while into its run, {@link #WIDTH} by {@link #HEIGHT} at {@link #RESOLUTION_SCALE}
  */
-record Example(String file, String title, String description, BufferedImage picture) {
+record Example(String file, String title, String description, BufferedImage thumbnail) {
 
     static final int WIDTH = 208;
     static final int HEIGHT = 136;
-    static final int FINENESS = 2;
+    static final int RESOLUTION_SCALE = 2;
 
     /** How long the robot drives before its picture is taken, seconds: far enough to show what it is about. */
-    private static final double SECONDS = 25;
+    private static final double SIMULATED_SECONDS = 25;
     /** Small enough for the report of a collision to have room in any language. */
-    private static final Font FONT = Brush.FONT.deriveFont(0.9F * Brush.FONT.getSize2D());
+    private static final Font FONT = DrawContext.DEFAULT_FONT.deriveFont(0.9F * DrawContext.DEFAULT_FONT.getSize2D());
+
     private static final Set<Layer> LAYERS = EnumSet.of(Layer.PATH, Layer.CONES, Layer.ROUTES);
 
     /** Reads and runs an example; slow. */
-    static Example of(String file, Palette palette) throws ScenarioException {
-        Scenario scenario = Scenario.shipped(file);
+    static Example load(String file, Palette palette) throws ScenarioException {
+        Scenario scenario = Scenario.loadShipped(file);
         String key = file.substring(0, file.lastIndexOf('.'));
-        return new Example(file, Texts.ofExample(key + ".title", scenario.name()), Texts.ofExample(key + ".text", scenario.description()),
-                picture(frame(scenario), palette));
+        return new Example(
+                file,
+                Messages.exampleText(key + ".title", scenario.name()),
+                Messages.exampleText(key + ".text", scenario.description()),
+                thumbnail(frame(scenario), palette));
     }
 
     private static Frame frame(Scenario scenario) {
         try (Simulation simulation = new Simulation(scenario.setup(), ControllerMode.DIRECT)) {
-            long ticks = scenario.setup().tickAt(Math.min(SECONDS, scenario.setup().duration()));
+            long ticks = scenario.setup()
+                    .tickAt(Math.min(SIMULATED_SECONDS, scenario.setup().duration()));
             while (simulation.ticks() < ticks) {
                 simulation.tick();
             }
@@ -58,8 +63,14 @@ record Example(String file, String title, String description, BufferedImage pict
         }
     }
 
-    private static BufferedImage picture(Frame frame, Palette palette) {
-        Camera camera = FrameImage.camera(frame.world(), WIDTH * FINENESS, HEIGHT * FINENESS);
-        return new Shot(frame, camera, palette, new ScenePainter(LAYERS, PictureWords.spoken(FONT)), Optional.empty()).image(1);
+    private static BufferedImage thumbnail(Frame frame, Palette palette) {
+        Camera camera = FrameRenderer.fitCamera(frame.snapshot(), WIDTH * RESOLUTION_SCALE, HEIGHT * RESOLUTION_SCALE);
+        return new RenderRequest(
+                        frame,
+                        camera,
+                        palette,
+                        new ScenePainter(LAYERS, LocalizedLabels.create(FONT)),
+                        Optional.empty())
+                .toImage(1);
     }
 }

@@ -1,6 +1,6 @@
 package faultline.gui.gallery;
 
-import faultline.gui.theme.Smooth;
+import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
 import java.awt.BorderLayout;
 import java.awt.Color;
@@ -23,21 +23,25 @@ final class ExampleCard extends JPanel implements ListCellRenderer<Example> {
 
     private final JLabel title = new JLabel("", JLabel.CENTER);
     private transient Optional<Example> example = Optional.empty();
-    private boolean chosen;
+    private boolean highlighted;
 
     ExampleCard() {
         super(new BorderLayout(0, 6));
         setBorder(BorderFactory.createEmptyBorder(14, 14, 8, 14));
-        add(new Picture(), BorderLayout.CENTER);
+        add(new ThumbnailView(), BorderLayout.CENTER);
         add(title, BorderLayout.SOUTH);
     }
 
     @Override
-    public Component getListCellRendererComponent(JList<? extends Example> list, Example value, int index, boolean selected, boolean focused) {
+    public Component getListCellRendererComponent(
+            JList<? extends Example> list, Example value, int index, boolean selected, boolean focused) {
         example = Optional.of(value);
-        chosen = selected;
+        highlighted = selected;
         title.setText(value.title());
-        title.setForeground(selected ? Theme.now().onAccent() : Theme.now().text());
+        title.setForeground(
+                selected
+                        ? Theme.currentColours().onAccent()
+                        : Theme.currentColours().text());
         setBackground(list.getBackground());
         setToolTipText(value.description());
         getAccessibleContext().setAccessibleName(value.title());
@@ -48,22 +52,24 @@ final class ExampleCard extends JPanel implements ListCellRenderer<Example> {
     @Override
     protected void paintComponent(Graphics graphics) {
         super.paintComponent(graphics);
-        if (chosen) {
-            Smooth.paint(graphics, g -> {
-                g.setColor(Theme.now().accent());
+        if (highlighted) {
+            Antialiasing.paint(graphics, g -> {
+                g.setColor(Theme.currentColours().accent());
                 g.fillRoundRect(4, 4, getWidth() - 8, getHeight() - 8, 12, 12);
             });
         }
     }
 
     /** The picture, as fine as the screen is. */
-    private final class Picture extends JComponent {
+    private final class ThumbnailView extends JComponent {
         @Override
         protected void paintComponent(Graphics graphics) {
-            Smooth.paint(graphics, g -> {
+            Antialiasing.paint(graphics, g -> {
                 g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
-                example.ifPresent(shown -> g.drawImage(shown.picture(), 0, 0, getWidth(), getHeight(), null));
-                Color edge = chosen ? Theme.now().onAccent() : Theme.now().line();
+                example.ifPresent(shown -> g.drawImage(shown.thumbnail(), 0, 0, getWidth(), getHeight(), null));
+                Color edge = highlighted
+                        ? Theme.currentColours().onAccent()
+                        : Theme.currentColours().line();
                 g.setColor(edge);
                 g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
             });

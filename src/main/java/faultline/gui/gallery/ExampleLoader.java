@@ -1,6 +1,6 @@
 package faultline.gui.gallery;
 
-import faultline.paint.Palette;
+import faultline.paint.surface.Palette;
 import faultline.scenario.ScenarioException;
 import faultline.scenario.ShippedScenarios;
 import java.io.IOException;
@@ -14,26 +14,27 @@ import javax.swing.SwingWorker;
 final class ExampleLoader extends SwingWorker<Void, Example> {
 
     /** Shown first, because it has a bit of everything. */
-    private static final String FIRST = "office.xml";
+    private static final String FIRST_FILE = "office.xml";
 
     private final Palette palette;
-    private final Consumer<Example> loaded;
-    private final Consumer<Throwable> failed;
+    private final Consumer<Example> onLoaded;
+    private final Consumer<Throwable> onFailed;
 
     ExampleLoader(Palette palette, Consumer<Example> loaded, Consumer<Throwable> failed) {
         this.palette = palette;
-        this.loaded = loaded;
-        this.failed = failed;
+        this.onLoaded = loaded;
+        this.onFailed = failed;
     }
 
     @Override
     protected Void doInBackground() throws IOException, ScenarioException {
         List<String> names = ShippedScenarios.names();
-        for (String name : Stream.concat(Stream.of(FIRST), names.stream().filter(name -> !name.equals(FIRST))).toList()) {
+        for (String name : Stream.concat(Stream.of(FIRST_FILE), names.stream().filter(name -> !name.equals(FIRST_FILE)))
+                .toList()) {
             if (isCancelled()) {
                 break;
             }
-            publish(Example.of(name, palette));
+            publish(Example.load(name, palette));
         }
         return null;
     }
@@ -41,7 +42,7 @@ final class ExampleLoader extends SwingWorker<Void, Example> {
     @Override
     protected void process(List<Example> examples) {
         if (!isCancelled()) {
-            examples.forEach(loaded);
+            examples.forEach(onLoaded);
         }
     }
 
@@ -52,7 +53,7 @@ final class ExampleLoader extends SwingWorker<Void, Example> {
                 get();
             }
         } catch (ExecutionException broken) {
-            failed.accept(broken.getCause());
+            onFailed.accept(broken.getCause());
         } catch (InterruptedException broken) {
             Thread.currentThread().interrupt();
         }

@@ -1,7 +1,7 @@
 package faultline.gui.gallery;
 
-import faultline.gui.text.Reasons;
-import faultline.gui.text.Texts;
+import faultline.gui.text.ErrorMessages;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -36,7 +36,7 @@ public final class Gallery extends JDialog {
     private final DefaultListModel<Example> examples = new DefaultListModel<>();
     private final JList<Example> list = new JList<>(examples);
     private final JTextArea description = new JTextArea(2, 20);
-    private final transient Consumer<String> opener;
+    private final transient Consumer<String> onOpen;
     private final transient ExampleLoader loader;
 
     /**
@@ -48,16 +48,18 @@ public final class Gallery extends JDialog {
      * @param atStartChanged told how that stands from now on
      */
     public Gallery(Window owner, Consumer<String> opener, boolean atStart, Consumer<Boolean> atStartChanged) {
-        super(owner, Texts.text("gallery.title"), ModalityType.MODELESS);
+        super(owner, Messages.get("gallery.title"), ModalityType.MODELESS);
         assert EventQueue.isDispatchThread();
-        this.opener = opener;
+        this.onOpen = opener;
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
         content.add(heading(), BorderLayout.NORTH);
         content.add(scroll(), BorderLayout.CENTER);
-        content.add(foot(atStart, atStartChanged), BorderLayout.SOUTH);
+        content.add(footer(atStart, atStartChanged), BorderLayout.SOUTH);
         setContentPane(content);
-        getRootPane().registerKeyboardAction(event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        getRootPane()
+                .registerKeyboardAction(
+                        event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
         pack();
         setLocationRelativeTo(owner);
         loader = new ExampleLoader(Theme.current().palette(), this::add, this::failed);
@@ -65,7 +67,7 @@ public final class Gallery extends JDialog {
     }
 
     private static JLabel heading() {
-        return new JLabel(Texts.text("gallery.heading"));
+        return new JLabel(Messages.get("gallery.heading"));
     }
 
     private JScrollPane scroll() {
@@ -75,8 +77,9 @@ public final class Gallery extends JDialog {
         list.setCellRenderer(new ExampleCard());
         list.setFixedCellWidth(ExampleCard.SIZE.width);
         list.setFixedCellHeight(ExampleCard.SIZE.height);
-        list.getAccessibleContext().setAccessibleName(Texts.text("gallery.title"));
-        list.addListSelectionListener(event -> description.setText(chosen().map(Example::description).orElse("")));
+        list.getAccessibleContext().setAccessibleName(Messages.get("gallery.title"));
+        list.addListSelectionListener(event ->
+                description.setText(selectedExample().map(Example::description).orElse("")));
         list.addMouseListener(new MouseAdapter() {
             @Override
             public void mouseClicked(MouseEvent event) {
@@ -85,20 +88,22 @@ public final class Gallery extends JDialog {
                 }
             }
         });
-        JScrollPane scroll = new JScrollPane(list, ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        JScrollPane scroll = new JScrollPane(
+                list, ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.getVerticalScrollBar().setUnitIncrement(ExampleCard.SIZE.height / 4);
-        scroll.setPreferredSize(new Dimension(COLUMNS * ExampleCard.SIZE.width + scroll.getVerticalScrollBar().getPreferredSize().width + 4, HEIGHT));
+        scroll.setPreferredSize(new Dimension(
+                COLUMNS * ExampleCard.SIZE.width + scroll.getVerticalScrollBar().getPreferredSize().width + 4, HEIGHT));
         return scroll;
     }
 
-    private JPanel foot(boolean atStart, Consumer<Boolean> atStartChanged) {
+    private JPanel footer(boolean atStart, Consumer<Boolean> atStartChanged) {
         description.setLineWrap(true);
         description.setWrapStyleWord(true);
         description.setEditable(false);
         description.setFocusable(false);
         description.setOpaque(false);
-        description.getAccessibleContext().setAccessibleName(Texts.text("gallery.description"));
-        JCheckBox again = new JCheckBox(Texts.text("gallery.atStart"), atStart);
+        description.getAccessibleContext().setAccessibleName(Messages.get("gallery.description"));
+        JCheckBox again = new JCheckBox(Messages.get("gallery.atStart"), atStart);
         again.addActionListener(event -> atStartChanged.accept(again.isSelected()));
         JPanel row = new JPanel(new BorderLayout());
         row.add(again, BorderLayout.LINE_START);
@@ -110,11 +115,11 @@ public final class Gallery extends JDialog {
     }
 
     private JPanel buttons() {
-        JButton open = new JButton(Texts.text("gallery.open"));
+        JButton open = new JButton(Messages.get("gallery.open"));
         open.setEnabled(false);
         open.addActionListener(event -> open());
-        list.addListSelectionListener(event -> open.setEnabled(chosen().isPresent()));
-        JButton close = new JButton(Texts.text("dialog.close"));
+        list.addListSelectionListener(event -> open.setEnabled(selectedExample().isPresent()));
+        JButton close = new JButton(Messages.get("dialog.close"));
         close.addActionListener(event -> dispose());
         getRootPane().setDefaultButton(open);
         JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));
@@ -123,14 +128,14 @@ public final class Gallery extends JDialog {
         return buttons;
     }
 
-    private Optional<Example> chosen() {
+    private Optional<Example> selectedExample() {
         return Optional.ofNullable(list.getSelectedValue());
     }
 
     private void open() {
-        chosen().ifPresent(example -> {
+        selectedExample().ifPresent(example -> {
             dispose();
-            opener.accept(example.file());
+            onOpen.accept(example.file());
         });
     }
 
@@ -142,7 +147,7 @@ public final class Gallery extends JDialog {
     }
 
     private void failed(Throwable why) {
-        description.setText(Texts.text("gallery.failed", Reasons.of(why)));
+        description.setText(Messages.get("gallery.failed", ErrorMessages.describe(why)));
     }
 
     /** Ends the taking of pictures too. */

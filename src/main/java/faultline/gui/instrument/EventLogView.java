@@ -1,8 +1,8 @@
 package faultline.gui.instrument;
 
 import faultline.engine.Frame;
-import faultline.engine.record.RunEvent;
-import faultline.gui.text.Texts;
+import faultline.engine.recording.RunEvent;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
@@ -26,20 +26,20 @@ import javax.swing.SwingConstants;
 import javax.swing.table.TableColumn;
 
 /**
- * The list of what happened in a run. A double click or Enter on an event jumps to its moment. The newest stays in view unless a row is
- * chosen.
+ * The list of what happened in a run. A double click or Enter on an event jumps to its moment. The newest stays in view
+ * unless a row is chosen.
  */
 public final class EventLogView extends JPanel {
 
-    private static final int[] WIDTHS = {100, 130, 700};
-    private static final int[] LEAST_WIDTHS = {62, 98, 120};
-    private static final int ROW = 22;
-    private static final String JUMP = "jump";
+    private static final int[] COLUMN_WIDTHS = {100, 130, 700};
+    private static final int[] MIN_COLUMN_WIDTHS = {62, 98, 120};
+    private static final int ROW_HEIGHT = 22;
+    private static final String JUMP_ACTION = "jump";
 
-    private final EventTable events = new EventTable();
+    private final EventTableModel events = new EventTableModel();
     private final JTable table = new JTable(events);
     private final JScrollPane scroll = new JScrollPane(table);
-    private final transient LongConsumer jump;
+    private final transient LongConsumer seekHandler;
 
     /**
      * A list that shows nothing yet.
@@ -48,9 +48,9 @@ public final class EventLogView extends JPanel {
      */
     public EventLogView(LongConsumer jump) {
         super(new BorderLayout());
-        this.jump = jump;
-        dress();
-        listen();
+        this.seekHandler = jump;
+        configureTable();
+        installListeners();
         scroll.setColumnHeaderView(table.getTableHeader());
         scroll.setBorder(BorderFactory.createEmptyBorder());
         add(scroll, BorderLayout.CENTER);
@@ -73,40 +73,41 @@ public final class EventLogView extends JPanel {
         graphics.fillRect(0, 0, getWidth(), getHeight());
     }
 
-    private void dress() {
-        table.getAccessibleContext().setAccessibleName(Texts.text("events"));
-        table.setToolTipText(Texts.text("events.tip"));
+    private void configureTable() {
+        table.getAccessibleContext().setAccessibleName(Messages.get("events"));
+        table.setToolTipText(Messages.get("events.tip"));
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-        table.setDefaultRenderer(Object.class, new EventCells(events));
+        table.setDefaultRenderer(Object.class, new EventCellRenderer(events));
         table.setShowVerticalLines(false);
-        table.setRowHeight(TextSize.scaled(ROW));
+        table.setRowHeight(TextSize.scaled(ROW_HEIGHT));
         table.setFillsViewportHeight(true);
         table.getTableHeader().setReorderingAllowed(false);
-        for (int i = 0; i < WIDTHS.length; i++) {
+        for (int i = 0; i < COLUMN_WIDTHS.length; i++) {
             TableColumn column = table.getColumnModel().getColumn(i);
-            column.setPreferredWidth(TextSize.scaled(WIDTHS[i]));
-            column.setMinWidth(TextSize.scaled(LEAST_WIDTHS[i]));
-            column.setMaxWidth(i == WIDTHS.length - 1 ? Integer.MAX_VALUE : TextSize.scaled(2 * WIDTHS[i]));
+            column.setPreferredWidth(TextSize.scaled(COLUMN_WIDTHS[i]));
+            column.setMinWidth(TextSize.scaled(MIN_COLUMN_WIDTHS[i]));
+            column.setMaxWidth(
+                    i == COLUMN_WIDTHS.length - 1 ? Integer.MAX_VALUE : TextSize.scaled(2 * COLUMN_WIDTHS[i]));
         }
         if (table.getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
             headings.setHorizontalAlignment(SwingConstants.LEADING);
         }
     }
 
-    private void listen() {
+    private void installListeners() {
         table.addMouseListener(new MouseAdapter() {
             @Override
             public void mouseClicked(MouseEvent event) {
                 if (event.getClickCount() == 2) {
-                    jumpTo(table.rowAtPoint(event.getPoint()));
+                    seekToRow(table.rowAtPoint(event.getPoint()));
                 }
             }
         });
-        bind("ENTER", JUMP, () -> jumpTo(table.getSelectedRow()));
-        bind("ESCAPE", "release", table::clearSelection);
+        bindKey("ENTER", JUMP_ACTION, () -> seekToRow(table.getSelectedRow()));
+        bindKey("ESCAPE", "release", table::clearSelection);
     }
 
-    private void bind(String key, String name, Runnable deed) {
+    private void bindKey(String key, String name, Runnable deed) {
         table.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), name);
         table.getActionMap().put(name, new AbstractAction() {
             @Override
@@ -116,9 +117,9 @@ public final class EventLogView extends JPanel {
         });
     }
 
-    private void jumpTo(int row) {
+    private void seekToRow(int row) {
         if (row >= 0) {
-            jump.accept(events.event(row).tick());
+            seekHandler.accept(events.eventAt(row).tick());
         }
     }
 
@@ -127,9 +128,9 @@ public final class EventLogView extends JPanel {
      *
      * @param divergence empty where it did not
      */
-    public void mark(Optional<RunEvent.Diverged> divergence) {
+    public void setDivergence(Optional<RunEvent.Diverged> divergence) {
         assert EventQueue.isDispatchThread();
-        events.mark(divergence);
+        events.setDivergence(divergence);
     }
 
     /**
@@ -137,19 +138,19 @@ public final class EventLogView extends JPanel {
      *
      * @param frame with the recording of its run
      */
-    public void show(Frame frame) {
+    public void setFrame(Frame frame) {
         assert EventQueue.isDispatchThread();
         int chosen = table.getSelectedRow();
-        boolean added = events.show(frame.recording().events());
+        boolean added = events.update(frame.recording().events());
         if (table.getSelectedRow() >= 0) {
-            scrollBy(table.getSelectedRow() - chosen);
+            scrollByRows(table.getSelectedRow() - chosen);
         } else if (added && table.getRowCount() > 0) {
             table.scrollRectToVisible(table.getCellRect(table.getRowCount() - 1, 0, true));
         }
     }
 
     /** Where the oldest events are forgotten, what is chosen stays where it is on the screen. */
-    private void scrollBy(int rows) {
+    private void scrollByRows(int rows) {
         if (rows != 0) {
             Point top = scroll.getViewport().getViewPosition();
             scroll.getViewport().setViewPosition(new Point(top.x, Math.max(0, top.y + rows * table.getRowHeight())));

@@ -1,8 +1,8 @@
 package faultline.gui.instrument;
 
 import faultline.engine.Frame;
-import faultline.engine.record.RunEvent;
-import faultline.gui.text.Texts;
+import faultline.engine.recording.RunEvent;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -13,22 +13,22 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 
 /**
- * All instruments, on tabs. Only those on the chosen tab are kept up to date, and those some twenty times a second, which eyes take for
- * steady.
+ * All instruments, on tabs. Only those on the chosen tab are kept up to date, and those some twenty times a second,
+ * which eyes take for steady.
  */
 public final class InstrumentDock extends JTabbedPane {
 
-    private static final int EVERY = 3;
-    private static final Dimension LEAST = new Dimension(400, 120);
-    private static final Dimension USUAL = new Dimension(900, 230);
+    private static final int FRAMES_PER_UPDATE = 3;
+    private static final Dimension MIN_SIZE = new Dimension(400, 120);
+    private static final Dimension DEFAULT_SIZE = new Dimension(900, 230);
 
     private final StripChart chart = new StripChart();
     private final StateDiagramView diagram = new StateDiagramView();
-    private final TimingInstrument timing = new TimingInstrument();
+    private final AlignmentView alignment = new AlignmentView();
     private final EventLogView events;
-    private final PlacedSplit split;
-    private transient Optional<Frame> newest = Optional.empty();
-    private int skipped;
+    private final PositionedSplitPane split;
+    private transient Optional<Frame> newestFrame = Optional.empty();
+    private int skippedFrames;
 
     /**
      * Instruments that show nothing yet.
@@ -37,19 +37,19 @@ public final class InstrumentDock extends JTabbedPane {
      */
     public InstrumentDock(LongConsumer jump) {
         events = new EventLogView(jump);
-        split = new PlacedSplit(JSplitPane.HORIZONTAL_SPLIT, chart, diagram, 0.5);
+        split = new PositionedSplitPane(JSplitPane.HORIZONTAL_SPLIT, chart, diagram, 0.5);
         split.place(width -> width / 2);
-        add("charts", split);
-        add("timing", timing);
-        add("events", events);
-        setMinimumSize(LEAST);
-        setPreferredSize(new Dimension(TextSize.scaled(USUAL.width), TextSize.scaled(USUAL.height)));
-        getAccessibleContext().setAccessibleName(Texts.text("instruments"));
-        addChangeListener(event -> newest.ifPresent(this::update));
+        addInstrument("charts", split);
+        addInstrument("timing", alignment);
+        addInstrument("events", events);
+        setMinimumSize(MIN_SIZE);
+        setPreferredSize(new Dimension(TextSize.scaled(DEFAULT_SIZE.width), TextSize.scaled(DEFAULT_SIZE.height)));
+        getAccessibleContext().setAccessibleName(Messages.get("instruments"));
+        addChangeListener(event -> newestFrame.ifPresent(this::update));
     }
 
-    private void add(String key, JComponent instrument) {
-        addTab(Texts.text("instruments." + key), null, instrument, Texts.text("instruments." + key + ".tip"));
+    private void addInstrument(String key, JComponent instrument) {
+        addTab(Messages.get("instruments." + key), null, instrument, Messages.get("instruments." + key + ".tip"));
     }
 
     /**
@@ -57,13 +57,13 @@ public final class InstrumentDock extends JTabbedPane {
      *
      * @param frame the newest; the same one again is shown for sure before long
      */
-    public void show(Frame frame) {
+    public void setFrame(Frame frame) {
         assert EventQueue.isDispatchThread();
-        skipped++;
-        boolean isNew = newest.isEmpty() || newest.get() != frame;
-        if (skipped >= EVERY && isNew) {
-            skipped = 0;
-            newest = Optional.of(frame);
+        skippedFrames++;
+        boolean isNew = newestFrame.isEmpty() || newestFrame.get() != frame;
+        if (skippedFrames >= FRAMES_PER_UPDATE && isNew) {
+            skippedFrames = 0;
+            newestFrame = Optional.of(frame);
             update(frame);
         }
     }
@@ -73,18 +73,18 @@ public final class InstrumentDock extends JTabbedPane {
      *
      * @param divergence empty where it did not
      */
-    public void mark(Optional<RunEvent.Diverged> divergence) {
-        events.mark(divergence);
+    public void setDivergence(Optional<RunEvent.Diverged> divergence) {
+        events.setDivergence(divergence);
     }
 
     private void update(Frame frame) {
         if (getSelectedComponent() == split) {
-            chart.show(frame);
-            diagram.show(frame);
-        } else if (getSelectedComponent() == timing) {
-            timing.show(frame);
+            chart.setFrame(frame);
+            diagram.setFrame(frame);
+        } else if (getSelectedComponent() == alignment) {
+            alignment.setFrame(frame);
         } else {
-            events.show(frame);
+            events.setFrame(frame);
         }
     }
 
@@ -93,7 +93,7 @@ public final class InstrumentDock extends JTabbedPane {
      *
      * @return the split pane
      */
-    public PlacedSplit split() {
+    public PositionedSplitPane split() {
         return split;
     }
 }

@@ -4,9 +4,9 @@ import faultline.control.FollowerState;
 import faultline.control.StateDiagram;
 import faultline.control.StateDiagram.Arrow;
 import faultline.engine.Frame;
+import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
-import faultline.gui.text.Texts;
-import faultline.gui.theme.Smooth;
+import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.BasicStroke;
@@ -25,18 +25,18 @@ import javax.swing.ToolTipManager;
 /** The six-state diagram as it runs. What is under the mouse explains itself. */
 public final class StateDiagramView extends JComponent {
 
-    private static final int NONE_AT = 14;
-    private static final Dimension LEAST = new Dimension(330, 150);
-    private static final int NEAR = 10;
+    private static final int MESSAGE_INSET = 14;
+    private static final Dimension MIN_SIZE = new Dimension(330, 150);
+    private static final int PICK_WIDTH = 10;
 
     private transient Optional<Frame> frame = Optional.empty();
 
     /** A diagram that shows nothing yet. */
     public StateDiagramView() {
-        setMinimumSize(LEAST);
-        setPreferredSize(LEAST);
+        setMinimumSize(MIN_SIZE);
+        setPreferredSize(MIN_SIZE);
         setOpaque(true);
-        getAccessibleContext().setAccessibleName(Texts.text("diagram"));
+        getAccessibleContext().setAccessibleName(Messages.get("diagram"));
         ToolTipManager.sharedInstance().registerComponent(this);
     }
 
@@ -45,31 +45,35 @@ public final class StateDiagramView extends JComponent {
      *
      * @param newest with the recording of its run
      */
-    public void show(Frame newest) {
+    public void setFrame(Frame newest) {
         assert EventQueue.isDispatchThread();
-        boolean moved = frame.isEmpty() || frame.get().control().transitions() != newest.control().transitions()
-                || !frame.get().control().state().equals(newest.control().state());
+        boolean moved = frame.isEmpty()
+                || frame.get().telemetry().transitions() != newest.telemetry().transitions()
+                || !frame.get().telemetry().state().equals(newest.telemetry().state());
         frame = Optional.of(newest);
         if (moved) {
-            getAccessibleContext().setAccessibleDescription(description(newest));
+            getAccessibleContext().setAccessibleDescription(accessibleText(newest));
         }
         repaint();
     }
 
-    private static String description(Frame newest) {
-        return Texts.text("diagram.now", StateText.name(newest.control().state()))
-                + DiagramPainter.lastTransition(newest).map(last -> ". " + DiagramPainter.sentence(last)).orElse("");
+    private static String accessibleText(Frame newest) {
+        return Messages.get("diagram.now", StateText.name(newest.telemetry().state()))
+                + DiagramPainter.lastTransition(newest)
+                        .map(last -> ". " + DiagramPainter.transitionText(last))
+                        .orElse("");
     }
 
     private static boolean isFollower(Frame shown) {
-        return Arrays.stream(FollowerState.values()).anyMatch(state -> state.name().equals(shown.control().state()));
+        return Arrays.stream(FollowerState.values())
+                .anyMatch(state -> state.name().equals(shown.telemetry().state()));
     }
 
     private double scale() {
-        return TextSize.enlargement(getWidth(), getHeight(), LEAST);
+        return TextSize.imageScale(getWidth(), getHeight(), MIN_SIZE);
     }
 
-    private DiagramLayout layoutNow() {
+    private DiagramLayout currentLayout() {
         return new DiagramLayout(getWidth() / scale(), getHeight() / scale());
     }
 
@@ -77,46 +81,67 @@ public final class StateDiagramView extends JComponent {
     protected void paintComponent(Graphics graphics) {
         graphics.setColor(Theme.current().palette().canvas());
         graphics.fillRect(0, 0, getWidth(), getHeight());
-        Smooth.paint(graphics, g -> frame.ifPresent(shown -> {
-            g.scale(scale(), scale());
-            if (isFollower(shown)) {
-                new DiagramPainter(g, layoutNow(), Theme.current(), shown).paint(getWidth() / scale(), getHeight() / scale());
-            } else {
-                paintNone(g, Texts.text("diagram.other", StateText.name(shown.control().state())));
-            }
-        }));
+        Antialiasing.paint(
+                graphics,
+                g -> frame.ifPresent(shown -> {
+                    g.scale(scale(), scale());
+                    if (isFollower(shown)) {
+                        new DiagramPainter(g, currentLayout(), Theme.current(), shown)
+                                .paint(getWidth() / scale(), getHeight() / scale());
+                    } else {
+                        paintMessage(
+                                g,
+                                Messages.get(
+                                        "diagram.other",
+                                        StateText.name(shown.telemetry().state())));
+                    }
+                }));
     }
 
     /** The parts of a sentence, one below the other: it is longer than a narrow window is wide. */
-    private static void paintNone(Graphics2D g, String sentence) {
+    private static void paintMessage(Graphics2D g, String sentence) {
         String[] parts = sentence.split("(?<=;) ");
-        g.setColor(Theme.now().muted());
+        g.setColor(Theme.currentColours().muted());
         for (int i = 0; i < parts.length; i++) {
-            g.drawString(parts[i], NONE_AT, NONE_AT + (i + 1) * g.getFontMetrics().getHeight());
+            g.drawString(
+                    parts[i],
+                    MESSAGE_INSET,
+                    MESSAGE_INSET + (i + 1) * g.getFontMetrics().getHeight());
         }
     }
 
     @Override
     public String getToolTipText(MouseEvent event) {
-        return StateDiagram.ARROWS.stream().filter(arrow -> isNear(arrow, event)).findFirst().map(this::explain)
+        return StateDiagram.TRANSITIONS.stream()
+                .filter(arrow -> isNear(arrow, event))
+                .findFirst()
+                .map(this::arrowText)
                 .orElseGet(() -> super.getToolTipText(event));
     }
 
     private boolean isNear(Arrow arrow, MouseEvent event) {
-        return new BasicStroke(NEAR).createStrokedShape(layoutNow().route(arrow).shaft()).contains(event.getX() / scale(), event.getY() / scale());
+        return new BasicStroke(PICK_WIDTH)
+                .createStrokedShape(currentLayout().route(arrow).shaft())
+                .contains(event.getX() / scale(), event.getY() / scale());
     }
 
-    private String explain(Arrow arrow) {
-        long count = frame.map(shown -> shown.recording().states().count(arrow.from().name(), arrow.to().name())).orElse(0L);
-        return Texts.text("diagram.arrow", StateText.name(arrow.from().name()), StateText.name(arrow.to().name()), StateText.condition(arrow),
+    private String arrowText(Arrow arrow) {
+        long count = frame.map(shown -> shown.recording()
+                        .stateTally()
+                        .transitionCount(arrow.from().name(), arrow.to().name()))
+                .orElse(0L);
+        return Messages.get(
+                "diagram.arrow",
+                StateText.name(arrow.from().name()),
+                StateText.name(arrow.to().name()),
+                StateText.condition(arrow),
                 String.format(Locale.ROOT, "%d", count));
     }
 
     @Override
     public AccessibleContext getAccessibleContext() {
         if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-            };
+            accessibleContext = new AccessibleJComponent() {};
         }
         return accessibleContext;
     }

@@ -1,7 +1,7 @@
 package faultline.gui.instrument;
 
 import faultline.engine.Frame;
-import faultline.gui.text.Texts;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.TextSize;
 import faultline.world.SensorSnapshot;
@@ -21,34 +21,34 @@ import javax.swing.JToggleButton;
 /** A chart of numbers over time, with a choice of what it shows and a button that holds it still. */
 public final class StripChart extends JPanel {
 
-    private static final int LEAST_CHOICE = 100;
+    private static final int MIN_CHOICE_WIDTH = 100;
 
     private final StripView view = new StripView();
-    private final JComboBox<Signal> choice = new JComboBox<>();
+    private final JComboBox<SignalGroup> choice = new JComboBox<>();
     private final StripLegend legend = new StripLegend();
-    private final JToggleButton hold = new JToggleButton(Glyph.PAUSE.icon());
+    private final JToggleButton freeze = new JToggleButton(Glyph.PAUSE.icon());
     private List<String> sensors = List.of("");
 
     /** A chart that shows nothing yet. */
     public StripChart() {
         super(new BorderLayout());
-        choice.getAccessibleContext().setAccessibleName(Texts.text("strip.choice"));
-        choice.setToolTipText(Texts.text("strip.choice.tip"));
-        choice.addActionListener(event -> choose());
-        hold.getAccessibleContext().setAccessibleName(Texts.text("strip.hold"));
-        hold.setToolTipText(Texts.text("strip.hold.tip"));
-        hold.addActionListener(event -> view.setHeld(hold.isSelected()));
-        new StripHand(view, this::hold).install();
+        choice.getAccessibleContext().setAccessibleName(Messages.get("strip.choice"));
+        choice.setToolTipText(Messages.get("strip.choice.tip"));
+        choice.addActionListener(event -> updateSignal());
+        freeze.getAccessibleContext().setAccessibleName(Messages.get("strip.hold"));
+        freeze.setToolTipText(Messages.get("strip.hold.tip"));
+        freeze.addActionListener(event -> view.setFrozen(freeze.isSelected()));
+        new StripChartMouse(view, this::freeze).install();
         JPanel bar = new JPanel();
         bar.setLayout(new BoxLayout(bar, BoxLayout.LINE_AXIS));
         bar.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 4));
-        choice.setPrototypeDisplayValue(widest());
+        choice.setPrototypeDisplayValue(widestSignal());
         choice.setMaximumSize(choice.getPreferredSize());
-        choice.setMinimumSize(new Dimension(TextSize.scaled(LEAST_CHOICE), choice.getPreferredSize().height));
-        hold.setMinimumSize(hold.getPreferredSize());
+        choice.setMinimumSize(new Dimension(TextSize.scaled(MIN_CHOICE_WIDTH), choice.getPreferredSize().height));
+        freeze.setMinimumSize(freeze.getPreferredSize());
         bar.add(choice);
         bar.add(Box.createHorizontalStrut(6));
-        bar.add(hold);
+        bar.add(freeze);
         bar.add(Box.createHorizontalStrut(10));
         bar.add(legend);
         add(bar, BorderLayout.NORTH);
@@ -56,20 +56,24 @@ public final class StripChart extends JPanel {
     }
 
     /** The longest name that a usual robot has to choose from. */
-    private Signal widest() {
-        Stream<String> names = Stream.of(Texts.text("signal.distance"), Texts.text("signal.terms"), Texts.text("signal.volts"),
-                Texts.text("signal.sensor", "front-right"));
-        String longest = names.max(Comparator.comparingInt(getFontMetrics(choice.getFont())::stringWidth)).orElseThrow();
-        return new Signal(longest + "  ", "", List.of());
+    private SignalGroup widestSignal() {
+        Stream<String> names = Stream.of(
+                Messages.get("signal.distance"),
+                Messages.get("signal.terms"),
+                Messages.get("signal.volts"),
+                Messages.get("signal.sensor", "front-right"));
+        String longest = names.max(Comparator.comparingInt(getFontMetrics(choice.getFont())::stringWidth))
+                .orElseThrow();
+        return new SignalGroup(longest + "  ", "", List.of());
     }
 
-    private void hold(boolean on) {
-        hold.setSelected(on);
-        view.setHeld(on);
+    private void freeze(boolean on) {
+        freeze.setSelected(on);
+        view.setFrozen(on);
     }
 
-    private void choose() {
-        if (choice.getSelectedItem() instanceof Signal signal) {
+    private void updateSignal() {
+        if (choice.getSelectedItem() instanceof SignalGroup signal) {
             view.setSignal(signal);
             legend.setSignal(signal);
         }
@@ -80,20 +84,20 @@ public final class StripChart extends JPanel {
      *
      * @param frame with the recording of its run
      */
-    public void show(Frame frame) {
+    public void setFrame(Frame frame) {
         assert EventQueue.isDispatchThread();
-        offer(frame.world().sensors());
-        view.show(frame);
+        updateChoices(frame.snapshot().sensors());
+        view.setFrame(frame);
     }
 
     /** Another robot has other sensors; the choice stays at its place where there is one. */
-    private void offer(List<SensorSnapshot> present) {
+    private void updateChoices(List<SensorSnapshot> present) {
         List<String> ids = present.stream().map(sensor -> sensor.spec().id()).toList();
         if (!ids.equals(sensors)) {
             sensors = ids;
             int chosen = Math.max(0, choice.getSelectedIndex());
             choice.removeAllItems();
-            Signal.of(present).forEach(choice::addItem);
+            SignalGroup.allOf(present).forEach(choice::addItem);
             choice.setMaximumRowCount(choice.getItemCount());
             choice.setSelectedIndex(chosen < choice.getItemCount() ? chosen : 0);
         }

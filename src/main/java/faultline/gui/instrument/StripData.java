@@ -1,8 +1,8 @@
 package faultline.gui.instrument;
 
 import faultline.engine.Frame;
-import faultline.engine.record.Level;
-import faultline.engine.record.Trace;
+import faultline.engine.recording.Trace;
+import faultline.engine.recording.TraceLevel;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
 
@@ -14,38 +14,43 @@ import java.util.stream.LongStream;
  * @param to the bucket after the last
  * @param dt the length of a tick, seconds
  */
-record StripData(Level level, long from, long to, double dt) {
+record StripData(TraceLevel level, long from, long to, double dt) {
 
-    private static final int MOST_PER_PIXEL = 3;
+    private static final int MAX_BUCKETS_PER_PIXEL = 3;
 
     /** What of a frame's recording lies in a span, for a chart of so many pixels. */
     static StripData of(Frame frame, TimeSpan span, int pixels) {
         Trace trace = frame.recording().trace();
         // At tick 0 the length of a tick does not show, nor matter.
-        double dt = frame.world().tick() > 0 ? frame.world().time() / frame.world().tick() : 1;
-        long first = (long) Math.floor(span.from() / dt);
-        long last = (long) Math.ceil(span.to() / dt) + 1;
-        Level level = trace.level(Math.max(0, first), Math.min(last, trace.end()), MOST_PER_PIXEL * pixels);
-        long from = Math.max(level.first(), Math.floorDiv(first, level.ticksPerBucket()));
-        long to = Math.min(level.end(), Math.floorDiv(last, level.ticksPerBucket()) + 1);
+        double dt = frame.snapshot().tick() > 0
+                ? frame.snapshot().time() / frame.snapshot().tick()
+                : 1;
+        long first = (long) Math.floor(span.start() / dt);
+        long last = (long) Math.ceil(span.end() / dt) + 1;
+        TraceLevel level =
+                trace.levelFor(Math.max(0, first), Math.min(last, trace.tickCount()), MAX_BUCKETS_PER_PIXEL * pixels);
+        long from = Math.max(level.firstBucket(), Math.floorDiv(first, level.ticksPerBucket()));
+        long to = Math.min(level.endBucket(), Math.floorDiv(last, level.ticksPerBucket()) + 1);
         return new StripData(level, Math.max(0, from), Math.max(from, to), dt);
     }
 
     /** The middle of a bucket, seconds. */
-    double time(long bucket) {
+    double timeOf(long bucket) {
         return (bucket + 0.5) * level.ticksPerBucket() * dt - dt / 2;
     }
 
     /** The bucket of a time, as near as there is one; -1 where there is none at all. */
-    long bucket(double time) {
+    long bucketAt(double time) {
         long wanted = Math.round(time / dt) / level.ticksPerBucket();
         return from < to ? Math.max(from, Math.min(to - 1, wanted)) : -1;
     }
 
     /** All values of a curve, the gaps left out. */
-    DoubleStream values(Curve curve) {
+    DoubleStream values(ChartLine curve) {
         return LongStream.range(from, to)
-                .mapToObj(bucket -> DoubleStream.of(level.low(curve.channel(), bucket), level.high(curve.channel(), bucket)))
-                .flatMapToDouble(both -> both).filter(Double::isFinite);
+                .mapToObj(bucket ->
+                        DoubleStream.of(level.min(curve.channel(), bucket), level.max(curve.channel(), bucket)))
+                .flatMapToDouble(both -> both)
+                .filter(Double::isFinite);
     }
 }

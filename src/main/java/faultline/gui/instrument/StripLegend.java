@@ -1,6 +1,6 @@
 package faultline.gui.instrument;
 
-import faultline.gui.theme.Smooth;
+import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
@@ -14,31 +14,31 @@ import javax.swing.JComponent;
 /** What the lines of a strip chart are called. */
 final class StripLegend extends JComponent {
 
-    private static final int SAMPLE = 26;
+    private static final int SAMPLE_WIDTH = 26;
     private static final int GAP = 6;
-    private static final int APART = 16;
+    private static final int ENTRY_GAP = 16;
     private static final int HEIGHT = 20;
 
-    private transient List<Curve> curves = List.of();
+    private transient List<ChartLine> lines = List.of();
 
     StripLegend() {
-        setFont(TextSize.font(Font.PLAIN, 11));
+        setFont(TextSize.scaledFont(Font.PLAIN, 11));
     }
 
-    void setSignal(Signal signal) {
-        curves = signal.curves();
+    void setSignal(SignalGroup signal) {
+        lines = signal.lines();
         revalidate();
         repaint();
     }
 
     @Override
     public Dimension getPreferredSize() {
-        int width = curves.stream().mapToInt(this::width).sum() + Math.max(0, curves.size() - 1) * APART;
+        int width = lines.stream().mapToInt(this::width).sum() + Math.max(0, lines.size() - 1) * ENTRY_GAP;
         return new Dimension(width, TextSize.scaled(HEIGHT));
     }
 
-    private int width(Curve curve) {
-        return SAMPLE + GAP + getFontMetrics(getFont()).stringWidth(curve.name());
+    private int width(ChartLine curve) {
+        return SAMPLE_WIDTH + GAP + getFontMetrics(getFont()).stringWidth(curve.name());
     }
 
     @Override
@@ -53,24 +53,25 @@ final class StripLegend extends JComponent {
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        Smooth.paint(graphics, g -> {
+        Antialiasing.paint(graphics, g -> {
             g.setFont(getFont());
             // Where the bar is too short, names that do not fit are left out.
             int room = getParent().getWidth() - getX();
             double x = 0;
-            for (int i = curves.size() - 1; i >= 0 && x + width(curves.get(i)) <= room; i--) {
-                x = paint(g, curves.get(i), x) + APART;
+            for (int i = lines.size() - 1; i >= 0 && x + width(lines.get(i)) <= room; i--) {
+                x = paint(g, lines.get(i), x) + ENTRY_GAP;
             }
         });
     }
 
-    private double paint(Graphics2D g, Curve curve, double x) {
+    private double paint(Graphics2D g, ChartLine curve, double x) {
         g.setColor(curve.colour().apply(Theme.current()));
         g.setStroke(curve.stroke());
         double middle = getHeight() / 2.0;
-        g.draw(new Line2D.Double(x, middle, x + SAMPLE, middle));
-        g.setColor(Theme.now().text());
-        g.drawString(curve.name(), (float) (x + SAMPLE + GAP), (float) (middle + g.getFontMetrics().getAscent() / 2.0 - 2));
-        return x + SAMPLE + GAP + g.getFontMetrics().stringWidth(curve.name());
+        g.draw(new Line2D.Double(x, middle, x + SAMPLE_WIDTH, middle));
+        g.setColor(Theme.currentColours().text());
+        g.drawString(curve.name(), (float) (x + SAMPLE_WIDTH + GAP), (float)
+                (middle + g.getFontMetrics().getAscent() / 2.0 - 2));
+        return x + SAMPLE_WIDTH + GAP + g.getFontMetrics().stringWidth(curve.name());
     }
 }

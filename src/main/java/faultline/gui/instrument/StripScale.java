@@ -1,7 +1,7 @@
 package faultline.gui.instrument;
 
 import faultline.engine.Frame;
-import faultline.paint.plot.Axis;
+import faultline.paint.chart.Axis;
 import java.awt.geom.Rectangle2D;
 import java.util.stream.DoubleStream;
 
@@ -14,30 +14,35 @@ import java.util.stream.DoubleStream;
  * @param data what is recorded of it
  * @param values the axis upwards
  */
-record StripScale(Signal signal, TimeSpan span, Rectangle2D plot, StripData data, Axis values) {
+record StripScale(SignalGroup signal, TimeSpan span, Rectangle2D plot, StripData data, Axis values) {
 
-    static final int LEFT = 46;
-    static final int RIGHT = 14;
-    private static final int TOP = 28;
-    private static final int BOTTOM = 22;
+    static final int LEFT_MARGIN = 46;
+    static final int RIGHT_MARGIN = 14;
+    private static final int TOP_MARGIN = 28;
+    private static final int BOTTOM_MARGIN = 22;
 
     /** A chart of a width and height in pixels. */
-    static StripScale of(Frame frame, Signal signal, TimeSpan span, int width, int height) {
-        Rectangle2D plot = new Rectangle2D.Double(LEFT, TOP, Math.max(1, width - LEFT - RIGHT), Math.max(1, height - TOP - BOTTOM));
+    static StripScale of(Frame frame, SignalGroup signal, TimeSpan span, int width, int height) {
+        Rectangle2D plot = new Rectangle2D.Double(
+                LEFT_MARGIN,
+                TOP_MARGIN,
+                Math.max(1, width - LEFT_MARGIN - RIGHT_MARGIN),
+                Math.max(1, height - TOP_MARGIN - BOTTOM_MARGIN));
         StripData data = StripData.of(frame, span, (int) plot.getWidth());
-        return new StripScale(signal, span, plot, data, axis(signal, data));
+        return new StripScale(signal, span, plot, data, createAxis(signal, data));
     }
 
     /** Zero is always shown, so that the chart's heights are honest. */
-    private static Axis axis(Signal signal, StripData data) {
+    private static Axis createAxis(SignalGroup signal, StripData data) {
         double[] values = values(signal, data).toArray();
         boolean flat = DoubleStream.of(values).allMatch(value -> value == 0);
-        return flat ? Axis.linear(signal.unit(), 0, 1) : Axis.covering(signal.unit(),
-                DoubleStream.concat(DoubleStream.of(0), DoubleStream.of(values)));
+        return flat
+                ? Axis.linear(signal.unit(), 0, 1)
+                : Axis.covering(signal.unit(), DoubleStream.concat(DoubleStream.of(0), DoubleStream.of(values)));
     }
 
-    private static DoubleStream values(Signal signal, StripData data) {
-        return signal.curves().stream().flatMapToDouble(data::values);
+    private static DoubleStream values(SignalGroup signal, StripData data) {
+        return signal.lines().stream().flatMapToDouble(data::values);
     }
 
     /** Whether there is nothing to draw. */
@@ -46,10 +51,10 @@ record StripScale(Signal signal, TimeSpan span, Rectangle2D plot, StripData data
     }
 
     double x(double time) {
-        return plot.getX() + span.share(time) * plot.getWidth();
+        return plot.getX() + span.shareOf(time) * plot.getWidth();
     }
 
     double y(double value) {
-        return plot.getMaxY() - values.share(value) * plot.getHeight();
+        return plot.getMaxY() - values.fractionOf(value) * plot.getHeight();
     }
 }

@@ -1,8 +1,8 @@
 package faultline.gui.instrument;
 
 import faultline.engine.Frame;
-import faultline.gui.text.Texts;
-import faultline.gui.theme.Smooth;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
@@ -19,46 +19,46 @@ import javax.swing.JComponent;
 /** The picture of a strip chart. It runs along with the newest frame, or holds still over a piece of the past. */
 final class StripView extends JComponent {
 
-    private static final Dimension LEAST = new Dimension(220, 110);
+    private static final Dimension MIN_SIZE = new Dimension(220, 110);
 
     private transient Optional<Frame> frame = Optional.empty();
-    private transient Optional<Signal> signal = Optional.empty();
-    private transient TimeSpan span = TimeSpan.USUAL;
+    private transient Optional<SignalGroup> signal = Optional.empty();
+    private transient TimeSpan span = TimeSpan.DEFAULT;
     private transient OptionalDouble pointer = OptionalDouble.empty();
-    private boolean held;
+    private boolean frozen;
 
     StripView() {
-        setMinimumSize(LEAST);
-        setPreferredSize(LEAST);
+        setMinimumSize(MIN_SIZE);
+        setPreferredSize(MIN_SIZE);
         setFocusable(true);
         setOpaque(true);
-        getAccessibleContext().setAccessibleName(Texts.text("strip.view"));
+        getAccessibleContext().setAccessibleName(Messages.get("strip.view"));
     }
 
     /** Shows a newer frame. */
-    void show(Frame newest) {
+    void setFrame(Frame newest) {
         assert EventQueue.isDispatchThread();
         frame = Optional.of(newest);
-        if (!held) {
-            span = span.endingAt(newest.world().time());
+        if (!frozen) {
+            span = span.endingAt(newest.snapshot().time());
         }
         repaint();
     }
 
-    void setSignal(Signal chosen) {
+    void setSignal(SignalGroup chosen) {
         signal = Optional.of(chosen);
         getAccessibleContext().setAccessibleDescription(chosen.name());
         repaint();
     }
 
     /** Holds the chart still, or lets it run along again. */
-    void setHeld(boolean hold) {
-        held = hold;
-        frame.ifPresent(this::show);
+    void setFrozen(boolean hold) {
+        frozen = hold;
+        frame.ifPresent(this::setFrame);
     }
 
-    boolean isHeld() {
-        return held;
+    boolean isFrozen() {
+        return frozen;
     }
 
     TimeSpan span() {
@@ -68,57 +68,60 @@ final class StripView extends JComponent {
     /** Shows another piece; while the chart runs along, its end stays at the newest moment. */
     void setSpan(TimeSpan wanted) {
         span = wanted;
-        frame.ifPresent(this::show);
+        frame.ifPresent(this::setFrame);
     }
 
     /** Where on the chart a place of this component is: 0 at its beginning, 1 at its end. */
-    double share(double x) {
-        return (x / enlargement() - StripScale.LEFT) / Math.max(1, getWidth() / enlargement() - StripScale.LEFT - StripScale.RIGHT);
+    double shareAt(double x) {
+        return (x / imageScale() - StripScale.LEFT_MARGIN)
+                / Math.max(1, getWidth() / imageScale() - StripScale.LEFT_MARGIN - StripScale.RIGHT_MARGIN);
     }
 
     /** Reads out the values at a place of this component, or none. */
-    void point(OptionalDouble x) {
+    void setPointer(OptionalDouble x) {
         pointer = x;
         repaint();
     }
 
     /** What is read out; empty where nothing is pointed at. */
-    List<String> readOut() {
-        return scale().flatMap(this::readOut).map(ReadOut::lines).orElse(List.of());
+    List<String> tooltip() {
+        return scale().flatMap(this::tooltip).map(ChartTooltip::lines).orElse(List.of());
     }
 
-    private Optional<ReadOut> readOut(StripScale scale) {
-        return pointer.isEmpty() ? Optional.empty()
-                : Optional.of(new ReadOut(scale, span.at(share(pointer.getAsDouble())))).filter(out -> !scale.isEmpty() && !out.isEmpty());
+    private Optional<ChartTooltip> tooltip(StripScale scale) {
+        return pointer.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new ChartTooltip(scale, span.timeAt(shareAt(pointer.getAsDouble()))))
+                        .filter(out -> !scale.isEmpty() && !out.isEmpty());
     }
 
-    private double enlargement() {
-        return TextSize.enlargement(getWidth(), getHeight(), LEAST);
+    private double imageScale() {
+        return TextSize.imageScale(getWidth(), getHeight(), MIN_SIZE);
     }
 
     private Optional<StripScale> scale() {
-        int width = (int) (getWidth() / enlargement());
-        int height = (int) (getHeight() / enlargement());
+        int width = (int) (getWidth() / imageScale());
+        int height = (int) (getHeight() / imageScale());
         return frame.flatMap(shown -> signal.map(chosen -> StripScale.of(shown, chosen, span, width, height)));
     }
 
     private void paint(Graphics2D g, StripScale scale) {
-        new StripPainter(g, Theme.current(), scale).paint(StateRibbon.stays(frame.get(), span));
-        readOut(scale).ifPresent(out -> out.paint(g, Theme.current()));
+        new StripPainter(g, Theme.current(), scale).paint(StateIntervals.within(frame.get(), span));
+        tooltip(scale).ifPresent(out -> out.paint(g, Theme.current()));
     }
 
     @Override
     protected void paintComponent(Graphics graphics) {
         graphics.setColor(Theme.current().palette().canvas());
         graphics.fillRect(0, 0, getWidth(), getHeight());
-        Smooth.paint(graphics, g -> {
+        Antialiasing.paint(graphics, g -> {
             AffineTransform whole = g.getTransform();
-            g.scale(enlargement(), enlargement());
+            g.scale(imageScale(), imageScale());
             scale().ifPresent(scale -> paint(g, scale));
             g.setTransform(whole);
             if (isFocusOwner()) {
-                g.setColor(Theme.now().accent());
-                g.draw(Smooth.box(0, 0, getWidth(), getHeight()));
+                g.setColor(Theme.currentColours().accent());
+                g.draw(Antialiasing.roundedRectangle(0, 0, getWidth(), getHeight()));
             }
         });
     }
@@ -126,8 +129,7 @@ final class StripView extends JComponent {
     @Override
     public AccessibleContext getAccessibleContext() {
         if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-            };
+            accessibleContext = new AccessibleJComponent() {};
         }
         return accessibleContext;
     }

@@ -3,43 +3,43 @@ package faultline.gui.instrument;
 /**
  * A piece of a run that a chart shows.
  *
- * @param from its beginning, seconds; before 0 where the run has not filled the chart yet
- * @param length seconds, in [{@link #SHORTEST}, {@link #LONGEST}]
+ * @param start its beginning, seconds; before 0 where the run has not filled the chart yet
+ * @param length seconds, in [{@link #MIN_LENGTH}, {@link #MAX_LENGTH}]
  */
-record TimeSpan(double from, double length) {
+record TimeSpan(double start, double length) {
 
-    static final double SHORTEST = 0.2;
-    static final double LONGEST = 100_000;
+    static final double MIN_LENGTH = 0.2;
+    static final double MAX_LENGTH = 100_000;
 
     /** What a chart shows at first. */
-    static final TimeSpan USUAL = new TimeSpan(0, 10);
+    static final TimeSpan DEFAULT = new TimeSpan(0, 10);
 
     TimeSpan {
-        length = Math.max(SHORTEST, Math.min(LONGEST, length));
+        length = Math.max(MIN_LENGTH, Math.min(MAX_LENGTH, length));
     }
 
-    double to() {
-        return from + length;
+    double end() {
+        return start + length;
     }
 
     /** The time at a share of the span. */
-    double at(double share) {
-        return from + share * length;
+    double timeAt(double share) {
+        return start + share * length;
     }
 
-    double share(double time) {
-        return (time - from) / length;
+    double shareOf(double time) {
+        return (time - start) / length;
     }
 
     /** So many times as long, with the moment at a share of the span where it is. */
-    TimeSpan scaled(double factor, double share) {
-        TimeSpan resized = new TimeSpan(from, length * factor);
-        return new TimeSpan(at(share) - share * resized.length, resized.length);
+    TimeSpan zoomed(double factor, double share) {
+        TimeSpan resized = new TimeSpan(start, length * factor);
+        return new TimeSpan(timeAt(share) - share * resized.length, resized.length);
     }
 
     /** Moved by a share of its length. */
     TimeSpan moved(double share) {
-        return new TimeSpan(from + share * length, length);
+        return new TimeSpan(start + share * length, length);
     }
 
     /** Moved so that it ends at a time, or begins at 0 where that fills it not. */

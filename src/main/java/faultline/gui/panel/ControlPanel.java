@@ -1,7 +1,7 @@
 package faultline.gui.panel;
 
-import faultline.gui.edit.Editor;
-import faultline.gui.text.Texts;
+import faultline.gui.edit.CommandSink;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.world.Snapshot;
 import java.awt.BorderLayout;
@@ -22,13 +22,13 @@ import javax.swing.SwingUtilities;
 /** The control panel of the paper's Fig. 1: the robot, its sensors and its faults, one below the other. */
 public final class ControlPanel extends JPanel {
 
-    private static final int WHEEL = 16;
+    private static final int WHEEL_STEP = 16;
     private static final int WIDTH = 436;
 
     private final RobotPanel robot;
     private final SensorsPanel sensors;
-    private final ChosenSensorPanel chosen;
-    private final transient SensorEchoes echoes = new SensorEchoes();
+    private final SensorDetailsPanel sensorDetails;
+    private final transient OptimisticSensors optimisticSensors = new OptimisticSensors();
 
     /**
      * A panel that shows nothing yet.
@@ -36,25 +36,27 @@ public final class ControlPanel extends JPanel {
      * @param editor where all changes go
      * @param path shows or hides the path
      */
-    public ControlPanel(Editor editor, Action path) {
+    public ControlPanel(CommandSink editor, Action path) {
         super(new BorderLayout());
         robot = new RobotPanel(editor, path);
-        sensors = new SensorsPanel(echoes, editor);
-        chosen = new ChosenSensorPanel(echoes, editor);
-        sensors.addSelectionListener(chosen::choose);
-        chosen.addChoiceListener(sensors::choose);
+        sensors = new SensorsPanel(optimisticSensors, editor);
+        sensorDetails = new SensorDetailsPanel(optimisticSensors, editor);
+        sensors.addSelectionListener(sensorDetails::selectSensor);
+        sensorDetails.addChoiceListener(sensors::selectByUser);
         JPanel column = new JPanel();
         column.setLayout(new BoxLayout(column, BoxLayout.PAGE_AXIS));
-        column.add(new Section(Texts.text("robot.title"), robot));
-        column.add(new Section(Texts.text("sensors.title"), sensors));
-        column.add(new Section(Texts.text("faults.title"), chosen));
+        column.add(new TitledSection(Messages.get("robot.title"), robot));
+        column.add(new TitledSection(Messages.get("sensors.title"), sensors));
+        column.add(new TitledSection(Messages.get("faults.title"), sensorDetails));
         JPanel top = new JPanel(new BorderLayout());
         top.add(column, BorderLayout.NORTH);
-        JScrollPane scroll = new JScrollPane(top, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+        JScrollPane scroll = new JScrollPane(
+                top,
+                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
                 ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
         scroll.setBorder(BorderFactory.createEmptyBorder());
-        scroll.getVerticalScrollBar().setUnitIncrement(WHEEL);
-        scroll.getHorizontalScrollBar().setUnitIncrement(WHEEL);
+        scroll.getVerticalScrollBar().setUnitIncrement(WHEEL_STEP);
+        scroll.getHorizontalScrollBar().setUnitIncrement(WHEEL_STEP);
         add(scroll, BorderLayout.CENTER);
     }
 
@@ -66,7 +68,7 @@ public final class ControlPanel extends JPanel {
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(usualWidth(), super.getPreferredSize().height);
+        return new Dimension(defaultWidth(), super.getPreferredSize().height);
     }
 
     /**
@@ -74,7 +76,7 @@ public final class ControlPanel extends JPanel {
      *
      * @return pixels
      */
-    public int usualWidth() {
+    public int defaultWidth() {
         return TextSize.scaled(WIDTH);
     }
 
@@ -83,12 +85,12 @@ public final class ControlPanel extends JPanel {
      *
      * @param world the newest snapshot
      */
-    public void show(Snapshot world) {
+    public void setSnapshot(Snapshot world) {
         assert EventQueue.isDispatchThread();
-        robot.show(world.robot());
-        echoes.told(world.sensors());
-        sensors.show(world.sensors());
-        chosen.show(world.sensors());
+        robot.setRobot(world.robot());
+        optimisticSensors.update(world.sensors());
+        sensors.setSensors(world.sensors());
+        sensorDetails.setSensors(world.sensors());
     }
 
     /**
@@ -96,9 +98,11 @@ public final class ControlPanel extends JPanel {
      *
      * @return whether that changed anything
      */
-    public boolean settle() {
+    public boolean commitPendingEdit() {
         Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-        return SwingUtilities.getAncestorOfClass(NumberSpinner.class, owner) instanceof NumberSpinner typed && isAncestorOf(typed) && typed.settle();
+        return SwingUtilities.getAncestorOfClass(NumberSpinner.class, owner) instanceof NumberSpinner typed
+                && isAncestorOf(typed)
+                && typed.commitPendingEdit();
     }
 
     /**
@@ -106,9 +110,9 @@ public final class ControlPanel extends JPanel {
      *
      * @param sensor its id, empty for none
      */
-    public void select(Optional<String> sensor) {
-        sensors.select(sensor);
-        chosen.choose(sensor);
+    public void selectSensor(Optional<String> sensor) {
+        sensors.selectSensor(sensor);
+        sensorDetails.selectSensor(sensor);
     }
 
     /**

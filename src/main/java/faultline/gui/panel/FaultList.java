@@ -1,7 +1,7 @@
 package faultline.gui.panel;
 
-import faultline.gui.edit.Editor;
-import faultline.gui.text.Texts;
+import faultline.gui.edit.CommandSink;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
 import faultline.sensor.Fault;
@@ -19,62 +19,69 @@ import javax.swing.JPanel;
 /** The active faults, oldest first for each sensor, each with a button that mends it. */
 final class FaultList extends JPanel {
 
-    private static final GlyphIcon SIGN = new GlyphIcon(Glyph.WARNING, 16, colours -> Optional.of(colours.warning()));
-    private static final GlyphIcon CROSS = new GlyphIcon(Glyph.REMOVE, 14, colours -> Optional.of(colours.text()));
+    private static final GlyphIcon WARNING_ICON =
+            new GlyphIcon(Glyph.WARNING, 16, colours -> Optional.of(colours.warning()));
+    private static final GlyphIcon REMOVE_ICON =
+            new GlyphIcon(Glyph.REMOVE, 14, colours -> Optional.of(colours.text()));
 
-    private final transient Editor editor;
-    private transient List<Active> shown = List.of();
+    private final transient CommandSink editor;
+    private transient List<ActiveFault> shownFaults = List.of();
 
     /** One fault of one sensor. */
-    private record Active(String sensor, Fault fault) {
-    }
+    private record ActiveFault(String sensor, Fault fault) {}
 
-    FaultList(Editor editor) {
+    FaultList(CommandSink editor) {
         super(new GridBagLayout());
         this.editor = editor;
         rebuild();
     }
 
-    void show(List<SensorSnapshot> sensors) {
-        List<Active> now = sensors.stream()
-                .flatMap(sensor -> sensor.faults().stream().map(fault -> new Active(sensor.spec().id(), fault))).toList();
-        if (!now.equals(shown)) {
-            shown = now;
+    void setSensors(List<SensorSnapshot> sensors) {
+        List<ActiveFault> now = sensors.stream()
+                .flatMap(sensor -> sensor.faults().stream()
+                        .map(fault -> new ActiveFault(sensor.spec().id(), fault)))
+                .toList();
+        if (!now.equals(shownFaults)) {
+            shownFaults = now;
             rebuild();
         }
     }
 
     private void rebuild() {
         removeAll();
-        if (shown.isEmpty()) {
-            add(new MutedLabel(Texts.text("faults.none")), Grid.wide(0, 0));
+        if (shownFaults.isEmpty()) {
+            add(new MutedLabel(Messages.get("faults.none")), FormConstraints.fillCell(0, 0));
         } else {
-            for (int row = 0; row < shown.size(); row++) {
-                addRow(row, shown.get(row));
+            for (int row = 0; row < shownFaults.size(); row++) {
+                addRow(row, shownFaults.get(row));
             }
-            if (shown.size() > 1) {
-                addClearAll(shown.size());
+            if (shownFaults.size() > 1) {
+                addClearAll(shownFaults.size());
             }
         }
         revalidate();
         repaint();
     }
 
-    private void addRow(int row, Active active) {
-        String text = active.sensor() + ": " + ReadingText.of(active.fault());
-        add(new JLabel(text, SIGN, JLabel.LEADING), Grid.wide(0, row));
-        JButton mend = new JButton(CROSS);
+    private void addRow(int row, ActiveFault active) {
+        String text = active.sensor() + ": " + ReadingText.format(active.fault());
+        add(new JLabel(text, WARNING_ICON, JLabel.LEADING), FormConstraints.fillCell(0, row));
+        JButton mend = new JButton(REMOVE_ICON);
         mend.setBorder(BorderFactory.createEmptyBorder(3, 5, 3, 5));
-        mend.setToolTipText(Texts.text("faults.mend", text));
-        mend.getAccessibleContext().setAccessibleName(Texts.text("faults.mend", text));
+        mend.setToolTipText(Messages.get("faults.mend", text));
+        mend.getAccessibleContext().setAccessibleName(Messages.get("faults.mend", text));
         mend.addActionListener(event -> editor.send(new Command.ClearFault(active.sensor(), active.fault())));
-        add(mend, Grid.cell(1, row));
+        add(mend, FormConstraints.cell(1, row));
     }
 
     private void addClearAll(int row) {
-        JButton all = new JButton(Texts.text("faults.mendAll"));
-        all.addActionListener(event -> editor.send(shown.stream().map(Active::sensor).distinct().<Command>map(Command.ClearFaults::new).toList()));
-        GridBagConstraints place = Grid.rest(0, row);
+        JButton all = new JButton(Messages.get("faults.mendAll"));
+        all.addActionListener(event -> editor.send(shownFaults.stream()
+                .map(ActiveFault::sensor)
+                .distinct()
+                .<Command>map(Command.ClearFaults::new)
+                .toList()));
+        GridBagConstraints place = FormConstraints.fillRow(0, row);
         place.fill = GridBagConstraints.NONE;
         place.anchor = GridBagConstraints.LINE_END;
         place.insets.top += 4;

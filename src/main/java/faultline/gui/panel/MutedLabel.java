@@ -21,6 +21,6 @@ final class MutedLabel extends JLabel {
     @Override
     public void updateUI() {
         super.updateUI();
-        setForeground(Theme.now().muted());
+        setForeground(Theme.currentColours().muted());
     }
 }

@@ -1,6 +1,6 @@
 package faultline.gui.panel;
 
-import faultline.gui.text.Texts;
+import faultline.gui.text.Messages;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -18,10 +18,10 @@ import javax.swing.text.DefaultFormatterFactory;
 /** A field for one number, which follows the world while the user leaves it alone. */
 final class NumberSpinner extends JSpinner {
 
-    private final transient PlainNumber number;
+    private final transient DecimalFormatter formatter;
     private final SpinnerNumberModel model;
     private String name = "";
-    private boolean following;
+    private boolean updating;
 
     /**
      * A field for a number.
@@ -33,21 +33,21 @@ final class NumberSpinner extends JSpinner {
      * @param onChange told of every number that the user gives
      */
     NumberSpinner(String pattern, double least, double most, double step, DoubleConsumer onChange) {
-        number = new PlainNumber(pattern, least, most);
+        formatter = new DecimalFormatter(pattern, least, most);
         model = new SpinnerNumberModel(least, least, most, step);
         setModel(model);
         JSpinner.DefaultEditor editor = new JSpinner.DefaultEditor(this);
         setEditor(editor);
-        prepare(editor.getTextField());
+        configureTextField(editor.getTextField());
         addChangeListener(event -> {
-            if (!following) {
-                onChange.accept(value());
+            if (!updating) {
+                onChange.accept(doubleValue());
             }
         });
     }
 
-    private void prepare(JFormattedTextField text) {
-        text.setFormatterFactory(new DefaultFormatterFactory(number));
+    private void configureTextField(JFormattedTextField text) {
+        text.setFormatterFactory(new DefaultFormatterFactory(formatter));
         text.setEditable(true);
         text.setHorizontalAlignment(SwingConstants.TRAILING);
         text.addFocusListener(new FocusAdapter() {
@@ -61,18 +61,18 @@ final class NumberSpinner extends JSpinner {
     }
 
     /** Gives a name for readers of the screen, and the limits as tool tip. */
-    NumberSpinner named(String newName) {
+    NumberSpinner withName(String newName) {
         name = newName;
-        describe();
+        updateAccessibleText();
         return this;
     }
 
-    private void describe() {
+    private void updateAccessibleText() {
         getAccessibleContext().setAccessibleName(name);
-        text().getAccessibleContext().setAccessibleName(name);
-        String tip = name + ": " + number.limits();
+        textField().getAccessibleContext().setAccessibleName(name);
+        String tip = name + ": " + formatter.limitsText();
         setToolTipText(tip);
-        text().setToolTipText(tip);
+        textField().setToolTipText(tip);
         nameArrows();
     }
 
@@ -80,60 +80,63 @@ final class NumberSpinner extends JSpinner {
         for (Component part : getComponents()) {
             if (part instanceof JButton arrow) {
                 boolean up = "Spinner.nextButton".equals(arrow.getName());
-                arrow.getAccessibleContext().setAccessibleName(Texts.text(up ? "spinner.up" : "spinner.down", name));
+                arrow.getAccessibleContext().setAccessibleName(Messages.get(up ? "spinner.up" : "spinner.down", name));
             }
         }
     }
 
     /** Sets other limits and shows a number within them, without telling anyone. */
-    void limit(double least, double most, double value) {
-        number.limit(least, most);
+    void setLimits(double least, double most, double value) {
+        formatter.setLimits(least, most);
         model.setMinimum(least);
         model.setMaximum(most);
-        set(value);
-        describe();
+        setValueQuietly(value);
+        updateAccessibleText();
     }
 
     /** Shows what is true now, unless the user is typing; the limits do not bind the truth. */
-    void follow(double truth) {
+    void setWorldValue(double truth) {
         assert EventQueue.isDispatchThread();
-        if (truth != value() && !isTyping()) {
-            set(truth);
+        if (truth != doubleValue() && !isTyping()) {
+            setValueQuietly(truth);
         }
     }
 
-    /** Ends the typing: takes what was typed, or drops it where it is not allowed; says whether the number is another one now. */
-    boolean settle() {
-        double before = value();
+    /**
+     * Ends the typing: takes what was typed, or drops it where it is not allowed; says whether the number is another
+     * one now.
+     */
+    boolean commitPendingEdit() {
+        double before = doubleValue();
         try {
             commitEdit();
         } catch (ParseException notAllowed) {
-            text().setValue(getValue());
+            textField().setValue(getValue());
         }
-        return value() != before;
+        return doubleValue() != before;
     }
 
-    private void set(double value) {
-        following = true;
+    private void setValueQuietly(double value) {
+        updating = true;
         setValue(value);
-        following = false;
+        updating = false;
     }
 
     private boolean isTyping() {
-        return text().isFocusOwner() && !text().getText().equals(number.write(value()));
+        return textField().isFocusOwner() && !textField().getText().equals(formatter.format(doubleValue()));
     }
 
-    double value() {
+    double doubleValue() {
         return model.getNumber().doubleValue();
     }
 
-    JFormattedTextField text() {
+    JFormattedTextField textField() {
         return ((JSpinner.DefaultEditor) getEditor()).getTextField();
     }
 
     /** The widest number that fits. */
-    NumberSpinner columns(int digits) {
-        text().setColumns(0);
+    NumberSpinner withColumns(int digits) {
+        textField().setColumns(0);
         int width = getFontMetrics(getFont()).stringWidth("0".repeat(digits)) + 32;
         setPreferredSize(new Dimension(width, getPreferredSize().height));
         setMinimumSize(getPreferredSize());

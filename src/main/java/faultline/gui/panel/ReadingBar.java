@@ -1,8 +1,8 @@
 package faultline.gui.panel;
 
-import faultline.gui.text.Texts;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Glyph;
-import faultline.gui.theme.Smooth;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.ThemeColours;
@@ -21,68 +21,70 @@ import javax.swing.JComponent;
 import javax.swing.UIManager;
 
 /**
- * What a sensor should read or what it reports: as a number on a bar that is its share of the range, and with a sign where the sensor is
- * faulty.
+ * What a sensor should read or what it reports: as a number on a bar that is its share of the range, and with a sign
+ * where the sensor is faulty.
  */
 final class ReadingBar extends JComponent {
 
     private static final int HEIGHT = 20;
     private static final int ARC = 6;
     private static final int PADDING = 5;
-    private static final int SIGN = 14;
+    private static final int WARNING_SIZE = 14;
     private static final int GAP = 3;
     private static final int BAR_ALPHA = 90;
 
     private final String sensor;
-    private final Side side;
-    private final int bar;
+    private final ReadingKind readingKind;
+    private final int barWidth;
     private String text = "";
-    private double share;
+    private double fillShare;
     private boolean faulty;
 
     /** Which of a sensor's two readings. */
-    enum Side {
+    enum ReadingKind {
         /** What is really there. */
-        TRUE("sensor.true", SensorSnapshot::truth),
+        ACTUAL("sensor.true", SensorSnapshot::truth),
         /** What the controller gets. */
         REPORTED("sensor.reading", SensorSnapshot::reported);
 
         private final String key;
         private final Function<SensorSnapshot, Reading> reading;
 
-        Side(String key, Function<SensorSnapshot, Reading> reading) {
+        ReadingKind(String key, Function<SensorSnapshot, Reading> reading) {
             this.key = key;
             this.reading = reading;
         }
     }
 
-    ReadingBar(String sensor, Side side) {
+    ReadingBar(String sensor, ReadingKind side) {
         this.sensor = sensor;
-        this.side = side;
+        this.readingKind = side;
         setFont(UIManager.getFont("Label.font"));
-        bar = getFontMetrics(getFont()).stringWidth("0.000") + 2 * PADDING;
-        setPreferredSize(new Dimension(bar + (side == Side.REPORTED ? GAP + SIGN : 0), TextSize.scaled(HEIGHT)));
+        barWidth = getFontMetrics(getFont()).stringWidth("0.000") + 2 * PADDING;
+        setPreferredSize(new Dimension(
+                barWidth + (side == ReadingKind.REPORTED ? GAP + WARNING_SIZE : 0), TextSize.scaled(HEIGHT)));
         setMinimumSize(getPreferredSize());
-        getAccessibleContext().setAccessibleName(Texts.text(side.key, sensor));
+        getAccessibleContext().setAccessibleName(Messages.get(side.key, sensor));
     }
 
-    void show(SensorSnapshot snapshot) {
-        Reading reading = side.reading.apply(snapshot);
+    void setSnapshot(SensorSnapshot snapshot) {
+        Reading reading = readingKind.reading.apply(snapshot);
         double newShare = reading.distance().orElse(0) / snapshot.spec().range();
-        String newText = ReadingText.of(reading);
-        boolean newFaulty = side == Side.REPORTED && !snapshot.faults().isEmpty();
-        if (newShare != share || !newText.equals(text) || newFaulty != faulty) {
-            share = newShare;
+        String newText = ReadingText.format(reading);
+        boolean newFaulty =
+                readingKind == ReadingKind.REPORTED && !snapshot.faults().isEmpty();
+        if (newShare != fillShare || !newText.equals(text) || newFaulty != faulty) {
+            fillShare = newShare;
             text = newText;
             faulty = newFaulty;
             repaint();
         }
-        describe(snapshot);
+        updateToolTip(snapshot);
     }
 
-    private void describe(SensorSnapshot snapshot) {
-        String tip = Texts.text(side.key, sensor) + ": " + text
-                + (faulty ? " (" + Texts.text("sensor.faulty", ReadingText.of(snapshot.faults())) + ")" : "");
+    private void updateToolTip(SensorSnapshot snapshot) {
+        String tip = Messages.get(readingKind.key, sensor) + ": " + text
+                + (faulty ? " (" + Messages.get("sensor.faulty", ReadingText.format(snapshot.faults())) + ")" : "");
         if (!tip.equals(getToolTipText())) {
             setToolTipText(tip);
             getAccessibleContext().setAccessibleDescription(tip);
@@ -95,22 +97,24 @@ final class ReadingBar extends JComponent {
     }
 
     /** Which of the sensor's readings it shows. */
-    Side side() {
-        return side;
+    ReadingKind readingKind() {
+        return readingKind;
     }
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        ThemeColours colours = Theme.now();
-        Smooth.paint(graphics, g -> {
+        ThemeColours colours = Theme.currentColours();
+        Antialiasing.paint(graphics, g -> {
             g.setColor(colours.hover());
-            g.fill(new RoundRectangle2D.Double(0, 0, bar, getHeight(), ARC, ARC));
-            Color fill = side == Side.TRUE ? colours.muted() : colours.accent();
+            g.fill(new RoundRectangle2D.Double(0, 0, barWidth, getHeight(), ARC, ARC));
+            Color fill = readingKind == ReadingKind.ACTUAL ? colours.muted() : colours.accent();
             g.setColor(ThemeColours.translucent(fill, BAR_ALPHA));
-            g.fill(new RoundRectangle2D.Double(0, 0, share > 0 ? Math.max(ARC, bar * Math.min(1, share)) : 0, getHeight(), ARC, ARC));
+            g.fill(new RoundRectangle2D.Double(
+                    0, 0, fillShare > 0 ? Math.max(ARC, barWidth * Math.min(1, fillShare)) : 0, getHeight(), ARC, ARC));
             paintText(g);
             if (faulty) {
-                Glyph.WARNING.paint(g, bar + GAP, (getHeight() - SIGN) / 2.0, SIGN, colours.warning());
+                Glyph.WARNING.paint(
+                        g, barWidth + GAP, (getHeight() - WARNING_SIZE) / 2.0, WARNING_SIZE, colours.warning());
             }
         });
     }
@@ -118,8 +122,14 @@ final class ReadingBar extends JComponent {
     private void paintText(Graphics2D g) {
         FontMetrics metrics = g.getFontMetrics(getFont());
         g.setFont(getFont());
-        g.setColor(share > 0 ? Theme.now().text() : Theme.now().muted());
-        g.drawString(text, bar - PADDING - metrics.stringWidth(text), (getHeight() + metrics.getAscent() - metrics.getDescent()) / 2);
+        g.setColor(
+                fillShare > 0
+                        ? Theme.currentColours().text()
+                        : Theme.currentColours().muted());
+        g.drawString(
+                text,
+                barWidth - PADDING - metrics.stringWidth(text),
+                (getHeight() + metrics.getAscent() - metrics.getDescent()) / 2);
     }
 
     @Override

@@ -1,6 +1,6 @@
 package faultline.gui.panel;
 
-import faultline.gui.text.Texts;
+import faultline.gui.text.Messages;
 import faultline.sensor.Fault;
 import faultline.sensor.Reading;
 import java.util.List;
@@ -10,24 +10,23 @@ import java.util.stream.Collectors;
 /** Readings and faults in words. */
 public final class ReadingText {
 
-    private ReadingText() {
-    }
+    private ReadingText() {}
 
     /** Metres, a dash where nothing is within range, or "off". */
-    static String of(Reading reading) {
+    static String format(Reading reading) {
         if (reading.isOff()) {
-            return Texts.text("reading.off");
+            return Messages.get("reading.off");
         }
-        return reading.distance().isPresent() ? metres(reading.encoded()) : "–";
+        return reading.distance().isPresent() ? metresText(reading.encoded()) : "–";
     }
 
-    private static String metres(double value) {
+    private static String metresText(double value) {
         return String.format(Locale.ROOT, "%.3f", value);
     }
 
     /** The faults of one sensor, by kind and number. */
-    static String of(List<Fault> faults) {
-        return faults.stream().map(ReadingText::of).collect(Collectors.joining(", "));
+    static String format(List<Fault> faults) {
+        return faults.stream().map(ReadingText::format).collect(Collectors.joining(", "));
     }
 
     /**
@@ -36,11 +35,14 @@ public final class ReadingText {
      * @param fault any
      * @return such as "stuck 0.40 m"
      */
-    public static String of(Fault fault) {
-        String kind = FaultNames.of(fault.kind());
+    public static String format(Fault fault) {
+        String kind = FaultNames.nameOf(fault.kind());
         if (!fault.kind().takesValue()) {
             return kind;
         }
-        return (kind + String.format(Locale.ROOT, " %.2f ", fault.value()) + fault.kind().unit()).strip();
+        return (kind
+                        + String.format(Locale.ROOT, " %.2f ", fault.value())
+                        + fault.kind().unit())
+                .strip();
     }
 }

@@ -1,7 +1,7 @@
 package faultline.gui.panel;
 
-import faultline.gui.edit.Editor;
-import faultline.gui.text.Texts;
+import faultline.gui.edit.CommandSink;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
@@ -17,24 +17,25 @@ import javax.swing.JPanel;
 /** The robot's linear velocity and platform, and whether its path is drawn. */
 public final class RobotPanel extends JPanel {
 
-    private static final double LEAST = 0.01;
-    private static final double MOST_SIZE = 10;
-    private static final double MOST_SPEED = 100;
+    private static final double MIN_VALUE = 0.01;
+    private static final double MAX_SIZE = 10;
+    private static final double MAX_SPEED = 100;
     private static final int UNIT_WIDTH = 30;
 
-    private final transient Echo<Command.SetPlatform> platform = new Echo<>(platform(RobotSpec.DEFAULT));
-    private final transient Editor editor;
-    private final NumberSpinner speed = new NumberSpinner("0.00##", LEAST, MOST_SPEED, 0.05, value -> {
+    private final transient OptimisticValue<Command.SetPlatform> platform =
+            new OptimisticValue<>(platform(RobotSpec.DEFAULT));
+    private final transient CommandSink editor;
+    private final NumberSpinner speed = new NumberSpinner("0.00##", MIN_VALUE, MAX_SPEED, 0.05, value -> {
         Command.SetPlatform now = platform.value();
-        set(new Command.SetPlatform(now.length(), now.width(), value));
+        sendPlatform(new Command.SetPlatform(now.length(), now.width(), value));
     });
-    private final NumberSpinner length = new NumberSpinner("0.00##", LEAST, MOST_SIZE, 0.01, value -> {
+    private final NumberSpinner length = new NumberSpinner("0.00##", MIN_VALUE, MAX_SIZE, 0.01, value -> {
         Command.SetPlatform now = platform.value();
-        set(new Command.SetPlatform(value, now.width(), now.speed()));
+        sendPlatform(new Command.SetPlatform(value, now.width(), now.speed()));
     });
-    private final NumberSpinner width = new NumberSpinner("0.00##", LEAST, MOST_SIZE, 0.01, value -> {
+    private final NumberSpinner width = new NumberSpinner("0.00##", MIN_VALUE, MAX_SIZE, 0.01, value -> {
         Command.SetPlatform now = platform.value();
-        set(new Command.SetPlatform(now.length(), value, now.speed()));
+        sendPlatform(new Command.SetPlatform(now.length(), value, now.speed()));
     });
 
     /**
@@ -43,7 +44,7 @@ public final class RobotPanel extends JPanel {
      * @param editor where changes go
      * @param path shows or hides the path
      */
-    public RobotPanel(Editor editor, Action path) {
+    public RobotPanel(CommandSink editor, Action path) {
         super(new GridBagLayout());
         this.editor = editor;
         addRow(0, "robot.speed", speed, "m/s");
@@ -51,25 +52,25 @@ public final class RobotPanel extends JPanel {
         addRow(2, "robot.width", width, "m");
         JCheckBox drawPath = new JCheckBox(path);
         drawPath.setIcon(null);
-        drawPath.setText(Texts.text("robot.path"));
+        drawPath.setText(Messages.get("robot.path"));
         drawPath.setMnemonic(0);
-        GridBagConstraints place = Grid.rest(0, 3);
+        GridBagConstraints place = FormConstraints.fillRow(0, 3);
         place.insets.top += 2;
         place.insets.left -= 2;
         add(drawPath, place);
     }
 
     private void addRow(int row, String key, NumberSpinner spinner, String unit) {
-        JLabel label = new JLabel(Texts.text(key));
-        spinner.named(Texts.text(key)).columns(6);
+        JLabel label = new JLabel(Messages.get(key));
+        spinner.withName(Messages.get(key)).withColumns(6);
         label.setLabelFor(spinner);
-        add(label, Grid.wide(0, row));
-        add(spinner, Grid.cell(1, row));
-        add(unit(unit), Grid.cell(2, row));
+        add(label, FormConstraints.fillCell(0, row));
+        add(spinner, FormConstraints.cell(1, row));
+        add(createUnitLabel(unit), FormConstraints.cell(2, row));
     }
 
     /** All as wide as the widest, so that the fields stand in line. */
-    private static JLabel unit(String text) {
+    private static JLabel createUnitLabel(String text) {
         JLabel label = new MutedLabel(text);
         label.setPreferredSize(new Dimension(TextSize.scaled(UNIT_WIDTH), label.getPreferredSize().height));
         return label;
@@ -79,8 +80,8 @@ public final class RobotPanel extends JPanel {
         return new Command.SetPlatform(robot.length(), robot.width(), robot.speed());
     }
 
-    private void set(Command.SetPlatform wanted) {
-        editor.send(platform.ask(wanted));
+    private void sendPlatform(Command.SetPlatform wanted) {
+        editor.send(platform.request(wanted));
     }
 
     /**
@@ -88,11 +89,11 @@ public final class RobotPanel extends JPanel {
      *
      * @param robot as built and set
      */
-    public void show(RobotSpec robot) {
+    public void setRobot(RobotSpec robot) {
         assert EventQueue.isDispatchThread();
-        Command.SetPlatform shown = platform.told(platform(robot));
-        speed.follow(shown.speed());
-        length.follow(shown.length());
-        width.follow(shown.width());
+        Command.SetPlatform shown = platform.update(platform(robot));
+        speed.setWorldValue(shown.speed());
+        length.setWorldValue(shown.length());
+        width.setWorldValue(shown.width());
     }
 }

@@ -1,8 +1,8 @@
 package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
-import faultline.gui.edit.Editor;
-import faultline.gui.text.Texts;
+import faultline.gui.edit.CommandSink;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
@@ -20,45 +20,47 @@ import javax.swing.JPanel;
 /** The controls of one sensor: its switch, range and cone, and what it reports. */
 final class SensorRow {
 
-    private static final double MOST_RANGE = 100;
-    private static final double LEAST_RANGE = 0.01;
-    private static final double LEAST_CONE = 0.1;
-    private static final double MOST_CONE = 179.9;
+    private static final double MAX_RANGE = 100;
+    private static final double MIN_RANGE = 0.01;
+    private static final double MIN_CONE = 0.1;
+    private static final double MAX_CONE = 179.9;
     private static final int NAME_WIDTH = 92;
 
-    private final Swatch swatch;
-    private final JCheckBox onOff = new JCheckBox();
+    private final SensorBadge badge;
+    private final JCheckBox enabledBox = new JCheckBox();
     private final NumberSpinner range;
     private final NumberSpinner cone;
-    private final ReadingBar truth;
-    private final ReadingBar reported;
+    private final ReadingBar actualReading;
+    private final ReadingBar reportedReading;
     private final String id;
-    private final SensorEchoes echoes;
-    private final Editor editor;
-    private final ShownDegrees shownCone = new ShownDegrees();
+    private final OptimisticSensors optimisticSensors;
+    private final CommandSink editor;
+    private final CachedDegrees coneDegrees = new CachedDegrees();
 
-    SensorRow(int index, String id, SensorEchoes echoes, Editor editor, Consumer<String> chosen) {
+    SensorRow(int index, String id, OptimisticSensors echoes, CommandSink editor, Consumer<String> chosen) {
         this.id = id;
-        this.echoes = echoes;
+        this.optimisticSensors = echoes;
         this.editor = editor;
-        swatch = new Swatch(index);
-        range = new NumberSpinner("0.00##", LEAST_RANGE, MOST_RANGE, 0.05, metres -> tune(spec().withRange(metres)));
-        cone = new NumberSpinner("0.##", LEAST_CONE, MOST_CONE, 1, degrees -> tune(spec().withCone(Degrees.toRadians(degrees))));
-        truth = new ReadingBar(id, ReadingBar.Side.TRUE);
-        reported = new ReadingBar(id, ReadingBar.Side.REPORTED);
-        range.named(Texts.text("sensor.range", id)).columns(4);
-        cone.named(Texts.text("sensor.cone", id)).columns(3);
-        prepareSwitch();
-        listen(() -> chosen.accept(id));
+        badge = new SensorBadge(index);
+        range = new NumberSpinner(
+                "0.00##", MIN_RANGE, MAX_RANGE, 0.05, metres -> configureSensor(spec().withRange(metres)));
+        cone = new NumberSpinner(
+                "0.##", MIN_CONE, MAX_CONE, 1, degrees -> configureSensor(spec().withCone(Degrees.toRadians(degrees))));
+        actualReading = new ReadingBar(id, ReadingBar.ReadingKind.ACTUAL);
+        reportedReading = new ReadingBar(id, ReadingBar.ReadingKind.REPORTED);
+        range.withName(Messages.get("sensor.range", id)).withColumns(4);
+        cone.withName(Messages.get("sensor.cone", id)).withColumns(3);
+        configureEnabledBox();
+        installSelectionListeners(() -> chosen.accept(id));
     }
 
     private SensorSpec spec() {
-        return echoes.of(id);
+        return optimisticSensors.spec(id);
     }
 
     /** A row is chosen by its number, or by going to one of its controls. */
-    private void listen(Runnable chosen) {
-        swatch.addMouseListener(new MouseAdapter() {
+    private void installSelectionListeners(Runnable chosen) {
+        badge.addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent event) {
                 chosen.run();
@@ -70,59 +72,63 @@ final class SensorRow {
                 chosen.run();
             }
         };
-        onOff.addFocusListener(focus);
-        range.text().addFocusListener(focus);
-        cone.text().addFocusListener(focus);
+        enabledBox.addFocusListener(focus);
+        range.textField().addFocusListener(focus);
+        cone.textField().addFocusListener(focus);
     }
 
     /** Where the row is in its grid. */
     Rectangle bounds() {
-        return onOff.getBounds().union(reported.getBounds()).union(swatch.getBounds()).union(range.getBounds());
+        return enabledBox
+                .getBounds()
+                .union(reportedReading.getBounds())
+                .union(badge.getBounds())
+                .union(range.getBounds());
     }
 
-    private void prepareSwitch() {
-        onOff.setText(id);
-        onOff.setOpaque(false);
-        onOff.setPreferredSize(new Dimension(TextSize.scaled(NAME_WIDTH), onOff.getPreferredSize().height));
-        onOff.setMinimumSize(onOff.getPreferredSize());
-        onOff.setToolTipText(Texts.text("sensor.switch", id));
-        onOff.getAccessibleContext().setAccessibleName(Texts.text("sensor.switch", id));
-        onOff.addActionListener(event -> switchTo(onOff.isSelected()));
+    private void configureEnabledBox() {
+        enabledBox.setText(id);
+        enabledBox.setOpaque(false);
+        enabledBox.setPreferredSize(new Dimension(TextSize.scaled(NAME_WIDTH), enabledBox.getPreferredSize().height));
+        enabledBox.setMinimumSize(enabledBox.getPreferredSize());
+        enabledBox.setToolTipText(Messages.get("sensor.switch", id));
+        enabledBox.getAccessibleContext().setAccessibleName(Messages.get("sensor.switch", id));
+        enabledBox.addActionListener(event -> setSensorOn(enabledBox.isSelected()));
     }
 
     /** Puts the controls into a row of a grid. */
     void addTo(JPanel grid, int row) {
-        grid.add(swatch, Grid.centred(0, row));
-        grid.add(onOff, Grid.wide(1, row));
-        grid.add(range, Grid.cell(2, row));
-        grid.add(cone, Grid.cell(3, row));
-        grid.add(truth, Grid.leading(4, row));
-        grid.add(reported, Grid.leading(5, row));
+        grid.add(badge, FormConstraints.centredCell(0, row));
+        grid.add(enabledBox, FormConstraints.fillCell(1, row));
+        grid.add(range, FormConstraints.cell(2, row));
+        grid.add(cone, FormConstraints.cell(3, row));
+        grid.add(actualReading, FormConstraints.leadingCell(4, row));
+        grid.add(reportedReading, FormConstraints.leadingCell(5, row));
     }
 
-    private void switchTo(boolean on) {
-        echoes.ask(spec().withOn(on));
+    private void setSensorOn(boolean on) {
+        optimisticSensors.request(spec().withOn(on));
         editor.send(new Command.SwitchSensor(id, on));
     }
 
-    private void tune(SensorSpec wanted) {
-        editor.send(new Command.TuneSensor(echoes.ask(wanted)));
+    private void configureSensor(SensorSpec wanted) {
+        editor.send(new Command.ConfigureSensor(optimisticSensors.request(wanted)));
     }
 
     /** Switches the sensor the other way. */
     void toggle() {
-        switchTo(!spec().on());
+        setSensorOn(!spec().on());
     }
 
     /** Shows how the sensor is now. */
-    void show(SensorSnapshot snapshot) {
+    void setSnapshot(SensorSnapshot snapshot) {
         SensorSpec shown = spec();
-        if (onOff.isSelected() != shown.on()) {
-            onOff.setSelected(shown.on());
+        if (enabledBox.isSelected() != shown.on()) {
+            enabledBox.setSelected(shown.on());
         }
-        range.follow(shown.range());
-        cone.follow(shownCone.of(shown.cone()));
-        truth.show(snapshot);
-        reported.show(snapshot);
+        range.setWorldValue(shown.range());
+        cone.setWorldValue(coneDegrees.toDegrees(shown.cone()));
+        actualReading.setSnapshot(snapshot);
+        reportedReading.setSnapshot(snapshot);
     }
 }

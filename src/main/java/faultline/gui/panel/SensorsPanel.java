@@ -1,15 +1,15 @@
 package faultline.gui.panel;
 
-import faultline.gui.edit.Editor;
-import faultline.gui.text.Texts;
-import faultline.gui.theme.Smooth;
+import faultline.gui.edit.CommandSink;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
 import faultline.world.SensorSnapshot;
 import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.Graphics;
-import java.awt.Shape;
 import java.awt.GridBagLayout;
+import java.awt.Shape;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -19,11 +19,11 @@ import javax.swing.JPanel;
 /** A row of controls for every sensor of the robot. */
 public final class SensorsPanel extends JPanel {
 
-    private static final int MARK = 2;
-    private static final int MARK_ALPHA = 40;
+    private static final int SELECTION_MARGIN = 2;
+    private static final int SELECTION_ALPHA = 40;
 
-    private final transient SensorEchoes echoes;
-    private final transient Editor editor;
+    private final transient OptimisticSensors optimisticSensors;
+    private final transient CommandSink editor;
     private final transient List<SensorRow> rows = new ArrayList<>();
     private final transient List<Consumer<Optional<String>>> listeners = new ArrayList<>();
     private List<String> ids = List.of();
@@ -35,9 +35,9 @@ public final class SensorsPanel extends JPanel {
      * @param echoes what was asked of each sensor
      * @param editor where switching and tuning goes
      */
-    SensorsPanel(SensorEchoes echoes, Editor editor) {
+    SensorsPanel(OptimisticSensors echoes, CommandSink editor) {
         super(new GridBagLayout());
-        this.echoes = echoes;
+        this.optimisticSensors = echoes;
         this.editor = editor;
     }
 
@@ -46,7 +46,7 @@ public final class SensorsPanel extends JPanel {
      *
      * @param sensors in the robot's order
      */
-    public void show(List<SensorSnapshot> sensors) {
+    public void setSensors(List<SensorSnapshot> sensors) {
         assert EventQueue.isDispatchThread();
         List<String> now = sensors.stream().map(sensor -> sensor.spec().id()).toList();
         if (!now.equals(ids)) {
@@ -54,7 +54,7 @@ public final class SensorsPanel extends JPanel {
             rebuild(sensors);
         }
         for (int i = 0; i < rows.size(); i++) {
-            rows.get(i).show(sensors.get(i));
+            rows.get(i).setSnapshot(sensors.get(i));
         }
     }
 
@@ -75,17 +75,18 @@ public final class SensorsPanel extends JPanel {
      *
      * @param sensor its id, empty for none
      */
-    public void select(Optional<String> sensor) {
+    public void selectSensor(Optional<String> sensor) {
         assert EventQueue.isDispatchThread();
         if (!sensor.equals(selected)) {
             selected = sensor;
-            rowOfSelected().ifPresent(row -> scrollRectToVisible(row.bounds()));
+            selectedRow().ifPresent(row -> scrollRectToVisible(row.bounds()));
             repaint();
         }
     }
 
     /**
-     * Tells a listener, from now on, when the user chooses a row: by a click on its number, or by going to one of its controls.
+     * Tells a listener, from now on, when the user chooses a row: by a click on its number, or by going to one of its
+     * controls.
      *
      * @param listener gets the sensor's id
      */
@@ -94,38 +95,44 @@ public final class SensorsPanel extends JPanel {
     }
 
     /** Marks the row of a sensor and tells the listeners. */
-    void choose(Optional<String> sensor) {
-        select(sensor);
+    void selectByUser(Optional<String> sensor) {
+        selectSensor(sensor);
         listeners.forEach(listener -> listener.accept(selected));
     }
 
-    private Optional<SensorRow> rowOfSelected() {
-        return selected.map(ids::indexOf).filter(index -> index >= 0 && index < rows.size()).map(rows::get);
+    private Optional<SensorRow> selectedRow() {
+        return selected.map(ids::indexOf)
+                .filter(index -> index >= 0 && index < rows.size())
+                .map(rows::get);
     }
 
     @Override
     protected void paintComponent(Graphics graphics) {
         super.paintComponent(graphics);
-        rowOfSelected().map(SensorRow::bounds).ifPresent(row -> Smooth.paint(graphics, g -> {
-            Color accent = Theme.current().palette().accent();
-            g.setColor(new Color(accent.getRed(), accent.getGreen(), accent.getBlue(), MARK_ALPHA));
-            Shape mark = Smooth.box(0, row.y - MARK, getWidth(), row.height + 2 * MARK);
-            g.fill(mark);
-            g.setColor(accent);
-            g.draw(mark);
-        }));
+        selectedRow()
+                .map(SensorRow::bounds)
+                .ifPresent(row -> Antialiasing.paint(graphics, g -> {
+                    Color accent = Theme.current().palette().accent();
+                    g.setColor(new Color(accent.getRed(), accent.getGreen(), accent.getBlue(), SELECTION_ALPHA));
+                    Shape mark = Antialiasing.roundedRectangle(
+                            0, row.y - SELECTION_MARGIN, getWidth(), row.height + 2 * SELECTION_MARGIN);
+                    g.fill(mark);
+                    g.setColor(accent);
+                    g.draw(mark);
+                }));
     }
 
     private void rebuild(List<SensorSnapshot> sensors) {
         removeAll();
         rows.clear();
-        add(new MutedLabel(Texts.text("sensors.sensor")), Grid.wide(1, 0));
-        add(new MutedLabel(Texts.text("sensors.range")), Grid.cell(2, 0));
-        add(new MutedLabel(Texts.text("sensors.cone")), Grid.cell(3, 0));
-        add(new MutedLabel(Texts.text("sensors.true")), Grid.cell(4, 0));
-        add(new MutedLabel(Texts.text("sensors.reported")), Grid.cell(5, 0));
+        add(new MutedLabel(Messages.get("sensors.sensor")), FormConstraints.fillCell(1, 0));
+        add(new MutedLabel(Messages.get("sensors.range")), FormConstraints.cell(2, 0));
+        add(new MutedLabel(Messages.get("sensors.cone")), FormConstraints.cell(3, 0));
+        add(new MutedLabel(Messages.get("sensors.true")), FormConstraints.cell(4, 0));
+        add(new MutedLabel(Messages.get("sensors.reported")), FormConstraints.cell(5, 0));
         for (int i = 0; i < sensors.size(); i++) {
-            SensorRow row = new SensorRow(i, ids.get(i), echoes, editor, id -> choose(Optional.of(id)));
+            SensorRow row =
+                    new SensorRow(i, ids.get(i), optimisticSensors, editor, id -> selectByUser(Optional.of(id)));
             row.addTo(this, i + 1);
             rows.add(row);
         }

@@ -5,8 +5,7 @@ import faultline.control.StateDiagram;
 /** What the controllers' states and the conditions of their arrows are called. */
 public final class StateText {
 
-    private StateText() {
-    }
+    private StateText() {}
 
     /**
      * A state in the user's language.
@@ -16,7 +15,7 @@ public final class StateText {
      */
     public static String name(String state) {
         String key = "state." + state;
-        return Texts.has(key) ? Texts.text(key) : state;
+        return Messages.contains(key) ? Messages.get(key) : state;
     }
 
     /**
@@ -26,7 +25,7 @@ public final class StateText {
      * @return in the user's language
      */
     public static String condition(StateDiagram.Arrow arrow) {
-        return Texts.text("arrow." + arrow.from() + "." + arrow.to());
+        return Messages.get("arrow." + arrow.from() + "." + arrow.to());
     }
 
     /**
@@ -39,6 +38,6 @@ public final class StateText {
      */
     public static String condition(String from, String to, String condition) {
         String key = "arrow." + from + "." + to;
-        return Texts.has(key) ? Texts.text(key) : condition;
+        return Messages.contains(key) ? Messages.get(key) : condition;
     }
 }

@@ -28,12 +28,15 @@ final class ArrowButton extends JButton {
 
     @Override
     public void paint(Graphics graphics) {
-        ThemeColours colours = Theme.now();
-        Smooth.paint(graphics, g -> {
-            g.setColor(getModel().isPressed() ? colours.pressed() : getModel().isRollover() ? colours.hover() : colours.field());
+        ThemeColours colours = Theme.currentColours();
+        Antialiasing.paint(graphics, g -> {
+            g.setColor(
+                    getModel().isPressed()
+                            ? colours.pressed()
+                            : getModel().isRollover() ? colours.hover() : colours.field());
             g.fillRect(0, 0, getWidth(), getHeight());
             g.setColor(isEnabled() ? colours.muted() : colours.line());
-            g.setStroke(Smooth.line(1.5));
+            g.setStroke(Antialiasing.roundStroke(1.5));
             g.draw(chevron(getWidth() / 2.0, getHeight() / 2.0));
         });
     }

@@ -13,7 +13,10 @@ import javax.swing.JFormattedTextField;
 import javax.swing.JSpinner;
 import javax.swing.border.AbstractBorder;
 
-/** The round outline of a field: in the accent while the focus is inside, in the warning colour while what is typed cannot be taken. */
+/**
+ * The round outline of a field: in the accent while the focus is inside, in the warning colour while what is typed
+ * cannot be taken.
+ */
 final class FieldBorder extends AbstractBorder {
 
     private final int vertical;
@@ -27,25 +30,25 @@ final class FieldBorder extends AbstractBorder {
 
     @Override
     public void paintBorder(Component field, Graphics graphics, int x, int y, int width, int height) {
-        Smooth.paint(graphics, g -> {
-            Shape outline = Smooth.box(x, y, width, height);
+        Antialiasing.paint(graphics, g -> {
+            Shape outline = Antialiasing.roundedRectangle(x, y, width, height);
             Area corners = new Area(new Rectangle(x, y, width, height));
             corners.subtract(new Area(outline));
-            g.setColor(ground(field));
+            g.setColor(backgroundColour(field));
             g.fill(corners);
-            g.setColor(colour(field));
-            g.setStroke(Smooth.line(isFocused(field) ? 1.8 : 1));
+            g.setColor(outlineColour(field));
+            g.setStroke(Antialiasing.roundStroke(isFocused(field) ? 1.8 : 1));
             g.draw(outline);
         });
     }
 
-    private static Color ground(Component field) {
+    private static Color backgroundColour(Component field) {
         Container parent = field.getParent();
-        return parent == null ? Theme.now().background() : parent.getBackground();
+        return parent == null ? Theme.currentColours().background() : parent.getBackground();
     }
 
-    private static Color colour(Component field) {
-        ThemeColours colours = Theme.now();
+    private static Color outlineColour(Component field) {
+        ThemeColours colours = Theme.currentColours();
         if (!isValid(field)) {
             return colours.warning();
         }
@@ -61,7 +64,8 @@ final class FieldBorder extends AbstractBorder {
 
     private static boolean isFocused(Component field) {
         Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-        return owner != null && (owner == field || field instanceof Container container && container.isAncestorOf(owner));
+        return owner != null
+                && (owner == field || field instanceof Container container && container.isAncestorOf(owner));
     }
 
     @Override

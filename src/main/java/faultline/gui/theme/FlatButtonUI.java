@@ -25,14 +25,14 @@ public final class FlatButtonUI extends BasicButtonUI {
         super.installDefaults(button);
         button.setOpaque(false);
         button.setRolloverEnabled(true);
-        if (ButtonFace.isPrimary(button)) {
-            button.setForeground(Theme.now().onAccent());
+        if (ButtonPainter.isPrimary(button)) {
+            button.setForeground(Theme.currentColours().onAccent());
         }
     }
 
     @Override
     public void paint(Graphics graphics, JComponent component) {
-        ButtonFace.paint(graphics, (AbstractButton) component);
+        ButtonPainter.paint(graphics, (AbstractButton) component);
         super.paint(graphics, component);
     }
 
@@ -42,7 +42,8 @@ public final class FlatButtonUI extends BasicButtonUI {
     }
 
     @Override
-    protected void paintFocus(Graphics graphics, AbstractButton button, Rectangle view, Rectangle text, Rectangle icon) {
+    protected void paintFocus(
+            Graphics graphics, AbstractButton button, Rectangle view, Rectangle text, Rectangle icon) {
         // The face shows it.
     }
 }

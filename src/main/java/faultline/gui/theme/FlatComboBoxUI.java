@@ -28,7 +28,9 @@ public final class FlatComboBoxUI extends BasicComboBoxUI {
         return ArrowButton.down();
     }
 
-    /** Only the box itself takes the focus: the arrow would be a second stop on the way of the Tab key, without a name. */
+    /**
+     * Only the box itself takes the focus: the arrow would be a second stop on the way of the Tab key, without a name.
+     */
     @Override
     public void configureArrowButton() {
         super.configureArrowButton();
@@ -37,13 +39,14 @@ public final class FlatComboBoxUI extends BasicComboBoxUI {
 
     @Override
     public void paintCurrentValueBackground(Graphics graphics, Rectangle value, boolean focused) {
-        graphics.setColor(Theme.now().field());
+        graphics.setColor(Theme.currentColours().field());
         graphics.fillRect(value.x, value.y, value.width, value.height);
     }
 
     @Override
     public void paintCurrentValue(Graphics graphics, Rectangle value, boolean focused) {
-        super.paintCurrentValue(graphics, new Rectangle(value.x + INDENT, value.y, value.width - INDENT, value.height), false);
+        super.paintCurrentValue(
+                graphics, new Rectangle(value.x + INDENT, value.y, value.width - INDENT, value.height), false);
     }
 
     @Override

@@ -23,34 +23,36 @@ final class FlatDefaults {
 
     static Map<Object, Object> table(ThemeColours colours) {
         FlatDefaults defaults = new FlatDefaults(colours);
-        defaults.plainDelegates();
-        defaults.buttons();
-        defaults.fields();
-        defaults.menus();
-        defaults.bars();
-        defaults.containers();
+        defaults.addDelegates();
+        defaults.addButtons();
+        defaults.addFields();
+        defaults.addMenus();
+        defaults.addBars();
+        defaults.addContainers();
         return defaults.table;
     }
 
-    private void plainDelegates() {
-        for (String control : new String[] {"MenuBar", "ToolBar", "Separator", "PopupMenuSeparator", "ToolBarSeparator"}) {
+    private void addDelegates() {
+        for (String control :
+                new String[] {"MenuBar", "ToolBar", "Separator", "PopupMenuSeparator", "ToolBarSeparator"}) {
             table.put(control + "UI", "javax.swing.plaf.basic.Basic" + control + "UI");
         }
     }
 
-    private void buttons() {
+    private void addButtons() {
         table.put("Button.border", padding(6, 14, 6, 14));
         table.put("ToggleButton.border", padding(6, 7, 6, 7));
         table.put("Button.rollover", true);
         table.put("Button.defaultButtonFollowsFocus", false);
-        table.put("CheckBox.icon", new CheckIcon());
+        table.put("CheckBox.icon", new CheckBoxIcon());
         table.put("CheckBox.background", colours.background());
         table.put("CheckBox.textIconGap", 7);
         table.put("CheckBox.border", padding(2, 2, 2, 2));
     }
 
-    private void fields() {
-        for (String field : new String[] {"TextField", "FormattedTextField", "ComboBox", "Spinner", "TextArea", "List", "Table"}) {
+    private void addFields() {
+        for (String field :
+                new String[] {"TextField", "FormattedTextField", "ComboBox", "Spinner", "TextArea", "List", "Table"}) {
             table.put(field + ".background", colours.field());
             table.put(field + ".foreground", colours.text());
         }
@@ -65,8 +67,8 @@ final class FlatDefaults {
         table.put("TextField.inactiveBackground", colours.background());
     }
 
-    private void menus() {
-        table.put("MenuBar.border", ruled(0, 1, new EmptyBorder(0, 4, 0, 0)));
+    private void addMenus() {
+        table.put("MenuBar.border", separatorBorder(0, 1, new EmptyBorder(0, 4, 0, 0)));
         table.put("MenuBar.background", colours.background());
         table.put("Menu.border", padding(4, 8, 4, 8));
         for (String item : new String[] {"MenuItem", "CheckBoxMenuItem", "RadioButtonMenuItem", "Menu"}) {
@@ -83,13 +85,15 @@ final class FlatDefaults {
             // As far from the left as a submenu, which is a Menu.
             table.put(item + ".border", padding(4, 8, 4, 12));
         }
-        table.put("CheckBoxMenuItem.checkIcon", new CheckIcon());
-        table.put("PopupMenu.border", new BorderUIResource(new CompoundBorder(new LineBorder(colours.line()), new EmptyBorder(4, 0, 4, 0))));
+        table.put("CheckBoxMenuItem.checkIcon", new CheckBoxIcon());
+        table.put(
+                "PopupMenu.border",
+                new BorderUIResource(new CompoundBorder(new LineBorder(colours.line()), new EmptyBorder(4, 0, 4, 0))));
         table.put("PopupMenu.background", colours.background());
     }
 
-    private void bars() {
-        table.put("ToolBar.border", ruled(0, 1, new EmptyBorder(4, 8, 4, 8)));
+    private void addBars() {
+        table.put("ToolBar.border", separatorBorder(0, 1, new EmptyBorder(4, 8, 4, 8)));
         table.put("ToolBar.background", colours.background());
         table.put("Slider.background", colours.background());
         table.put("ScrollBar.width", 12);
@@ -101,21 +105,21 @@ final class FlatDefaults {
         table.put("ToolTip.border", padding(4, 8, 4, 8));
     }
 
-    private void containers() {
+    private void addContainers() {
         table.put("Panel.background", colours.background());
         table.put("Viewport.background", colours.background());
         table.put("ScrollPane.border", new BorderUIResource(new LineBorder(colours.line())));
         table.put("Table.gridColor", colours.line());
         table.put("Table.rowHeight", 26);
         table.put("TableHeader.background", colours.background());
-        table.put("TableHeader.cellBorder", ruled(0, 1, new EmptyBorder(4, 6, 4, 6)));
+        table.put("TableHeader.cellBorder", separatorBorder(0, 1, new EmptyBorder(4, 6, 4, 6)));
         table.put("SplitPane.dividerSize", 7);
         table.put("SplitPane.border", padding(0, 0, 0, 0));
         table.put("SplitPaneDivider.border", padding(0, 0, 0, 0));
         table.put("OptionPane.buttonPadding", 12);
     }
 
-    private Border ruled(int above, int below, Border inner) {
+    private Border separatorBorder(int above, int below, Border inner) {
         Color line = colours.line();
         return new BorderUIResource(new CompoundBorder(new MatteBorder(above, 0, below, 0, line), inner));
     }
@@ -123,5 +127,4 @@ final class FlatDefaults {
     private static Border padding(int top, int left, int bottom, int right) {
         return new BorderUIResource(new EmptyBorder(top, left, bottom, right));
     }
-
 }

@@ -8,11 +8,10 @@ import java.util.function.Function;
 /** Our icons in the places where file choosers and message boxes look for theirs. */
 final class FlatIcons {
 
-    private static final int IN_LISTS = 16;
-    private static final int IN_BOXES = 32;
+    private static final int LIST_ICON_SIZE = 16;
+    private static final int DIALOG_ICON_SIZE = 32;
 
-    private FlatIcons() {
-    }
+    private FlatIcons() {}
 
     static Map<String, GlyphIcon> table() {
         return Map.ofEntries(
@@ -33,10 +32,10 @@ final class FlatIcons {
     }
 
     private static GlyphIcon small(Glyph glyph) {
-        return new GlyphIcon(glyph, IN_LISTS, colours -> Optional.empty());
+        return new GlyphIcon(glyph, LIST_ICON_SIZE, colours -> Optional.empty());
     }
 
     private static GlyphIcon large(Glyph glyph, Function<ThemeColours, Color> colour) {
-        return new GlyphIcon(glyph, IN_BOXES, colours -> Optional.of(colour.apply(colours)));
+        return new GlyphIcon(glyph, DIALOG_ICON_SIZE, colours -> Optional.of(colour.apply(colours)));
     }
 }

@@ -13,38 +13,51 @@ import javax.swing.plaf.metal.MetalLookAndFeel;
 final class FlatLook {
 
     /** Each control whose painting is ours, and who paints it. */
-    private static final List<Class<?>> DELEGATES = List.of(FlatButtonUI.class, FlatToggleButtonUI.class, FlatScrollBarUI.class,
-            FlatSliderUI.class, FlatSpinnerUI.class, FlatComboBoxUI.class, FlatSplitPaneUI.class, FlatTabbedPaneUI.class,
-            FlatMenuUI.class, FlatMenuItemUI.class, FlatCheckBoxMenuItemUI.class);
+    private static final List<Class<?>> DELEGATES = List.of(
+            FlatButtonUI.class,
+            FlatToggleButtonUI.class,
+            FlatScrollBarUI.class,
+            FlatSliderUI.class,
+            FlatSpinnerUI.class,
+            FlatComboBoxUI.class,
+            FlatSplitPaneUI.class,
+            FlatTabbedPaneUI.class,
+            FlatMenuUI.class,
+            FlatMenuItemUI.class,
+            FlatCheckBoxMenuItemUI.class);
 
-    private FlatLook() {
-    }
+    private FlatLook() {}
 
     static void install(Theme theme) {
         UIManager.put("swing.boldMetal", false);
-        MetalLookAndFeel.setCurrentTheme(new FlatTheme(theme.colours()));
+        MetalLookAndFeel.setCurrentTheme(new FlatMetalTheme(theme.colours()));
         try {
             UIManager.setLookAndFeel(new MetalLookAndFeel());
         } catch (UnsupportedLookAndFeelException impossible) {
             throw new IllegalStateException("Metal is on every machine", impossible);
         }
         UIDefaults defaults = UIManager.getLookAndFeelDefaults();
-        FontUIResource font = FlatTheme.font();
-        List.copyOf(defaults.keySet()).stream().filter(key -> key.toString().endsWith(".font")).forEach(key -> defaults.put(key, font));
+        FontUIResource font = FlatMetalTheme.font();
+        List.copyOf(defaults.keySet()).stream()
+                .filter(key -> key.toString().endsWith(".font"))
+                .forEach(key -> defaults.put(key, font));
         DELEGATES.forEach(delegate -> register(defaults, delegate));
         FlatDefaults.table(theme.colours()).forEach(defaults::put);
         FlatIcons.table().forEach(defaults::put);
-        smoothText(defaults);
+        enableTextAntialiasing(defaults);
     }
 
-    /** A delegate FlatXyzUI paints what Swing knows as XyzUI; the class under its own name spares Swing the search by class loader. */
+    /**
+     * A delegate FlatXyzUI paints what Swing knows as XyzUI; the class under its own name spares Swing the search by
+     * class loader.
+     */
     private static void register(UIDefaults defaults, Class<?> delegate) {
         defaults.put(delegate.getSimpleName().substring("Flat".length()), delegate.getName());
         defaults.put(delegate.getName(), delegate);
     }
 
     /** Where the desktop says nothing of text edges, they are smooth. */
-    private static void smoothText(UIDefaults defaults) {
+    private static void enableTextAntialiasing(UIDefaults defaults) {
         if (Toolkit.getDefaultToolkit().getDesktopProperty("awt.font.desktophints") == null) {
             defaults.put(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         }

@@ -24,16 +24,23 @@ public final class FlatMenuUI extends BasicMenuUI {
 
     @Override
     protected Dimension getPreferredMenuItemSize(JComponent component, Icon check, Icon arrow, int gap) {
-        return super.getPreferredMenuItemSize(component, check, arrow, gapOf(component, gap));
+        return super.getPreferredMenuItemSize(component, check, arrow, textIconGap(component, gap));
     }
 
     @Override
-    protected void paintMenuItem(Graphics graphics, JComponent component, Icon check, Icon arrow, Color background, Color foreground, int gap) {
-        super.paintMenuItem(graphics, component, check, arrow, background, foreground, gapOf(component, gap));
+    protected void paintMenuItem(
+            Graphics graphics,
+            JComponent component,
+            Icon check,
+            Icon arrow,
+            Color background,
+            Color foreground,
+            int gap) {
+        super.paintMenuItem(graphics, component, check, arrow, background, foreground, textIconGap(component, gap));
     }
 
     /** On the menu bar there are no keys to stand clear of. */
-    private static int gapOf(JComponent component, int usual) {
+    private static int textIconGap(JComponent component, int usual) {
         return ((JMenu) component).isTopLevelMenu() ? usual : FlatMenuItemUI.KEYS_GAP;
     }
 }

@@ -25,15 +25,15 @@ public final class FlatScrollBarUI extends BasicScrollBarUI {
 
     @Override
     protected JButton createDecreaseButton(int orientation) {
-        return none();
+        return createZeroSizeButton();
     }
 
     @Override
     protected JButton createIncreaseButton(int orientation) {
-        return none();
+        return createZeroSizeButton();
     }
 
-    private static JButton none() {
+    private static JButton createZeroSizeButton() {
         JButton button = new JButton();
         button.setFocusable(false);
         button.setPreferredSize(new Dimension());
@@ -44,7 +44,7 @@ public final class FlatScrollBarUI extends BasicScrollBarUI {
 
     @Override
     protected void paintTrack(Graphics graphics, JComponent component, Rectangle track) {
-        graphics.setColor(Theme.now().background());
+        graphics.setColor(Theme.currentColours().background());
         graphics.fillRect(track.x, track.y, track.width, track.height);
     }
 
@@ -53,11 +53,15 @@ public final class FlatScrollBarUI extends BasicScrollBarUI {
         boolean upright = scrollbar.getOrientation() == JScrollBar.VERTICAL;
         int across = 3;
         int along = 2;
-        Smooth.paint(graphics, g -> {
-            g.setColor(isThumbRollover() || isDragging ? Theme.now().muted() : Theme.now().border());
+        Antialiasing.paint(graphics, g -> {
+            g.setColor(
+                    isThumbRollover() || isDragging
+                            ? Theme.currentColours().muted()
+                            : Theme.currentColours().border());
             int dx = upright ? across : along;
             int dy = upright ? along : across;
-            g.fill(new RoundRectangle2D.Double(thumb.x + dx, thumb.y + dy, thumb.width - 2 * dx, thumb.height - 2 * dy, 6, 6));
+            g.fill(new RoundRectangle2D.Double(
+                    thumb.x + dx, thumb.y + dy, thumb.width - 2 * dx, thumb.height - 2 * dy, 6, 6));
         });
     }
 }

@@ -17,11 +17,11 @@ import javax.swing.plaf.basic.BasicSliderUI;
 public final class FlatSliderUI extends BasicSliderUI {
 
     /** The key of a slider's property that holds a value to be marked on the track, an Integer. */
-    public static final String MARK = "faultline.mark";
+    public static final String MARK_PROPERTY = "faultline.mark";
 
     private static final int MARK_SIZE = 5;
-    private static final int THUMB = 15;
-    private static final int TRACK = 4;
+    private static final int THUMB_SIZE = 15;
+    private static final int TRACK_HEIGHT = 4;
     private static final int FOCUS_ALPHA = 90;
 
     private FlatSliderUI(JSlider slider) {
@@ -43,7 +43,9 @@ public final class FlatSliderUI extends BasicSliderUI {
         return new TrackListener() {
             @Override
             public void mousePressed(MouseEvent event) {
-                if (slider.isEnabled() && SwingUtilities.isLeftMouseButton(event) && !thumbRect.contains(event.getPoint())) {
+                if (slider.isEnabled()
+                        && SwingUtilities.isLeftMouseButton(event)
+                        && !thumbRect.contains(event.getPoint())) {
                     slider.setValueIsAdjusting(true);
                     slider.setValue(valueForXPosition(event.getX()));
                     event.translatePoint(0, (int) thumbRect.getCenterY() - event.getY());
@@ -55,19 +57,21 @@ public final class FlatSliderUI extends BasicSliderUI {
 
     @Override
     protected Dimension getThumbSize() {
-        return new Dimension(THUMB, THUMB);
+        return new Dimension(THUMB_SIZE, THUMB_SIZE);
     }
 
     @Override
     public void paintTrack(Graphics graphics) {
-        Smooth.paint(graphics, g -> {
-            double y = trackRect.y + (trackRect.height - TRACK) / 2.0;
-            g.setColor(Theme.now().border());
-            g.fill(new RoundRectangle2D.Double(trackRect.x, y, trackRect.width, TRACK, TRACK, TRACK));
-            g.setColor(Theme.now().accent());
-            g.fill(new RoundRectangle2D.Double(trackRect.x, y, thumbRect.getCenterX() - trackRect.x, TRACK, TRACK, TRACK));
-            if (slider.getClientProperty(MARK) instanceof Integer value) {
-                paintMark(g, xPositionForValue(value), y + TRACK / 2.0);
+        Antialiasing.paint(graphics, g -> {
+            double y = trackRect.y + (trackRect.height - TRACK_HEIGHT) / 2.0;
+            g.setColor(Theme.currentColours().border());
+            g.fill(new RoundRectangle2D.Double(
+                    trackRect.x, y, trackRect.width, TRACK_HEIGHT, TRACK_HEIGHT, TRACK_HEIGHT));
+            g.setColor(Theme.currentColours().accent());
+            g.fill(new RoundRectangle2D.Double(
+                    trackRect.x, y, thumbRect.getCenterX() - trackRect.x, TRACK_HEIGHT, TRACK_HEIGHT, TRACK_HEIGHT));
+            if (slider.getClientProperty(MARK_PROPERTY) instanceof Integer value) {
+                paintMark(g, xPositionForValue(value), y + TRACK_HEIGHT / 2.0);
             }
         });
     }
@@ -79,22 +83,22 @@ public final class FlatSliderUI extends BasicSliderUI {
         diamond.lineTo(x + MARK_SIZE, y);
         diamond.lineTo(x, y + MARK_SIZE);
         diamond.closePath();
-        g.setColor(Theme.now().background());
+        g.setColor(Theme.currentColours().background());
         g.fill(diamond);
-        g.setColor(Theme.current().palette().ghost());
-        g.setStroke(Smooth.line(2));
+        g.setColor(Theme.current().palette().reference());
+        g.setStroke(Antialiasing.roundStroke(2));
         g.draw(diamond);
     }
 
     @Override
     public void paintThumb(Graphics graphics) {
-        Smooth.paint(graphics, g -> {
-            g.setColor(Theme.now().accent());
-            g.fill(new Ellipse2D.Double(thumbRect.x + 0.5, thumbRect.y + 0.5, THUMB - 1, THUMB - 1));
+        Antialiasing.paint(graphics, g -> {
+            g.setColor(Theme.currentColours().accent());
+            g.fill(new Ellipse2D.Double(thumbRect.x + 0.5, thumbRect.y + 0.5, THUMB_SIZE - 1, THUMB_SIZE - 1));
             if (slider.hasFocus()) {
-                g.setColor(ThemeColours.translucent(Theme.now().accent(), FOCUS_ALPHA));
-                g.setStroke(Smooth.line(3));
-                g.draw(new Ellipse2D.Double(thumbRect.x, thumbRect.y, THUMB, THUMB));
+                g.setColor(ThemeColours.translucent(Theme.currentColours().accent(), FOCUS_ALPHA));
+                g.setStroke(Antialiasing.roundStroke(3));
+                g.draw(new Ellipse2D.Double(thumbRect.x, thumbRect.y, THUMB_SIZE, THUMB_SIZE));
             }
         });
     }

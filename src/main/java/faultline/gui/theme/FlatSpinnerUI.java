@@ -79,7 +79,7 @@ public final class FlatSpinnerUI extends BasicSpinnerUI {
         if (editor instanceof JSpinner.DefaultEditor numbers) {
             JFormattedTextField text = numbers.getTextField();
             text.setBorder(new EmptyBorder(2, 5, 2, 4));
-            text.setBackground(Theme.now().field());
+            text.setBackground(Theme.currentColours().field());
             text.removeFocusListener(repainter);
             text.addFocusListener(repainter);
         }

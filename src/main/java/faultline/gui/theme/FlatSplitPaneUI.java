@@ -24,9 +24,9 @@ public final class FlatSplitPaneUI extends BasicSplitPaneUI {
         return new BasicSplitPaneDivider(this) {
             @Override
             public void paint(Graphics graphics) {
-                graphics.setColor(Theme.now().background());
+                graphics.setColor(Theme.currentColours().background());
                 graphics.fillRect(0, 0, getWidth(), getHeight());
-                graphics.setColor(Theme.now().line());
+                graphics.setColor(Theme.currentColours().line());
                 if (getWidth() < getHeight()) {
                     graphics.fillRect(getWidth() / 2, 0, 1, getHeight());
                 } else {

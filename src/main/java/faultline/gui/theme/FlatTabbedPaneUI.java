@@ -33,8 +33,8 @@ public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
         tabAreaInsets = new Insets(0, 6, 0, 6);
         contentBorderInsets = new Insets(1, 0, 0, 0);
         tabPane.setOpaque(true);
-        tabPane.setBackground(Theme.now().background());
-        tabPane.setForeground(Theme.now().text());
+        tabPane.setBackground(Theme.currentColours().background());
+        tabPane.setForeground(Theme.currentColours().text());
     }
 
     @Override
@@ -44,38 +44,55 @@ public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
     }
 
     @Override
-    protected void paintTabBackground(Graphics graphics, int placement, int index, int x, int y, int width, int height, boolean selected) {
+    protected void paintTabBackground(
+            Graphics graphics, int placement, int index, int x, int y, int width, int height, boolean selected) {
         if (getRolloverTab() == index && !selected) {
-            graphics.setColor(Theme.now().hover());
+            graphics.setColor(Theme.currentColours().hover());
             graphics.fillRect(x, y, width, height);
         }
     }
 
     @Override
-    protected void paintTabBorder(Graphics graphics, int placement, int index, int x, int y, int width, int height, boolean selected) {
+    protected void paintTabBorder(
+            Graphics graphics, int placement, int index, int x, int y, int width, int height, boolean selected) {
         if (selected) {
-            graphics.setColor(Theme.now().accent());
+            graphics.setColor(Theme.currentColours().accent());
             graphics.fillRect(x, y + height - UNDERLINE, width, UNDERLINE);
         }
     }
 
     @Override
-    protected void paintText(Graphics graphics, int placement, Font font, FontMetrics metrics, int index, String title, Rectangle place,
+    protected void paintText(
+            Graphics graphics,
+            int placement,
+            Font font,
+            FontMetrics metrics,
+            int index,
+            String title,
+            Rectangle place,
             boolean selected) {
         Font shown = selected ? font.deriveFont(Font.BOLD) : font;
         FontMetrics measure = tabPane.getFontMetrics(shown);
-        Rectangle middle = new Rectangle(place.x + (place.width - measure.stringWidth(title)) / 2, place.y, place.width, place.height);
-        Smooth.paint(graphics, g -> super.paintText(g, placement, shown, measure, index, title, middle, selected));
+        Rectangle middle = new Rectangle(
+                place.x + (place.width - measure.stringWidth(title)) / 2, place.y, place.width, place.height);
+        Antialiasing.paint(
+                graphics, g -> super.paintText(g, placement, shown, measure, index, title, middle, selected));
     }
 
     @Override
-    protected void paintFocusIndicator(Graphics graphics, int placement, Rectangle[] tabs, int index, Rectangle icon, Rectangle text,
+    protected void paintFocusIndicator(
+            Graphics graphics,
+            int placement,
+            Rectangle[] tabs,
+            int index,
+            Rectangle icon,
+            Rectangle text,
             boolean selected) {
         if (selected && tabPane.hasFocus()) {
             Rectangle tab = tabs[index];
-            Smooth.paint(graphics, g -> {
-                g.setColor(Theme.now().accent());
-                g.draw(Smooth.box(tab.x + 2, tab.y + 2, tab.width - 4, tab.height - 4 - UNDERLINE));
+            Antialiasing.paint(graphics, g -> {
+                g.setColor(Theme.currentColours().accent());
+                g.draw(Antialiasing.roundedRectangle(tab.x + 2, tab.y + 2, tab.width - 4, tab.height - 4 - UNDERLINE));
             });
         }
     }
@@ -83,7 +100,7 @@ public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
     @Override
     protected void paintContentBorder(Graphics graphics, int placement, int index) {
         int y = calculateTabAreaHeight(placement, runCount, maxTabHeight);
-        graphics.setColor(Theme.now().line());
+        graphics.setColor(Theme.currentColours().line());
         graphics.fillRect(0, y, tabPane.getWidth(), 1);
     }
 }

@@ -7,11 +7,17 @@ import java.awt.event.FocusEvent;
 import java.util.EnumSet;
 import java.util.Set;
 
-/** A line round a component while it has the focus from the keyboard. Who has clicked on it knows where the focus is. */
+/**
+ * A line round a component while it has the focus from the keyboard. Who has clicked on it knows where the focus is.
+ */
 public final class FocusRing extends FocusAdapter {
 
-    private static final Set<FocusEvent.Cause> BY_KEYBOARD = EnumSet.of(FocusEvent.Cause.TRAVERSAL, FocusEvent.Cause.TRAVERSAL_FORWARD,
-            FocusEvent.Cause.TRAVERSAL_BACKWARD, FocusEvent.Cause.TRAVERSAL_UP, FocusEvent.Cause.TRAVERSAL_DOWN);
+    private static final Set<FocusEvent.Cause> KEYBOARD_CAUSES = EnumSet.of(
+            FocusEvent.Cause.TRAVERSAL,
+            FocusEvent.Cause.TRAVERSAL_FORWARD,
+            FocusEvent.Cause.TRAVERSAL_BACKWARD,
+            FocusEvent.Cause.TRAVERSAL_UP,
+            FocusEvent.Cause.TRAVERSAL_DOWN);
 
     private final Component component;
     private boolean shown;
@@ -28,15 +34,15 @@ public final class FocusRing extends FocusAdapter {
 
     @Override
     public void focusGained(FocusEvent event) {
-        show(BY_KEYBOARD.contains(event.getCause()));
+        setShown(KEYBOARD_CAUSES.contains(event.getCause()));
     }
 
     @Override
     public void focusLost(FocusEvent event) {
-        show(false);
+        setShown(false);
     }
 
-    private void show(boolean show) {
+    private void setShown(boolean show) {
         shown = show;
         component.repaint();
     }
@@ -48,10 +54,10 @@ public final class FocusRing extends FocusAdapter {
      */
     public void paint(Graphics graphics) {
         if (shown) {
-            Smooth.paint(graphics, g -> {
-                g.setColor(Theme.now().accent());
-                g.setStroke(Smooth.line(2));
-                g.draw(Smooth.box(1, 1, component.getWidth() - 2, component.getHeight() - 2));
+            Antialiasing.paint(graphics, g -> {
+                g.setColor(Theme.currentColours().accent());
+                g.setStroke(Antialiasing.roundStroke(2));
+                g.draw(Antialiasing.roundedRectangle(1, 1, component.getWidth() - 2, component.getHeight() - 2));
             });
         }
     }

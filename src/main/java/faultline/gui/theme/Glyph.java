@@ -6,15 +6,16 @@ import java.awt.geom.Path2D;
 import java.util.Optional;
 
 /**
- * The drawings of icons, on a square of 18 by 18. A drawing is written as strokes and as filled areas, in {@code M x y} move, {@code L x y}
- * line,
- * {@code C x y x y x y} curve, {@code O x y r} circle and {@code Z} close.
+ * The drawings of icons, on a square of 18 by 18. A drawing is written as strokes and as filled areas, in {@code M x y}
+ * move, {@code L x y} line, {@code C x y x y x y} curve, {@code O x y r} circle and {@code Z} close.
  */
 public enum Glyph {
     /** Open a file. */
     OPEN("M 2 14.5 L 2 4 L 7 4 L 8.5 6 L 14 6 L 14 8 M 2 14.5 L 4.5 8 L 16.5 8 L 14 14.5 Z", ""),
     /** Save. */
-    SAVE("M 3 3 L 12.5 3 L 15 5.5 L 15 15 L 3 15 Z M 6 3 L 6 7 L 11.5 7 L 11.5 3 M 5.5 15 L 5.5 10.5 L 12.5 10.5 L 12.5 15", ""),
+    SAVE(
+            "M 3 3 L 12.5 3 L 15 5.5 L 15 15 L 3 15 Z M 6 3 L 6 7 L 11.5 7 L 11.5 3 M 5.5 15 L 5.5 10.5 L 12.5 10.5 L 12.5 15",
+            ""),
     /** Take the last edit back. */
     UNDO("M 6.5 3.5 L 3 7 L 6.5 10.5 M 3 7 L 10.5 7 C 16.5 7 16.5 14.5 10.5 14.5 L 7 14.5", ""),
     /** Do it again. */
@@ -48,18 +49,26 @@ public enum Glyph {
     /** Take one tick back. */
     STEP_BACK("", "M 14 3.5 L 7 9 L 14 14.5 Z M 6 3.5 L 3.5 3.5 L 3.5 14.5 L 6 14.5 Z"),
     /** Begin again. */
-    RESTART("M 5.2 4.4 C 8.5 1.8 13.2 2.8 14.7 6.6 C 16.2 10.6 13.4 15 9 15 C 5.7 15 3 12.3 3 9 M 5.4 1.2 L 5 4.7 L 8.5 5.2", ""),
+    RESTART(
+            "M 5.2 4.4 C 8.5 1.8 13.2 2.8 14.7 6.6 C 16.2 10.6 13.4 15 9 15 C 5.7 15 3 12.3 3 9 M 5.4 1.2 L 5 4.7 L 8.5 5.2",
+            ""),
     /** Show the whole world. */
-    FIT("M 2.5 6.5 L 2.5 2.5 L 6.5 2.5 M 11.5 2.5 L 15.5 2.5 L 15.5 6.5 M 15.5 11.5 L 15.5 15.5 L 11.5 15.5 M 6.5 15.5 L 2.5 15.5 L 2.5 11.5", ""),
+    FIT(
+            "M 2.5 6.5 L 2.5 2.5 L 6.5 2.5 M 11.5 2.5 L 15.5 2.5 L 15.5 6.5 M 15.5 11.5 L 15.5 15.5 L 11.5 15.5 M 6.5 15.5 L 2.5 15.5 L 2.5 11.5",
+            ""),
     /** The robot's path. */
     PATH("M 2.5 14.5 C 5 14.5 6 12 7 9 C 8 6 9 3.5 11 3.5 C 13 3.5 12.5 8.5 15.5 8.5", ""),
     /** Keep the robot in view. */
     FOLLOW("O 9 9 4.2 M 9 1.5 L 9 4.8 M 9 13.2 L 9 16.5 M 1.5 9 L 4.8 9 M 13.2 9 L 16.5 9", "O 9 9 1.4"),
     /** A light theme. */
-    SUN("O 9 9 3.2 M 9 1.5 L 9 3 M 9 15 L 9 16.5 M 1.5 9 L 3 9 M 15 9 L 16.5 9 M 3.7 3.7 L 4.8 4.8 M 13.2 13.2 L 14.3 14.3 M 14.3 3.7 L 13.2 4.8"
-            + " M 4.8 13.2 L 3.7 14.3", ""),
+    SUN(
+            "O 9 9 3.2 M 9 1.5 L 9 3 M 9 15 L 9 16.5 M 1.5 9 L 3 9 M 15 9 L 16.5 9 M 3.7 3.7 L 4.8 4.8 M 13.2 13.2 L 14.3 14.3 M 14.3 3.7 L 13.2 4.8"
+                    + " M 4.8 13.2 L 3.7 14.3",
+            ""),
     /** A dark theme. */
-    MOON("M 7 2.5 C 5.5 8 9.5 12.5 15.2 11 C 14 14.2 10.5 16.2 7 15.2 C 3.4 14.2 1.4 10.6 2.4 7 C 3 4.8 4.8 3.1 7 2.5 Z", ""),
+    MOON(
+            "M 7 2.5 C 5.5 8 9.5 12.5 15.2 11 C 14 14.2 10.5 16.2 7 15.2 C 3.4 14.2 1.4 10.6 2.4 7 C 3 4.8 4.8 3.1 7 2.5 Z",
+            ""),
     /** Something is wrong. */
     WARNING("M 9 2.5 L 16.2 15 L 1.8 15 Z M 9 7 L 9 10.5", "O 9 12.8 1"),
     /** Take away. */
@@ -92,8 +101,8 @@ public enum Glyph {
     private final Path2D areas;
 
     Glyph(String strokes, String areas) {
-        this.strokes = GlyphPath.parse(strokes);
-        this.areas = GlyphPath.parse(areas);
+        this.strokes = GlyphParser.parse(strokes);
+        this.areas = GlyphParser.parse(areas);
     }
 
     /**
@@ -106,11 +115,11 @@ public enum Glyph {
      * @param colour of lines and areas
      */
     public void paint(Graphics graphics, double x, double y, double size, Color colour) {
-        Smooth.paint(graphics, g -> {
+        Antialiasing.paint(graphics, g -> {
             g.translate(x, y);
             g.scale(size / SIZE, size / SIZE);
             g.setColor(colour);
-            g.setStroke(Smooth.line(1.6));
+            g.setStroke(Antialiasing.roundStroke(1.6));
             g.draw(strokes);
             g.fill(areas);
         });

@@ -15,7 +15,8 @@ import javax.swing.plaf.UIResource;
  * @param size width and height, pixels
  * @param colour which of the theme's colours, empty for that of the component's text
  */
-public record GlyphIcon(Glyph glyph, int size, Function<ThemeColours, Optional<Color>> colour) implements Icon, UIResource {
+public record GlyphIcon(Glyph glyph, int size, Function<ThemeColours, Optional<Color>> colour)
+        implements Icon, UIResource {
 
     @Override
     public int getIconWidth() {
@@ -29,7 +30,9 @@ public record GlyphIcon(Glyph glyph, int size, Function<ThemeColours, Optional<C
 
     @Override
     public void paintIcon(Component component, Graphics graphics, int x, int y) {
-        Color ownColour = component.isEnabled() ? component.getForeground() : Theme.now().border();
-        glyph.paint(graphics, x, y, size, colour.apply(Theme.now()).orElse(ownColour));
+        Color ownColour = component.isEnabled()
+                ? component.getForeground()
+                : Theme.currentColours().border();
+        glyph.paint(graphics, x, y, size, colour.apply(Theme.currentColours()).orElse(ownColour));
     }
 }

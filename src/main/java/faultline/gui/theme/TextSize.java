@@ -4,7 +4,9 @@ import java.awt.Dimension;
 import java.awt.Font;
 import javax.swing.UIManager;
 
-/** How large texts are. Whole screens are enlarged by whole numbers only on some systems; this is for what lies between. */
+/**
+ * How large texts are. Whole screens are enlarged by whole numbers only on some systems; this is for what lies between.
+ */
 public enum TextSize {
     /** As designed. */
     NORMAL(100),
@@ -13,8 +15,8 @@ public enum TextSize {
     /** Half as large again. */
     LARGEST(150);
 
-    private static final String KEY = "faultline.textSize";
-    private static final double WHOLE = 100;
+    private static final String DEFAULTS_KEY = "faultline.textSize";
+    private static final double FULL_PERCENT = 100;
 
     private final int percent;
 
@@ -28,7 +30,7 @@ public enum TextSize {
      * @return normal where none is
      */
     public static TextSize current() {
-        return UIManager.get(KEY) instanceof TextSize size ? size : NORMAL;
+        return UIManager.get(DEFAULTS_KEY) instanceof TextSize size ? size : NORMAL;
     }
 
     /**
@@ -38,7 +40,7 @@ public enum TextSize {
      * @return pixels at the installed size
      */
     public static int scaled(int pixels) {
-        return (int) Math.round(pixels * current().percent / WHOLE);
+        return (int) Math.round(pixels * current().percent / FULL_PERCENT);
     }
 
     /**
@@ -48,26 +50,27 @@ public enum TextSize {
      * @param points at the normal size
      * @return the sans serif font at the installed size
      */
-    public static Font font(int style, int points) {
+    public static Font scaledFont(int style, int points) {
         return new Font(Font.SANS_SERIF, style, scaled(points));
     }
 
     /**
-     * How much a picture with texts in it is enlarged: like all texts, but never so much that it has less room than it needs.
+     * How much a picture with texts in it is enlarged: like all texts, but never so much that it has less room than it
+     * needs.
      *
      * @param width of the place for the picture, pixels
      * @param height of the place for the picture, pixels
      * @param least what the picture needs at the normal size
      * @return at least 1
      */
-    public static double enlargement(int width, int height, Dimension least) {
+    public static double imageScale(int width, int height, Dimension least) {
         double room = Math.min((double) width / least.width, (double) height / least.height);
-        return Math.max(1, Math.min(current().percent / WHOLE, room));
+        return Math.max(1, Math.min(current().percent / FULL_PERCENT, room));
     }
 
     /** Makes this the size of all texts of windows made from now on, once a theme is installed after it. */
     public void install() {
-        UIManager.put(KEY, this);
+        UIManager.put(DEFAULTS_KEY, this);
     }
 
     /**

@@ -1,6 +1,6 @@
 package faultline.gui.theme;
 
-import faultline.paint.Palette;
+import faultline.paint.surface.Palette;
 import javax.swing.UIManager;
 
 /** Light or dark. */
@@ -10,7 +10,7 @@ public enum Theme {
     /** Light on dark. */
     DARK(ThemeColours.DARK, Palette.DARK);
 
-    private static final String KEY = "faultline.theme";
+    private static final String DEFAULTS_KEY = "faultline.theme";
 
     private final ThemeColours colours;
     private final Palette palette;
@@ -26,7 +26,7 @@ public enum Theme {
      * @return light where none is
      */
     public static Theme current() {
-        return UIManager.get(KEY) instanceof Theme theme ? theme : LIGHT;
+        return UIManager.get(DEFAULTS_KEY) instanceof Theme theme ? theme : LIGHT;
     }
 
     /**
@@ -34,14 +34,14 @@ public enum Theme {
      *
      * @return the installed theme's
      */
-    public static ThemeColours now() {
+    public static ThemeColours currentColours() {
         return current().colours;
     }
 
     /** Makes this the theme of all components made or updated from now on. */
     public void install() {
         FlatLook.install(this);
-        UIManager.put(KEY, this);
+        UIManager.put(DEFAULTS_KEY, this);
     }
 
     /**
@@ -67,7 +67,7 @@ public enum Theme {
      *
      * @return dark for light, light for dark
      */
-    public Theme other() {
+    public Theme opposite() {
         return this == LIGHT ? DARK : LIGHT;
     }
 }

@@ -4,8 +4,8 @@ import java.awt.Color;
 import javax.swing.plaf.ColorUIResource;
 
 /**
- * The colours of controls. Text stands out from all grounds at 4.5:1 at least, and what shows where a control is or how it stands at 3:1,
- * by the WCAG's contrast ratio; rulings between groups carry no meaning and are paler.
+ * The colours of controls. Text stands out from all grounds at 4.5:1 at least, and what shows where a control is or how
+ * it stands at 3:1, by the WCAG's contrast ratio; rulings between groups carry no meaning and are paler.
  *
  * @param background of windows, bars and panels
  * @param field ground of what can be typed in or chosen from
@@ -19,14 +19,44 @@ import javax.swing.plaf.ColorUIResource;
  * @param pressed ground of a control that is held down
  * @param warning icons and outlines of what is wrong
  */
-public record ThemeColours(Color background, Color field, Color text, Color muted, Color line, Color border, Color accent, Color onAccent,
-        Color hover, Color pressed, Color warning) {
+public record ThemeColours(
+        Color background,
+        Color field,
+        Color text,
+        Color muted,
+        Color line,
+        Color border,
+        Color accent,
+        Color onAccent,
+        Color hover,
+        Color pressed,
+        Color warning) {
 
-    static final ThemeColours LIGHT = new ThemeColours(rgb(0xF3F4F6), rgb(0xFFFFFF), rgb(0x1F2430), rgb(0x5A6574), rgb(0xD5DAE1),
-            rgb(0x7F8A9A), rgb(0x0B6BCB), rgb(0xFFFFFF), rgb(0xE5E9EF), rgb(0xD8DEE6), rgb(0xC24E00));
+    static final ThemeColours LIGHT = new ThemeColours(
+            rgb(0xF3F4F6),
+            rgb(0xFFFFFF),
+            rgb(0x1F2430),
+            rgb(0x5A6574),
+            rgb(0xD5DAE1),
+            rgb(0x7F8A9A),
+            rgb(0x0B6BCB),
+            rgb(0xFFFFFF),
+            rgb(0xE5E9EF),
+            rgb(0xD8DEE6),
+            rgb(0xC24E00));
 
-    static final ThemeColours DARK = new ThemeColours(rgb(0x1E2127), rgb(0x15181C), rgb(0xE4E7EB), rgb(0x98A2B3), rgb(0x3A404A),
-            rgb(0x6F7989), rgb(0x4C9BE8), rgb(0x0B1A28), rgb(0x2B3039), rgb(0x363D48), rgb(0xFF7B6E));
+    static final ThemeColours DARK = new ThemeColours(
+            rgb(0x1E2127),
+            rgb(0x15181C),
+            rgb(0xE4E7EB),
+            rgb(0x98A2B3),
+            rgb(0x3A404A),
+            rgb(0x6F7989),
+            rgb(0x4C9BE8),
+            rgb(0x0B1A28),
+            rgb(0x2B3039),
+            rgb(0x363D48),
+            rgb(0xFF7B6E));
 
     /** Resources, so that components exchange them for another theme's. */
     private static Color rgb(int rgb) {

@@ -1,7 +1,9 @@
 package faultline.gui.window;
 
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.ObstacleActions;
 import faultline.gui.action.UiAction;
-import faultline.gui.text.Texts;
+import faultline.gui.text.Messages;
 import java.util.List;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
@@ -12,75 +14,120 @@ import javax.swing.JPopupMenu;
 /** The menu bar. */
 final class Menus {
 
-    private static final String RULE = "-";
+    private static final String SEPARATOR = "-";
 
-    private final UiActions actions;
+    private final ActionRegistry actions;
 
-    private Menus(UiActions actions) {
+    private Menus(ActionRegistry actions) {
         this.actions = actions;
     }
 
-    static JMenuBar of(UiActions actions) {
+    static JMenuBar createMenuBar(ActionRegistry actions) {
         Menus menus = new Menus(actions);
         JMenuBar bar = new GuardedMenuBar();
-        bar.add(menus.file());
-        bar.add(menus.menu("edit", "undo", "redo", RULE, "cut", "copy", "paste", "duplicate", "delete", RULE, "selectAll"));
-        JMenu view = menus.menu("view", "fit", "zoomIn", "zoomOut", "follow", "measure", RULE, "path", "cones", "hits", "routes", "labels", "grid",
-                "scaleBar", RULE, "instruments", "dark");
-        view.add(menus.menu("language", "languageEnglish", "languagePolish"));
-        view.add(menus.menu("textSize", "textSizeNormal", "textSizeLarge", "textSizeLargest"));
+        bar.add(menus.createFileMenu());
+        bar.add(menus.createMenu(
+                "edit",
+                "undo",
+                "redo",
+                SEPARATOR,
+                "cut",
+                "copy",
+                "paste",
+                "duplicate",
+                "delete",
+                SEPARATOR,
+                "selectAll"));
+        JMenu view = menus.createMenu(
+                "view",
+                "fit",
+                "zoomIn",
+                "zoomOut",
+                "follow",
+                "measure",
+                SEPARATOR,
+                "path",
+                "cones",
+                "hits",
+                "routes",
+                "labels",
+                "grid",
+                "scaleBar",
+                SEPARATOR,
+                "instruments",
+                "dark");
+        view.add(menus.createMenu("language", "languageEnglish", "languagePolish"));
+        view.add(menus.createMenu("textSize", "textSizeNormal", "textSizeLarge", "textSizeLargest"));
         bar.add(view);
-        JMenu simulation = menus.menu("simulation", "run", "step", "stepBack", "restart", RULE, "keepGhost", "openGhost", "removeGhost",
-                RULE, "record", RULE, "slower", "faster", "realTime", RULE);
-        simulation.add(menus.menu("sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8"));
-        simulation.add(menus.menu("presets", "sensorsTwo", "sensorsThree", "sensorsAll"));
+        JMenu simulation = menus.createMenu(
+                "simulation",
+                "run",
+                "step",
+                "stepBack",
+                "restart",
+                SEPARATOR,
+                "keepGhost",
+                "openGhost",
+                "removeGhost",
+                SEPARATOR,
+                "record",
+                SEPARATOR,
+                "slower",
+                "faster",
+                "realTime",
+                SEPARATOR);
+        simulation.add(menus.createMenu(
+                "sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8"));
+        simulation.add(menus.createMenu("presets", "sensorsTwo", "sensorsThree", "sensorsAll"));
         bar.add(simulation);
-        bar.add(menus.obstacles());
-        bar.add(menus.menu("help", "guide", "shortcuts", RULE, "about"));
+        bar.add(menus.createObstacleMenu());
+        bar.add(menus.createMenu("help", "guide", "shortcuts", SEPARATOR, "about"));
         return bar;
     }
 
-    private JMenu obstacles() {
-        JMenu obstacles = menu("obstacles", ObstacleActions.PALETTE.toArray(String[]::new));
-        fill(obstacles, RULE, "drawWay", "waySpeed", "standStill", RULE, "snapGrid", "snapAngle");
+    private JMenu createObstacleMenu() {
+        JMenu obstacles = createMenu("obstacles", ObstacleActions.PALETTE_KEYS.toArray(String[]::new));
+        addItems(obstacles, SEPARATOR, "drawWay", "waySpeed", "standStill", SEPARATOR, "snapGrid", "snapAngle");
         return obstacles;
     }
 
     /** What can be done to what is selected, beside the mouse. */
-    static JPopupMenu onCanvas(UiActions actions) {
+    static JPopupMenu createCanvasPopup(ActionRegistry actions) {
         JPopupMenu popup = new JPopupMenu();
-        for (String key : List.of("drawWay", "waySpeed", "standStill", RULE, "cut", "copy", "paste", "duplicate", "delete")) {
-            popup.add(key.equals(RULE) ? new JPopupMenu.Separator() : item(actions.get(key)));
+        for (String key : List.of(
+                "drawWay", "waySpeed", "standStill", SEPARATOR, "cut", "copy", "paste", "duplicate", "delete")) {
+            popup.add(key.equals(SEPARATOR) ? new JPopupMenu.Separator() : createItem(actions.get(key)));
         }
         return popup;
     }
 
-    private JMenu file() {
-        JMenu file = menu("file", "open", "examples", "revert", RULE, "save", "saveAs", "saveJournal", RULE);
-        file.add(menu("export", "exportPng", "exportSvg", "exportGif", "exportCsv", RULE, "exportDark"));
-        fill(file, "copyPicture", "print", RULE, "quit");
+    private JMenu createFileMenu() {
+        JMenu file =
+                createMenu("file", "open", "examples", "revert", SEPARATOR, "save", "saveAs", "saveJournal", SEPARATOR);
+        file.add(createMenu("export", "exportPng", "exportSvg", "exportGif", "exportCsv", SEPARATOR, "exportDark"));
+        addItems(file, "copyPicture", "print", SEPARATOR, "quit");
         return file;
     }
 
-    private JMenu menu(String key, String... items) {
-        String name = Texts.text("menu." + key);
+    private JMenu createMenu(String key, String... items) {
+        String name = Messages.get("menu." + key);
         JMenu menu = new JMenu(name.replace("&", ""));
         menu.setMnemonic(name.charAt(name.indexOf('&') + 1));
-        fill(menu, items);
+        addItems(menu, items);
         return menu;
     }
 
-    private void fill(JMenu menu, String... items) {
+    private void addItems(JMenu menu, String... items) {
         for (String item : items) {
-            if (item.equals(RULE)) {
+            if (item.equals(SEPARATOR)) {
                 menu.addSeparator();
             } else {
-                menu.add(item(actions.get(item)));
+                menu.add(createItem(actions.get(item)));
             }
         }
     }
 
-    private static JMenuItem item(UiAction action) {
+    private static JMenuItem createItem(UiAction action) {
         JMenuItem item = action.isToggle() ? new JCheckBoxMenuItem(action) : new JMenuItem(action);
         item.setIcon(null);
         // The name says it, and a tip would cover the items below.

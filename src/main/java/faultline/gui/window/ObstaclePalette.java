@@ -1,6 +1,8 @@
 package faultline.gui.window;
 
-import faultline.gui.text.Texts;
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.ObstacleActions;
+import faultline.gui.text.Messages;
 import javax.swing.Box;
 import javax.swing.JToolBar;
 
@@ -9,12 +11,12 @@ final class ObstaclePalette extends JToolBar {
 
     private static final int GAP = 2;
 
-    ObstaclePalette(UiActions actions) {
+    ObstaclePalette(ActionRegistry actions) {
         super(VERTICAL);
         setFloatable(false);
-        getAccessibleContext().setAccessibleName(Texts.text("palette"));
-        for (String key : ObstacleActions.PALETTE) {
-            add(ToolBar.toolButton(actions.get(key)));
+        getAccessibleContext().setAccessibleName(Messages.get("palette"));
+        for (String key : ObstacleActions.PALETTE_KEYS) {
+            add(ToolBar.createToolButton(actions.get(key)));
             add(Box.createVerticalStrut(GAP));
         }
     }

@@ -1,6 +1,7 @@
 package faultline.gui.window;
 
-import faultline.gui.text.Texts;
+import faultline.gui.settings.RecentFiles;
+import faultline.gui.text.Messages;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
@@ -12,34 +13,34 @@ import javax.swing.event.MenuListener;
 /** Offers the files that were open last; filled anew each time it opens. */
 final class RecentMenu extends JMenu {
 
-    private final transient RecentFiles recent;
+    private final transient RecentFiles recentFiles;
     private final transient Consumer<Path> opener;
 
     RecentMenu(RecentFiles recent, Consumer<Path> opener) {
-        this.recent = recent;
+        this.recentFiles = recent;
         this.opener = opener;
-        String name = Texts.text("menu.recent");
+        String name = Messages.get("menu.recent");
         setText(name.replace("&", ""));
         setMnemonic(Character.toUpperCase(name.charAt(name.indexOf('&') + 1)));
-        addMenuListener(new Filler());
-        fill();
+        addMenuListener(new MenuFiller());
+        rebuild();
     }
 
-    private void fill() {
+    private void rebuild() {
         removeAll();
-        List<Path> files = recent.files();
+        List<Path> files = recentFiles.files();
         for (int i = 0; i < files.size(); i++) {
-            add(item(i + 1, files.get(i)));
+            add(createItem(i + 1, files.get(i)));
         }
         if (files.isEmpty()) {
-            add(new JMenuItem(Texts.text("recent.none"))).setEnabled(false);
+            add(new JMenuItem(Messages.get("recent.none"))).setEnabled(false);
         } else {
             addSeparator();
-            add(new JMenuItem(Texts.text("recent.clear"))).addActionListener(event -> recent.clear());
+            add(new JMenuItem(Messages.get("recent.clear"))).addActionListener(event -> recentFiles.clear());
         }
     }
 
-    private JMenuItem item(int number, Path file) {
+    private JMenuItem createItem(int number, Path file) {
         JMenuItem item = new JMenuItem(number + "  " + file.getFileName() + "  –  " + file.getParent());
         item.setMnemonic('0' + number);
         item.addActionListener(event -> opener.accept(file));
@@ -47,10 +48,10 @@ final class RecentMenu extends JMenu {
     }
 
     /** Fills the menu in time. */
-    private final class Filler implements MenuListener {
+    private final class MenuFiller implements MenuListener {
         @Override
         public void menuSelected(MenuEvent event) {
-            fill();
+            rebuild();
         }
 
         @Override

@@ -1,7 +1,8 @@
 package faultline.gui.window;
 
 import faultline.gui.action.Keystrokes;
-import faultline.gui.text.Texts;
+import faultline.gui.action.SpeedScale;
+import faultline.gui.text.Messages;
 import java.awt.Dimension;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
@@ -15,29 +16,29 @@ import javax.swing.JSlider;
 final class SpeedSlider extends JSlider {
 
     private static final int WIDTH = 170;
-    private static final int LEAST_WIDTH = 60;
+    private static final int MIN_WIDTH = 60;
 
-    private final JLabel number = new JLabel();
+    private final JLabel numberLabel = new JLabel();
 
     SpeedSlider(BoundedRangeModel speed) {
         super(speed);
         Dimension size = new Dimension(WIDTH, getPreferredSize().height);
         setPreferredSize(size);
         setMaximumSize(size);
-        setMinimumSize(new Dimension(LEAST_WIDTH, size.height));
-        setToolTipText(Texts.text("speed.tip"));
-        getAccessibleContext().setAccessibleName(Texts.text("speed"));
+        setMinimumSize(new Dimension(MIN_WIDTH, size.height));
+        setToolTipText(Messages.get("speed.tip"));
+        getAccessibleContext().setAccessibleName(Messages.get("speed"));
         // Each press of a key is another speed; the bare model would take three for real time.
-        bind(KeyEvent.VK_LEFT, SpeedScale::slower);
-        bind(KeyEvent.VK_RIGHT, SpeedScale::faster);
-        prepareNumber();
-        addChangeListener(event -> showNumber());
-        showNumber();
+        bindKey(KeyEvent.VK_LEFT, SpeedScale::nextSlower);
+        bindKey(KeyEvent.VK_RIGHT, SpeedScale::nextFaster);
+        prepareNumberLabel();
+        addChangeListener(event -> updateNumberLabel());
+        updateNumberLabel();
     }
 
-    private void bind(int key, IntUnaryOperator next) {
+    private void bindKey(int key, IntUnaryOperator next) {
         String name = "speed" + key;
-        getInputMap().put(Keystrokes.plain(key), name);
+        getInputMap().put(Keystrokes.unmodified(key), name);
         getActionMap().put(name, new AbstractAction() {
             @Override
             public void actionPerformed(ActionEvent event) {
@@ -46,22 +47,24 @@ final class SpeedSlider extends JSlider {
         });
     }
 
-    private void prepareNumber() {
-        Dimension size = new Dimension(number.getFontMetrics(number.getFont()).stringWidth("0000.00"), number.getFont().getSize() + 8);
-        number.setPreferredSize(size);
-        number.setMinimumSize(size);
-        number.setMaximumSize(size);
+    private void prepareNumberLabel() {
+        Dimension size = new Dimension(
+                numberLabel.getFontMetrics(numberLabel.getFont()).stringWidth("0000.00"),
+                numberLabel.getFont().getSize() + 8);
+        numberLabel.setPreferredSize(size);
+        numberLabel.setMinimumSize(size);
+        numberLabel.setMaximumSize(size);
     }
 
-    private void showNumber() {
-        double speed = SpeedScale.speed(getValue());
-        String text = Double.isInfinite(speed) ? Texts.text("speed.most") : SpeedScale.text(speed);
-        number.setText(text);
+    private void updateNumberLabel() {
+        double speed = SpeedScale.speedAt(getValue());
+        String text = Double.isInfinite(speed) ? Messages.get("speed.most") : SpeedScale.format(speed);
+        numberLabel.setText(text);
         getAccessibleContext().setAccessibleDescription(text);
     }
 
     /** Shows the speed as a number. */
-    JLabel number() {
-        return number;
+    JLabel numberLabel() {
+        return numberLabel;
     }
 }

@@ -5,13 +5,19 @@ import java.awt.Dimension;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
 
-/** A place in the status bar that is as wide as the widest of the texts it will hold, so that its neighbours stay where they are. */
+/**
+ * A place in the status bar that is as wide as the widest of the texts it will hold, so that its neighbours stay where
+ * they are.
+ */
 final class StatusCell extends JLabel {
 
     private static final int HEIGHT = 20;
 
     StatusCell(String name, String... texts) {
-        int widest = Stream.of(texts).mapToInt(getFontMetrics(getFont())::stringWidth).max().orElse(0);
+        int widest = Stream.of(texts)
+                .mapToInt(getFontMetrics(getFont())::stringWidth)
+                .max()
+                .orElse(0);
         Dimension size = new Dimension(widest + 2, TextSize.scaled(HEIGHT));
         setPreferredSize(size);
         setMinimumSize(size);
@@ -20,7 +26,7 @@ final class StatusCell extends JLabel {
         getAccessibleContext().setAccessibleName(name);
     }
 
-    void show(String text) {
+    void setStatusText(String text) {
         if (!text.equals(getText())) {
             setText(text);
             getAccessibleContext().setAccessibleDescription(text);

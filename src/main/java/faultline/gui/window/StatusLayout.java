@@ -10,8 +10,8 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
- * Parts side by side, each as wide as it wants to be. Some may be left out: the last of them that do not fit, so that those before them
- * never move. The rest of the width goes to the parts that must stay.
+ * Parts side by side, each as wide as it wants to be. Some may be left out: the last of them that do not fit, so that
+ * those before them never move. The rest of the width goes to the parts that must stay.
  */
 final class StatusLayout implements LayoutManager {
 
@@ -29,7 +29,10 @@ final class StatusLayout implements LayoutManager {
         Insets insets = parent.getInsets();
         int right = parent.getWidth() - insets.right;
         int height = parent.getHeight() - insets.top - insets.bottom;
-        int needed = parts(parent).filter(optional.negate()).mapToInt(part -> part.getPreferredSize().width).sum();
+        int needed = components(parent)
+                .filter(optional.negate())
+                .mapToInt(part -> part.getPreferredSize().width)
+                .sum();
         int x = insets.left;
         boolean room = true;
         for (Component part : parent.getComponents()) {
@@ -44,15 +47,20 @@ final class StatusLayout implements LayoutManager {
         }
     }
 
-    private static Stream<Component> parts(Container parent) {
+    private static Stream<Component> components(Container parent) {
         return List.of(parent.getComponents()).stream();
     }
 
     @Override
     public Dimension preferredLayoutSize(Container parent) {
         Insets insets = parent.getInsets();
-        int width = parts(parent).mapToInt(part -> part.getPreferredSize().width + gap).sum();
-        int height = parts(parent).mapToInt(part -> part.getPreferredSize().height).max().orElse(0);
+        int width = components(parent)
+                .mapToInt(part -> part.getPreferredSize().width + gap)
+                .sum();
+        int height = components(parent)
+                .mapToInt(part -> part.getPreferredSize().height)
+                .max()
+                .orElse(0);
         return new Dimension(insets.left + width + insets.right, insets.top + height + insets.bottom);
     }
 

@@ -1,10 +1,10 @@
 package faultline.gui.window;
 
 import faultline.engine.Frame;
-import faultline.engine.record.RunEvent;
-import faultline.gui.text.Texts;
+import faultline.engine.recording.RunEvent;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.FlatSliderUI;
-import faultline.gui.theme.RuleBorder;
+import faultline.gui.theme.SeparatorBorder;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.util.Locale;
@@ -16,19 +16,19 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 
 /**
- * The run so far as a line to go along. While the thumb is held, the remembered picture nearest before it shows at once; when it is let go,
- * the run goes to that very tick.
+ * The run so far as a line to go along. While the thumb is held, the remembered picture nearest before it shows at
+ * once; when it is let go, the run goes to that very tick.
  */
 final class TimeBar extends JPanel {
 
     private final JSlider slider = new JSlider(0, 0, 0);
-    private final JLabel now = new JLabel(time(0));
-    private final JLabel end = new JLabel(time(0));
-    private final transient LongConsumer jump;
-    private final transient Consumer<Frame> preview;
-    private transient Optional<Frame> newest = Optional.empty();
+    private final JLabel currentTimeLabel = new JLabel(timeText(0));
+    private final JLabel endTimeLabel = new JLabel(timeText(0));
+    private final transient LongConsumer seekHandler;
+    private final transient Consumer<Frame> previewHandler;
+    private transient Optional<Frame> newestFrame = Optional.empty();
     private double dt;
-    private boolean showing;
+    private boolean updating;
 
     /**
      * A line without a run.
@@ -38,67 +38,76 @@ final class TimeBar extends JPanel {
      */
     TimeBar(LongConsumer jump, Consumer<Frame> preview) {
         super(new BorderLayout(10, 0));
-        this.jump = jump;
-        this.preview = preview;
-        setBorder(RuleBorder.above(3, 14, 3));
+        this.seekHandler = jump;
+        this.previewHandler = preview;
+        setBorder(SeparatorBorder.above(3, 14, 3));
         slider.setEnabled(false);
-        slider.setToolTipText(Texts.text("time.tip"));
-        slider.getAccessibleContext().setAccessibleName(Texts.text("time"));
-        slider.addChangeListener(event -> moved());
-        add(now, BorderLayout.LINE_START);
+        slider.setToolTipText(Messages.get("time.tip"));
+        slider.getAccessibleContext().setAccessibleName(Messages.get("time"));
+        slider.addChangeListener(event -> onSliderChanged());
+        add(currentTimeLabel, BorderLayout.LINE_START);
         add(slider, BorderLayout.CENTER);
-        add(end, BorderLayout.LINE_END);
+        add(endTimeLabel, BorderLayout.LINE_END);
     }
 
     /** Whether the user holds the thumb, so that pictures of the run itself must wait. */
-    boolean isHeld() {
+    boolean isAdjusting() {
         return slider.getValueIsAdjusting();
     }
 
     /** Shows where the run is, and how far it has been, ticks of {@code newDt} seconds. */
-    void show(Frame frame, long furthest, double newDt) {
+    void setFrame(Frame frame, long furthest, double newDt) {
         assert EventQueue.isDispatchThread();
-        newest = Optional.of(frame);
+        newestFrame = Optional.of(frame);
         dt = newDt;
-        if (!isHeld()) {
-            showing = true;
-            slider.setMaximum(ticks(Math.max(furthest, frame.world().tick())));
-            slider.setValue(ticks(frame.world().tick()));
+        if (!isAdjusting()) {
+            updating = true;
+            slider.setMaximum(toSliderValue(Math.max(furthest, frame.snapshot().tick())));
+            slider.setValue(toSliderValue(frame.snapshot().tick()));
             slider.setEnabled(slider.getMaximum() > 0);
-            showing = false;
-            write();
+            updating = false;
+            updateLabels();
         }
     }
 
     /** Marks, from now on, where the run became another than an earlier one. */
-    void mark(Optional<RunEvent.Diverged> divergence) {
-        slider.putClientProperty(FlatSliderUI.MARK, divergence.map(event -> ticks(event.tick())).orElse(null));
-        slider.setToolTipText(Texts.text("time.tip") + divergence.map(event -> " " + Texts.text("time.mark", time(event.time()).strip())).orElse(""));
+    void setDivergence(Optional<RunEvent.Diverged> divergence) {
+        slider.putClientProperty(
+                FlatSliderUI.MARK_PROPERTY,
+                divergence.map(event -> toSliderValue(event.tick())).orElse(null));
+        slider.setToolTipText(Messages.get("time.tip")
+                + divergence
+                        .map(event -> " "
+                                + Messages.get(
+                                        "time.mark", timeText(event.time()).strip()))
+                        .orElse(""));
         slider.repaint();
     }
 
-    private void write() {
-        now.setText(time(slider.getValue() * dt));
-        end.setText(time(slider.getMaximum() * dt));
+    private void updateLabels() {
+        currentTimeLabel.setText(timeText(slider.getValue() * dt));
+        endTimeLabel.setText(timeText(slider.getMaximum() * dt));
     }
 
-    private static int ticks(long ticks) {
+    private static int toSliderValue(long ticks) {
         return (int) Math.min(Integer.MAX_VALUE - 1, ticks);
     }
 
-    private static String time(double seconds) {
+    private static String timeText(double seconds) {
         return String.format(Locale.ROOT, "%8.2f s", seconds);
     }
 
-    private void moved() {
-        if (showing) {
+    private void onSliderChanged() {
+        if (updating) {
             return;
         }
-        write();
-        if (isHeld()) {
-            newest.flatMap(frame -> frame.recording().keyframes().at(slider.getValue())).ifPresent(preview);
+        updateLabels();
+        if (isAdjusting()) {
+            newestFrame
+                    .flatMap(frame -> frame.recording().keyframes().frameAt(slider.getValue()))
+                    .ifPresent(previewHandler);
         } else {
-            jump.accept(slider.getValue());
+            seekHandler.accept(slider.getValue());
         }
     }
 }

@@ -3,12 +3,12 @@ package faultline.gui.edit;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
-import faultline.world.Motion;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -21,9 +21,13 @@ class PresetsTest {
         RobotSpec changed = robot;
         for (Command command : SensorPresets.commands(robot, wallOnLeft, count)) {
             Command.SwitchSensor change = (Command.SwitchSensor) command;
-            changed = changed.withSensor(changed.sensor(change.sensor()).orElseThrow().withOn(change.on()));
+            changed = changed.withSensor(
+                    changed.sensor(change.sensor()).orElseThrow().withOn(change.on()));
         }
-        return changed.sensors().stream().filter(sensor -> sensor.on()).map(sensor -> sensor.id()).toList();
+        return changed.sensors().stream()
+                .filter(sensor -> sensor.on())
+                .map(sensor -> sensor.id())
+                .toList();
     }
 
     @Test
@@ -35,23 +39,32 @@ class PresetsTest {
 
     @Test
     void allAreOnAgainAndWhatIsOnIsNotSwitched() {
-        RobotSpec one = RobotSpec.DEFAULT.withSensor(RobotSpec.DEFAULT.sensors().get(3).withOn(false));
+        RobotSpec one =
+                RobotSpec.DEFAULT.withSensor(RobotSpec.DEFAULT.sensors().get(3).withOn(false));
         assertEquals(List.of(new Command.SwitchSensor("rear-left", true)), SensorPresets.commands(one, true, 8));
     }
 
     @Test
-    void copiesStandBesideTheirOriginalsWithTheirWays() {
-        Obstacle visitor = new Obstacle("visitor", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0),
-                Optional.of(new Motion(0.2, true, List.of(new Vec(2, 1)))));
-        Obstacle copy = Copies.of(List.of(visitor), Set.of("visitor")).get(0);
-        assertEquals(new Obstacle("visitor-2", visitor.shape(), new Pose(1.2, 0.8, 0),
-                Optional.of(new Motion(0.2, true, List.of(new Vec(2.2, 0.8))))),
+    void copiesStandBesideTheirOriginalsWithTheirMotionPaths() {
+        Obstacle visitor = new Obstacle(
+                "visitor",
+                new ObstacleShape.Circle(0.1),
+                new Pose(1, 1, 0),
+                Optional.of(new WaypointPath(0.2, true, List.of(new Vector2(2, 1)))));
+        Obstacle copy =
+                ObstacleCopies.copyOf(List.of(visitor), Set.of("visitor")).get(0);
+        assertEquals(
+                new Obstacle(
+                        "visitor-2",
+                        visitor.shape(),
+                        new Pose(1.2, 0.8, 0),
+                        Optional.of(new WaypointPath(0.2, true, List.of(new Vector2(2.2, 0.8))))),
                 copy);
     }
 
     @Test
     void whatWasCutComesBackToItsPlace() {
         Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0.3));
-        assertEquals(List.of(pole), Copies.of(List.of(pole), Set.of("desk")));
+        assertEquals(List.of(pole), ObstacleCopies.copyOf(List.of(pole), Set.of("desk")));
     }
 }

@@ -1,14 +1,14 @@
 package faultline.gui.instrument;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
-import faultline.engine.record.RunEvent;
+import faultline.engine.recording.RunEvent;
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Collision;
@@ -29,17 +29,18 @@ import org.junit.jupiter.api.Test;
 class EventLogViewTest {
 
     private final List<Long> jumps = new ArrayList<>();
-    private final EventLogView view = onEdt(() -> new EventLogView(jumps::add));
+    private final EventLogView view = callOnEdt(() -> new EventLogView(jumps::add));
 
     private List<String> rows() {
-        return onEdt(() -> IntStream.range(0, view.table().getRowCount())
-                .mapToObj(row -> view.table().getValueAt(row, 0) + " " + view.table().getValueAt(row, 1) + " "
-                        + view.table().getValueAt(row, 2)).toList());
+        return callOnEdt(() -> IntStream.range(0, view.table().getRowCount())
+                .mapToObj(row -> view.table().getValueAt(row, 0) + " "
+                        + view.table().getValueAt(row, 1) + " " + view.table().getValueAt(row, 2))
+                .toList());
     }
 
     @Test
     void whatHappenedStandsInItsOrder() {
-        edt(() -> view.show(Runs.frame(310)));
+        runOnEdt(() -> view.setFrame(SampleRuns.frame(310)));
         List<String> rows = rows();
         assertEquals("0.000 Command rear switched off", rows.get(0));
         assertTrue(rows.contains("2.000 Fault rear-right: stuck 0.40 m"));
@@ -48,25 +49,25 @@ class EventLogViewTest {
 
     @Test
     void aLaterFrameAddsItsEventsAndAnotherRunReplacesThem() {
-        edt(() -> view.show(Runs.frame(310)));
+        runOnEdt(() -> view.setFrame(SampleRuns.frame(310)));
         int before = rows().size();
-        edt(() -> view.show(Runs.frame(2000)));
+        runOnEdt(() -> view.setFrame(SampleRuns.frame(2000)));
         assertTrue(rows().size() > before);
-        edt(() -> view.show(Runs.frame(100)));
+        runOnEdt(() -> view.setFrame(SampleRuns.frame(100)));
         assertEquals(List.of("0.000 Command rear switched off"), rows());
     }
 
     @Test
     void scrolledToItsEndTheFirstRowThatShowsIsWhole() {
-        edt(() -> view.setSize(700, 131));
+        runOnEdt(() -> view.setSize(700, 131));
         for (int pass = 0; pass < 2; pass++) {
-            edt(() -> lay(view));
+            runOnEdt(() -> lay(view));
         }
-        edt(() -> view.show(Runs.frame(2000)));
-        edt(() -> lay(view));
-        edt(() -> view.show(Runs.frame(3000)));
-        int row = onEdt(view.table()::getRowHeight);
-        int top = onEdt(() -> view.table().getVisibleRect().y);
+        runOnEdt(() -> view.setFrame(SampleRuns.frame(2000)));
+        runOnEdt(() -> lay(view));
+        runOnEdt(() -> view.setFrame(SampleRuns.frame(3000)));
+        int row = callOnEdt(view.table()::getRowHeight);
+        int top = callOnEdt(() -> view.table().getVisibleRect().y);
         assertTrue(top > 0, "it is scrolled");
         assertEquals(0, top % row);
     }
@@ -82,13 +83,22 @@ class EventLogViewTest {
 
     @Test
     void enterAndADoubleClickGoToTheMoment() {
-        Frame frame = Runs.frame(310);
-        edt(() -> {
-            view.show(frame);
+        Frame frame = SampleRuns.frame(310);
+        runOnEdt(() -> {
+            view.setFrame(frame);
             view.table().setRowSelectionInterval(1, 1);
             view.table().getActionMap().get("jump").actionPerformed(null);
             view.table().setSize(600, 400);
-            view.table().dispatchEvent(new MouseEvent(view.table(), MouseEvent.MOUSE_CLICKED, 0, 0, 20, view.table().getRowHeight() / 2, 2, false));
+            view.table()
+                    .dispatchEvent(new MouseEvent(
+                            view.table(),
+                            MouseEvent.MOUSE_CLICKED,
+                            0,
+                            0,
+                            20,
+                            view.table().getRowHeight() / 2,
+                            2,
+                            false));
         });
         assertEquals(List.of(frame.recording().events().get(1).tick(), 0L), jumps);
     }
@@ -96,13 +106,20 @@ class EventLogViewTest {
     @Test
     void everyCommandHasItsOwnWords() {
         Fault bias = new Fault.Bias(0.02);
-        List<Command> commands = List.of(new Command.SwitchSensor("left", true), new Command.SwitchSensor("left", false),
-                new Command.TuneSensor(RobotSpec.DEFAULT.sensors().get(0)), new Command.InjectFault("left", bias),
+        List<Command> commands = List.of(
+                new Command.SwitchSensor("left", true),
+                new Command.SwitchSensor("left", false),
+                new Command.ConfigureSensor(RobotSpec.DEFAULT.sensors().get(0)),
+                new Command.InjectFault("left", bias),
                 new Command.ClearFault("left", bias),
-                new Command.ClearFaults("left"), new Command.MoveObstacle("desk", new Pose(1, 2, 0)),
-                new Command.PutObstacle(new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0))), new Command.RemoveObstacle("desk"),
+                new Command.ClearFaults("left"),
+                new Command.MoveObstacle("desk", new Pose(1, 2, 0)),
+                new Command.PlaceObstacle(new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0))),
+                new Command.RemoveObstacle("desk"),
                 new Command.SetPlatform(0.3, 0.2, 0.4));
-        List<String> words = commands.stream().map(command -> EventText.sentence(new RunEvent.Done(1, 0.01, command))).toList();
+        List<String> words = commands.stream()
+                .map(command -> EventText.sentence(new RunEvent.CommandExecuted(1, 0.01, command)))
+                .toList();
         assertEquals(commands.size(), new HashSet<>(words).size());
         assertEquals("left: bias 0.02 m mended", words.get(4));
         assertEquals("desk moved to 1.000, 2.000, 0.0°", words.get(6));
@@ -111,9 +128,10 @@ class EventLogViewTest {
 
     @Test
     void aCollisionSaysWhatAndWhere() {
-        Collision collision = new Collision(new Vec(1.5, 2), 3.217, 322, "desk", Map.of(), List.of());
+        Collision collision = new Collision(new Vector2(1.5, 2), 3.217, 322, "desk", Map.of(), List.of());
         RunEvent event = new RunEvent.Collided(322, collision);
-        assertEquals("3.217 Collision first contact with desk at 1.500, 2.000",
+        assertEquals(
+                "3.217 Collision first contact with desk at 1.500, 2.000",
                 EventText.time(event) + " " + EventText.kind(event) + " " + EventText.sentence(event));
     }
 }

@@ -1,7 +1,7 @@
 package faultline.gui.instrument;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -12,7 +12,7 @@ import faultline.control.FollowerState;
 import faultline.control.StateDiagram;
 import faultline.control.StateDiagram.Arrow;
 import faultline.engine.Frame;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Theme;
 import java.awt.Color;
@@ -27,14 +27,14 @@ class StateDiagramViewTest {
     private static final int WIDTH = 480;
     private static final int HEIGHT = 200;
     private static final DiagramLayout LAYOUT = new DiagramLayout(WIDTH, HEIGHT);
-    private static final Frame FRAME = Runs.frame(2000);
+    private static final Frame FRAME = SampleRuns.frame(2000);
 
-    private final StateDiagramView view = onEdt(StateDiagramView::new);
+    private final StateDiagramView view = callOnEdt(StateDiagramView::new);
 
     private BufferedImage picture(Frame frame) {
-        return onEdt(() -> {
-            view.show(frame);
-            return Runs.picture(view, WIDTH, HEIGHT);
+        return callOnEdt(() -> {
+            view.setFrame(frame);
+            return SampleRuns.render(view, WIDTH, HEIGHT);
         });
     }
 
@@ -46,12 +46,16 @@ class StateDiagramViewTest {
     @Test
     void onlyTheStateThatHoldsIsFilled() {
         for (long tick : new long[] {0, 500, 800, 2000}) {
-            Frame frame = Runs.frame(tick);
+            Frame frame = SampleRuns.frame(tick);
             BufferedImage picture = picture(frame);
             for (FollowerState state : FollowerState.values()) {
-                boolean holds = state.name().equals(frame.control().state());
-                assertEquals(holds ? Theme.now().accent().getRGB() : Theme.now().field().getRGB(), ground(picture, state).getRGB(), state
-                        + " at tick " + tick);
+                boolean holds = state.name().equals(frame.telemetry().state());
+                assertEquals(
+                        holds
+                                ? Theme.currentColours().accent().getRGB()
+                                : Theme.currentColours().field().getRGB(),
+                        ground(picture, state).getRGB(),
+                        state + " at tick " + tick);
             }
         }
     }
@@ -71,8 +75,8 @@ class StateDiagramViewTest {
 
     @Test
     void everyArrowEndsAtTheEdgeOfItsState() {
-        for (Arrow arrow : StateDiagram.ARROWS) {
-            Vec tip = LAYOUT.route(arrow).tip();
+        for (Arrow arrow : StateDiagram.TRANSITIONS) {
+            Vector2 tip = LAYOUT.route(arrow).tip();
             Rectangle2D box = LAYOUT.box(arrow.to());
             double across = Math.min(Math.abs(tip.x() - box.getX()), Math.abs(tip.x() - box.getMaxX()));
             double down = Math.min(Math.abs(tip.y() - box.getY()), Math.abs(tip.y() - box.getMaxY()));
@@ -84,23 +88,24 @@ class StateDiagramViewTest {
     @Test
     void whatWasTakenLastIsSaidForReadersOfTheScreen() {
         picture(FRAME);
-        assertEquals("State Follow. Align → Follow: turned back for t_p, spin died out",
-                onEdt(() -> view.getAccessibleContext().getAccessibleDescription()));
+        assertEquals(
+                "State Follow. Align → Follow: turned back for t_p, spin died out",
+                callOnEdt(() -> view.getAccessibleContext().getAccessibleDescription()));
     }
 
     @Test
     void anArrowUnderTheMouseExplainsItself() {
         picture(FRAME);
-        Arrow first = StateDiagram.ARROWS.get(0);
-        Vec middle = LAYOUT.route(first).tip();
-        String tip = onEdt(() -> view.getToolTipText(
+        Arrow first = StateDiagram.TRANSITIONS.get(0);
+        Vector2 middle = LAYOUT.route(first).tip();
+        String tip = callOnEdt(() -> view.getToolTipText(
                 new MouseEvent(view, MouseEvent.MOUSE_MOVED, 0, 0, (int) middle.x() - 12, (int) middle.y(), 0, false)));
         assertEquals("Search → Turn: wall met (1×)", tip);
     }
 
     @Test
     void theTextsAreTheControllersOwn() {
-        for (Arrow arrow : StateDiagram.ARROWS) {
+        for (Arrow arrow : StateDiagram.TRANSITIONS) {
             assertEquals(arrow.condition(), StateText.condition(arrow));
         }
         for (FollowerState state : FollowerState.values()) {
@@ -110,14 +115,14 @@ class StateDiagramViewTest {
 
     @Test
     void anotherControllerHasNoDiagram() {
-        BufferedImage picture = picture(Runs.frame(Runs.setup(new ControllerSpec.None()), 10));
-        assertEquals(0, Runs.count(picture, Theme.now().accent()));
-        assertEquals("State None", onEdt(() -> view.getAccessibleContext().getAccessibleDescription()));
+        BufferedImage picture = picture(SampleRuns.frame(SampleRuns.setup(new ControllerSpec.None()), 10));
+        assertEquals(0, SampleRuns.count(picture, Theme.currentColours().accent()));
+        assertEquals("State None", callOnEdt(() -> view.getAccessibleContext().getAccessibleDescription()));
     }
 
     @Test
     void framesAreShownOnTheEventDispatchThreadOnly() {
-        assertThrows(AssertionError.class, () -> view.show(FRAME));
-        edt(() -> view.show(FRAME));
+        assertThrows(AssertionError.class, () -> view.setFrame(FRAME));
+        runOnEdt(() -> view.setFrame(FRAME));
     }
 }

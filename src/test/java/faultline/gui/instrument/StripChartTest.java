@@ -1,15 +1,15 @@
 package faultline.gui.instrument;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.Frame;
-import faultline.engine.record.Channels;
-import faultline.gui.Components;
+import faultline.engine.recording.TraceChannels;
+import faultline.gui.ComponentFinder;
 import faultline.gui.theme.Theme;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -28,61 +28,67 @@ class StripChartTest {
 
     private static final int WIDTH = 560;
     private static final int HEIGHT = 220;
-    private static final Frame FRAME = Runs.frame(2000);
+    private static final Frame FRAME = SampleRuns.frame(2000);
 
-    private final StripChart chart = onEdt(StripChart::new);
+    private final StripChart chart = callOnEdt(StripChart::new);
 
     @BeforeEach
     void shown() {
-        edt(() -> {
-            chart.show(FRAME);
-            Runs.picture(chart, WIDTH, HEIGHT);
+        runOnEdt(() -> {
+            chart.setFrame(FRAME);
+            SampleRuns.render(chart, WIDTH, HEIGHT);
         });
     }
 
     private void choose(int signal) {
-        edt(() -> Components.named(chart, JComboBox.class, "What the strip chart shows").setSelectedIndex(signal));
+        runOnEdt(() -> ComponentFinder.find(chart, JComboBox.class, "What the strip chart shows")
+                .setSelectedIndex(signal));
     }
 
     /** What is read out at a time, when ten seconds show. */
     private List<String> readOut(double time) {
-        return onEdt(() -> {
-            chart.view().point(OptionalDouble.of(x(time)));
-            return chart.view().readOut();
+        return callOnEdt(() -> {
+            chart.view().setPointer(OptionalDouble.of(x(time)));
+            return chart.view().tooltip();
         });
     }
 
     private double x(double time) {
         TimeSpan span = chart.view().span();
-        return StripScale.LEFT + span.share(time) * (chart.view().getWidth() - StripScale.LEFT - StripScale.RIGHT);
+        return StripScale.LEFT_MARGIN
+                + span.shareOf(time) * (chart.view().getWidth() - StripScale.LEFT_MARGIN - StripScale.RIGHT_MARGIN);
     }
 
     @Test
     void itOffersTheControllersNumbersAndEverySensor() {
-        JComboBox<?> choice = Components.named(chart, JComboBox.class, "What the strip chart shows");
-        assertEquals(3 + 8, onEdt(choice::getItemCount));
-        assertEquals("Sensor left", onEdt(() -> choice.getItemAt(5).toString()));
+        JComboBox<?> choice = ComponentFinder.find(chart, JComboBox.class, "What the strip chart shows");
+        assertEquals(3 + 8, callOnEdt(choice::getItemCount));
+        assertEquals("Sensor left", callOnEdt(() -> choice.getItemAt(5).toString()));
     }
 
     @Test
     void itRunsAlongWithTheNewestFrame() {
-        assertEquals(20, chart.view().span().to(), 1e-9);
-        edt(() -> chart.show(Runs.frame(2100)));
-        assertEquals(21, chart.view().span().to(), 1e-9);
+        assertEquals(20, chart.view().span().end(), 1e-9);
+        runOnEdt(() -> chart.setFrame(SampleRuns.frame(2100)));
+        assertEquals(21, chart.view().span().end(), 1e-9);
     }
 
     @Test
     void heldItStandsStill() {
-        edt(() -> {
-            Components.named(chart, JToggleButton.class, "Hold the strip chart").doClick(0);
-            chart.show(Runs.frame(2100));
+        runOnEdt(() -> {
+            ComponentFinder.find(chart, JToggleButton.class, "Hold the strip chart")
+                    .doClick(0);
+            chart.setFrame(SampleRuns.frame(2100));
         });
-        assertEquals(20, chart.view().span().to(), 1e-9);
+        assertEquals(20, chart.view().span().end(), 1e-9);
     }
 
     @Test
     void pointingReadsOutTheMomentAndTheValues() {
-        String measured = String.format(Locale.ROOT, "left reading %.3f m", FRAME.recording().trace().finest().low(Channels.MEASURED, 1500));
+        String measured = String.format(
+                Locale.ROOT,
+                "left reading %.3f m",
+                FRAME.recording().trace().finestLevel().min(TraceChannels.MEASURED_DISTANCE, 1500));
         assertEquals(List.of("t 15.000 s", measured, "wanted 0.250 m"), readOut(15));
     }
 
@@ -95,46 +101,64 @@ class StripChartTest {
     @Test
     void aFaultyReadingAndTheTrueOneStandSideBySide() {
         choose(3 + 5);
-        assertEquals(List.of("reported 0.400 m"), readOut(15).stream().filter(line -> line.startsWith("reported")).toList());
+        assertEquals(
+                List.of("reported 0.400 m"),
+                readOut(15).stream().filter(line -> line.startsWith("reported")).toList());
     }
 
     @Test
     void theWheelZoomsOnTheMomentUnderThePointer() {
-        edt(() -> chart.view().setHeld(true));
+        runOnEdt(() -> chart.view().setFrozen(true));
         double x = x(13);
-        edt(() -> chart.view().dispatchEvent(new MouseWheelEvent(chart.view(), MouseEvent.MOUSE_WHEEL, 0, 0, (int) Math.round(x), 50, 0, false,
-                MouseWheelEvent.WHEEL_UNIT_SCROLL, 1, -3)));
+        runOnEdt(() -> chart.view()
+                .dispatchEvent(new MouseWheelEvent(
+                        chart.view(),
+                        MouseEvent.MOUSE_WHEEL,
+                        0,
+                        0,
+                        (int) Math.round(x),
+                        50,
+                        0,
+                        false,
+                        MouseWheelEvent.WHEEL_UNIT_SCROLL,
+                        1,
+                        -3)));
         TimeSpan span = chart.view().span();
         assertEquals(10 / 1.25 / 1.25 / 1.25, span.length(), 1e-9);
-        assertEquals(13, span.at(chart.view().share(Math.round(x))), 0.02);
+        assertEquals(13, span.timeAt(chart.view().shareAt(Math.round(x))), 0.02);
     }
 
     @Test
     void zoomedOutOverTheWholeRunItReadsOutRanges() {
-        edt(() -> chart.view().setSpan(new TimeSpan(0, 400)));
-        assertTrue(readOut(10).get(1).matches("left reading 0\\.\\d{3}( … 0\\.\\d{3})? m"), readOut(10).get(1));
+        runOnEdt(() -> chart.view().setSpan(new TimeSpan(0, 400)));
+        assertTrue(
+                readOut(10).get(1).matches("left reading 0\\.\\d{3}( … 0\\.\\d{3})? m"),
+                readOut(10).get(1));
     }
 
     @Test
     void arrowsGoThroughTimeAndEndRunsAlongAgain() {
-        edt(() -> chart.view().getActionMap().get("LEFT").actionPerformed(null));
-        assertEquals(19, chart.view().span().to(), 1e-9);
-        assertTrue(onEdt(() -> Components.named(chart, JToggleButton.class, "Hold the strip chart").isSelected()));
-        edt(() -> chart.view().getActionMap().get("END").actionPerformed(null));
-        assertEquals(20, chart.view().span().to(), 1e-9);
+        runOnEdt(() -> chart.view().getActionMap().get("LEFT").actionPerformed(null));
+        assertEquals(19, chart.view().span().end(), 1e-9);
+        assertTrue(callOnEdt(() -> ComponentFinder.find(chart, JToggleButton.class, "Hold the strip chart")
+                .isSelected()));
+        runOnEdt(() -> chart.view().getActionMap().get("END").actionPerformed(null));
+        assertEquals(20, chart.view().span().end(), 1e-9);
     }
 
     @ParameterizedTest
     @EnumSource(Theme.class)
     void bothLinesAreSeenInBothThemes(Theme theme) {
-        long[] seen = onEdt(() -> {
+        long[] seen = callOnEdt(() -> {
             theme.install();
             StripChart fresh = new StripChart();
-            fresh.show(FRAME);
-            var picture = Runs.picture(fresh, WIDTH, HEIGHT);
-            Signal signal = Signal.of(FRAME.world().sensors()).get(0);
+            fresh.setFrame(FRAME);
+            var picture = SampleRuns.render(fresh, WIDTH, HEIGHT);
+            SignalGroup signal = SignalGroup.allOf(FRAME.snapshot().sensors()).get(0);
             Theme.LIGHT.install();
-            return signal.curves().stream().mapToLong(curve -> Runs.count(picture, curve.colour().apply(theme))).toArray();
+            return signal.lines().stream()
+                    .mapToLong(curve -> SampleRuns.count(picture, curve.colour().apply(theme)))
+                    .toArray();
         });
         for (long pixels : seen) {
             assertTrue(pixels > 20, "only " + pixels + " pixels");
@@ -143,24 +167,28 @@ class StripChartTest {
 
     @Test
     void whereNothingIsMeasuredTheAxisStillHasAScale() {
-        StripScale scale = StripScale.of(Runs.frame(Runs.setup(new ControllerSpec.None()), 100),
-                Signal.of(FRAME.world().sensors()).get(0), TimeSpan.USUAL, WIDTH, HEIGHT);
+        StripScale scale = StripScale.of(
+                SampleRuns.frame(SampleRuns.setup(new ControllerSpec.None()), 100),
+                SignalGroup.allOf(FRAME.snapshot().sensors()).get(0),
+                TimeSpan.DEFAULT,
+                WIDTH,
+                HEIGHT);
         assertTrue(scale.isEmpty());
         assertEquals(1, scale.values().high());
     }
 
     @Test
     void anEmptyRunIsAnEmptyChart() {
-        edt(() -> {
+        runOnEdt(() -> {
             StripChart fresh = new StripChart();
-            Runs.picture(fresh, WIDTH, HEIGHT);
-            fresh.show(Runs.frame(0));
-            Runs.picture(fresh, WIDTH, HEIGHT);
+            SampleRuns.render(fresh, WIDTH, HEIGHT);
+            fresh.setFrame(SampleRuns.frame(0));
+            SampleRuns.render(fresh, WIDTH, HEIGHT);
         });
     }
 
     @Test
     void framesAreShownOnTheEventDispatchThreadOnly() {
-        assertThrows(AssertionError.class, () -> chart.show(FRAME));
+        assertThrows(AssertionError.class, () -> chart.setFrame(FRAME));
     }
 }

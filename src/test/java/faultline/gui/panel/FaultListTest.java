@@ -1,12 +1,12 @@
 package faultline.gui.panel;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.geometry.Pose;
-import faultline.gui.Components;
-import faultline.gui.edit.Editor;
+import faultline.gui.ComponentFinder;
+import faultline.gui.edit.CommandSink;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
@@ -21,10 +21,11 @@ import org.junit.jupiter.api.Test;
 class FaultListTest {
 
     private final List<List<Command>> sent = new ArrayList<>();
-    private final World world = new World(new WorldSpec(6, 4, true, 0, List.of()), RobotSpec.DEFAULT, new Pose(2, 2, 0), 0.01, 1);
+    private final World world =
+            new World(new WorldSpec(6, 4, true, 0, List.of()), RobotSpec.DEFAULT, new Pose(2, 2, 0), 0.01, 1);
 
     /** Keeps what is sent together apart from what is not. */
-    private final class Recorder implements Editor {
+    private final class RecordingEditor implements CommandSink {
         @Override
         public void send(Command command) {
             sent.add(List.of(command));
@@ -37,13 +38,17 @@ class FaultListTest {
     }
 
     @Test
-    void allFaultsAreMendedInOneEdit() {
-        world.apply(new Command.InjectFault("left", new Fault.Dead()));
-        world.apply(new Command.InjectFault("left", new Fault.Stuck(0.4)));
-        world.apply(new Command.InjectFault("rear", new Fault.Dead()));
-        FaultList list = onEdt(() -> new FaultList(new Recorder()));
-        edt(() -> list.show(world.snapshot().sensors()));
-        edt(() -> Components.all(list, JButton.class).filter(button -> "Mend all".equals(button.getText())).findFirst().orElseThrow().doClick(0));
+    void allFaultsAreClearedInOneEdit() {
+        world.execute(new Command.InjectFault("left", new Fault.Dead()));
+        world.execute(new Command.InjectFault("left", new Fault.Stuck(0.4)));
+        world.execute(new Command.InjectFault("rear", new Fault.Dead()));
+        FaultList list = callOnEdt(() -> new FaultList(new RecordingEditor()));
+        runOnEdt(() -> list.setSensors(world.snapshot().sensors()));
+        runOnEdt(() -> ComponentFinder.findAll(list, JButton.class)
+                .filter(button -> "Mend all".equals(button.getText()))
+                .findFirst()
+                .orElseThrow()
+                .doClick(0));
         assertEquals(List.of(List.<Command>of(new Command.ClearFaults("left"), new Command.ClearFaults("rear"))), sent);
     }
 }

@@ -1,7 +1,7 @@
 package faultline.gui.panel;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -15,61 +15,61 @@ import org.junit.jupiter.api.Test;
 
 class NumberSpinnerTest {
 
-    private final List<Double> told = new ArrayList<>();
+    private final List<Double> reported = new ArrayList<>();
     private NumberSpinner spinner;
 
     @BeforeEach
     void make() {
-        spinner = onEdt(() -> {
+        spinner = callOnEdt(() -> {
             Theme.LIGHT.install();
-            return new NumberSpinner("0.00##", 0.01, 100, 0.05, told::add).named("Range");
+            return new NumberSpinner("0.00##", 0.01, 100, 0.05, reported::add).withName("Range");
         });
     }
 
     @Test
-    void followingTheWorldTellsNobody() {
-        edt(() -> spinner.follow(0.8));
-        assertEquals("0.80", onEdt(() -> spinner.text().getText()));
-        assertEquals(List.of(), told);
+    void updatingFromTheWorldNotifiesNobody() {
+        runOnEdt(() -> spinner.setWorldValue(0.8));
+        assertEquals("0.80", callOnEdt(() -> spinner.textField().getText()));
+        assertEquals(List.of(), reported);
     }
 
     @Test
-    void aNumberFromTheUserIsToldOnce() {
+    void aUserChangeIsReportedOnce() {
         commit("1,25");
-        assertEquals(List.of(1.25), told);
-        assertEquals("1.25", onEdt(() -> spinner.text().getText()));
+        assertEquals(List.of(1.25), reported);
+        assertEquals("1.25", callOnEdt(() -> spinner.textField().getText()));
     }
 
     @Test
     void aNumberBeyondTheLimitsIsNotTaken() {
-        edt(() -> spinner.follow(0.8));
-        edt(() -> {
-            spinner.text().setText("500");
-            assertFalse(spinner.text().isEditValid(), "the outline shows it while it is typed");
-            assertThrows(ParseException.class, spinner.text()::commitEdit);
+        runOnEdt(() -> spinner.setWorldValue(0.8));
+        runOnEdt(() -> {
+            spinner.textField().setText("500");
+            assertFalse(spinner.textField().isEditValid(), "the outline shows it while it is typed");
+            assertThrows(ParseException.class, spinner.textField()::commitEdit);
         });
-        assertEquals(List.of(), told);
-        assertEquals(0.8, onEdt(spinner::value));
+        assertEquals(List.of(), reported);
+        assertEquals(0.8, callOnEdt(spinner::doubleValue));
     }
 
     @Test
     void theWorldMayHaveANumberThatTheUserMayNotGive() {
-        edt(() -> spinner.follow(250));
-        assertEquals("250.00", onEdt(() -> spinner.text().getText()));
+        runOnEdt(() -> spinner.setWorldValue(250));
+        assertEquals("250.00", callOnEdt(() -> spinner.textField().getText()));
     }
 
     @Test
     void anUpwardArrowGoesAStepUp() {
-        edt(() -> spinner.follow(0.8));
-        edt(() -> spinner.setValue(spinner.getNextValue()));
-        assertEquals(0.85, told.get(0), 1e-12);
+        runOnEdt(() -> spinner.setWorldValue(0.8));
+        runOnEdt(() -> spinner.setValue(spinner.getNextValue()));
+        assertEquals(0.85, reported.get(0), 1e-12);
     }
 
     private void commit(String text) {
-        edt(() -> {
-            spinner.text().setText(text);
+        runOnEdt(() -> {
+            spinner.textField().setText(text);
             try {
-                spinner.text().commitEdit();
+                spinner.textField().commitEdit();
             } catch (ParseException refused) {
                 throw new AssertionError(refused);
             }

@@ -1,6 +1,6 @@
 package faultline.gui.text;
 
-import static faultline.gui.GuiRobot.edt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -30,41 +30,48 @@ class LanguagesTest {
     private static final Pattern TAG = Pattern.compile("</?(?:h1|h2|p)>");
 
     @AfterEach
-    void speakEnglish() {
-        Texts.speak(Language.ENGLISH);
+    void setEnglish() {
+        Messages.setLanguage(Language.ENGLISH);
     }
 
     @Test
     void bothHaveTheSameKeys() {
-        assertEquals(String.join("\n", new TreeSet<>(ENGLISH.stringPropertyNames())),
+        assertEquals(
+                String.join("\n", new TreeSet<>(ENGLISH.stringPropertyNames())),
                 String.join("\n", new TreeSet<>(POLISH.stringPropertyNames())));
     }
 
     @Test
     void everyTextHasTheSameGapsMarksAndParts() {
-        List<String> unlike = keys().filter(key -> !form(ENGLISH, key).equals(form(POLISH, key))).toList();
+        List<String> unlike = keys().filter(key -> !form(ENGLISH, key).equals(form(POLISH, key)))
+                .toList();
         assertEquals(List.of(), unlike);
     }
 
     @Test
     void aTextWithGapsHasNoLoneQuote() {
         Pattern lone = Pattern.compile("(?<!')'(?!')");
-        Stream.of(ENGLISH, POLISH).forEach(language -> assertEquals(List.of(), keys()
-                .filter(key -> GAP.matcher(text(language, key)).find() && lone.matcher(text(language, key)).find()).toList()));
+        Stream.of(ENGLISH, POLISH)
+                .forEach(language -> assertEquals(
+                        List.of(),
+                        keys().filter(key -> GAP.matcher(text(language, key)).find()
+                                        && lone.matcher(text(language, key)).find())
+                                .toList()));
     }
 
     @Test
     void wordsAreTranslated() {
         List<String> same = keys().filter(key -> key.endsWith(".tip") && !key.equals("action.languagePolish.tip"))
-                .filter(key -> text(ENGLISH, key).equals(text(POLISH, key))).toList();
+                .filter(key -> text(ENGLISH, key).equals(text(POLISH, key)))
+                .toList();
         assertEquals(List.of(), same);
     }
 
     @Test
     void theGuideHasTheSamePartsInBoth() {
-        List<String> english = tags(Texts.page("guide"));
-        Texts.speak(Language.POLISH);
-        assertEquals(english, tags(Texts.page("guide")));
+        List<String> english = tags(Messages.loadPage("guide"));
+        Messages.setLanguage(Language.POLISH);
+        assertEquals(english, tags(Messages.loadPage("guide")));
         assertTrue(english.size() > 20);
     }
 
@@ -79,42 +86,49 @@ class LanguagesTest {
     }
 
     @Test
-    void anExampleThatIsNotTranslatedSpeaksForItself() {
-        assertEquals("Office", Texts.ofExample("office.title", "Office"));
-        Texts.speak(Language.POLISH);
-        assertEquals("Biuro", Texts.ofExample("office.title", "Office"));
-        assertEquals("Mine", Texts.ofExample("mine.title", "Mine"));
+    void anUntranslatedExampleKeepsItsOwnText() {
+        assertEquals("Office", Messages.exampleText("office.title", "Office"));
+        Messages.setLanguage(Language.POLISH);
+        assertEquals("Biuro", Messages.exampleText("office.title", "Office"));
+        assertEquals("Mine", Messages.exampleText("mine.title", "Mine"));
     }
 
     @Test
-    void theWindowSpeaksEnglishUntilAnotherLanguageIsChosen() {
-        assertEquals("&File", Texts.text("menu.file"));
-        Texts.speak(Language.POLISH);
-        assertEquals("&Plik", Texts.text("menu.file"));
+    void theDefaultLanguageIsEnglish() {
+        assertEquals("&File", Messages.get("menu.file"));
+        Messages.setLanguage(Language.POLISH);
+        assertEquals("&Plik", Messages.get("menu.file"));
     }
 
     @Test
-    void swingsOwnDialogsSpeakTheLanguageToo() {
-        Texts.speak(Language.POLISH);
-        edt(() -> {
-            SwingTexts.install();
+    void swingDialogsUseTheLanguageToo() {
+        Messages.setLanguage(Language.POLISH);
+        runOnEdt(() -> {
+            SwingMessages.install();
             assertEquals("Anuluj", UIManager.getString("OptionPane.cancelButtonText"));
             assertEquals("Otwórz", UIManager.getString("FileChooser.openButtonText"));
-            assertEquals("Wszystkie pliki", new JFileChooser().getAcceptAllFileFilter().getDescription());
+            assertEquals(
+                    "Wszystkie pliki",
+                    new JFileChooser().getAcceptAllFileFilter().getDescription());
         });
-        Texts.speak(Language.ENGLISH);
-        edt(SwingTexts::install);
+        Messages.setLanguage(Language.ENGLISH);
+        runOnEdt(SwingMessages::install);
     }
 
     private static Stream<String> keys() {
         return new TreeSet<>(ENGLISH.stringPropertyNames()).stream();
     }
 
-    /** What two languages must have in common: gaps, the mark of the mnemonic, an ellipsis, and how many parts a list has. */
+    /**
+     * What two languages must have in common: gaps, the mark of the mnemonic, an ellipsis, and how many parts a list
+     * has.
+     */
     private static String form(Properties language, String key) {
         String text = text(language, key);
-        TreeSet<String> gaps = new TreeSet<>(GAP.matcher(text).results().map(found -> found.group()).toList());
-        return gaps + " " + text.contains("&") + " " + text.endsWith("…") + " " + text.chars().filter(letter -> letter == ';').count();
+        TreeSet<String> gaps = new TreeSet<>(
+                GAP.matcher(text).results().map(found -> found.group()).toList());
+        return gaps + " " + text.contains("&") + " " + text.endsWith("…") + " "
+                + text.chars().filter(letter -> letter == ';').count();
     }
 
     private static String text(Properties language, String key) {

@@ -1,7 +1,7 @@
 package faultline.gui.theme;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.awt.Graphics2D;
@@ -17,25 +17,25 @@ class FocusRingTest {
 
     private static final int BARE = 0xFF000000;
 
-    private final JPanel panel = onEdt(() -> {
+    private final JPanel panel = callOnEdt(() -> {
         Theme.LIGHT.install();
         JPanel made = new JPanel();
         made.setSize(40, 30);
         return made;
     });
-    private final FocusRing ring = onEdt(() -> new FocusRing(panel));
+    private final FocusRing ring = callOnEdt(() -> new FocusRing(panel));
 
     @ParameterizedTest
     @CsvSource({"TRAVERSAL_FORWARD, true", "TRAVERSAL_BACKWARD, true", "MOUSE_EVENT, false", "ACTIVATION, false"})
-    void whoComesByTheKeyboardIsRinged(FocusEvent.Cause cause, boolean ringed) {
-        edt(() -> ring.focusGained(event(FocusEvent.FOCUS_GAINED, cause)));
+    void focusFromTheKeyboardShowsTheRing(FocusEvent.Cause cause, boolean ringed) {
+        runOnEdt(() -> ring.focusGained(event(FocusEvent.FOCUS_GAINED, cause)));
         assertEquals(ringed ? Theme.LIGHT.colours().accent().getRGB() : BARE, edge());
     }
 
     @Test
-    void theRingGoesWithTheFocus() {
-        edt(() -> ring.focusGained(event(FocusEvent.FOCUS_GAINED, FocusEvent.Cause.TRAVERSAL_FORWARD)));
-        edt(() -> ring.focusLost(event(FocusEvent.FOCUS_LOST, FocusEvent.Cause.UNKNOWN)));
+    void theRingDisappearsWithTheFocus() {
+        runOnEdt(() -> ring.focusGained(event(FocusEvent.FOCUS_GAINED, FocusEvent.Cause.TRAVERSAL_FORWARD)));
+        runOnEdt(() -> ring.focusLost(event(FocusEvent.FOCUS_LOST, FocusEvent.Cause.UNKNOWN)));
         assertEquals(BARE, edge());
     }
 
@@ -44,7 +44,7 @@ class FocusRingTest {
     }
 
     private int edge() {
-        return onEdt(() -> {
+        return callOnEdt(() -> {
             BufferedImage image = new BufferedImage(40, 30, BufferedImage.TYPE_INT_RGB);
             Graphics2D graphics = image.createGraphics();
             ring.paint(graphics);

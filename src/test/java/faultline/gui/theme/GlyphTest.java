@@ -19,7 +19,8 @@ class GlyphTest {
     @ParameterizedTest
     @EnumSource(Glyph.class)
     void everyGlyphPaintsInsideItsSquareAndNotTooLittle(Glyph glyph) {
-        BufferedImage image = new BufferedImage(Glyph.SIZE + 2 * MARGIN, Glyph.SIZE + 2 * MARGIN, BufferedImage.TYPE_INT_ARGB);
+        BufferedImage image =
+                new BufferedImage(Glyph.SIZE + 2 * MARGIN, Glyph.SIZE + 2 * MARGIN, BufferedImage.TYPE_INT_ARGB);
         Graphics2D graphics = image.createGraphics();
         glyph.paint(graphics, MARGIN, MARGIN, Glyph.SIZE, Color.BLACK);
         graphics.dispose();
@@ -37,8 +38,11 @@ class GlyphTest {
 
     @Test
     void aDrawingIsReadVerbByVerb() {
-        assertEquals(new Rectangle2D.Double(1, 2, 3, 4), GlyphPath.parse("M 1 2 L 4 2 L 4 6 Z").getBounds2D());
-        assertEquals(new Rectangle2D.Double(3, 3, 4, 4), GlyphPath.parse("O 5 5 2").getBounds2D());
-        assertThrows(IllegalArgumentException.class, () -> GlyphPath.parse("Q 1 2"));
+        assertEquals(
+                new Rectangle2D.Double(1, 2, 3, 4),
+                GlyphParser.parse("M 1 2 L 4 2 L 4 6 Z").getBounds2D());
+        assertEquals(
+                new Rectangle2D.Double(3, 3, 4, 4), GlyphParser.parse("O 5 5 2").getBounds2D());
+        assertThrows(IllegalArgumentException.class, () -> GlyphParser.parse("Q 1 2"));
     }
 }

@@ -1,7 +1,7 @@
 package faultline.gui.theme;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -29,22 +29,22 @@ class ThemeTest {
 
     @AfterEach
     void light() {
-        edt(Theme.LIGHT::install);
+        runOnEdt(Theme.LIGHT::install);
     }
 
     @Test
     void aLiveSwitchLeavesNoPixelOfTheOtherThemesGround() {
-        JPanel panel = onEdt(() -> {
+        JPanel panel = callOnEdt(() -> {
             Theme.LIGHT.install();
             return everyControl();
         });
-        BufferedImage light = onEdt(() -> picture(panel));
-        edt(() -> {
+        BufferedImage light = callOnEdt(() -> picture(panel));
+        runOnEdt(() -> {
             Theme.DARK.install();
             SwingUtilities.updateComponentTreeUI(panel);
         });
-        BufferedImage switched = onEdt(() -> picture(panel));
-        BufferedImage fresh = onEdt(() -> picture(everyControl()));
+        BufferedImage switched = callOnEdt(() -> picture(panel));
+        BufferedImage fresh = callOnEdt(() -> picture(everyControl()));
         assertEquals(0, differing(switched, fresh), "a switched panel and a fresh one look alike");
         assertTrue(differing(light, switched) > light.getWidth() * light.getHeight() / 2);
         Color ground = ThemeColours.LIGHT.background();
@@ -53,9 +53,9 @@ class ThemeTest {
 
     @Test
     void theThemeThatIsInstalledIsTheCurrentOne() {
-        edt(Theme.DARK::install);
-        assertEquals(Theme.DARK, onEdt(Theme::current));
-        assertEquals(Theme.LIGHT, Theme.DARK.other());
+        runOnEdt(Theme.DARK::install);
+        assertEquals(Theme.DARK, callOnEdt(Theme::current));
+        assertEquals(Theme.LIGHT, Theme.DARK.opposite());
     }
 
     private static JPanel everyControl() {
@@ -66,10 +66,21 @@ class ThemeTest {
         JCheckBox ticked = new JCheckBox("Ticked");
         ticked.setSelected(true);
         JButton primary = new JButton("Primary");
-        primary.putClientProperty(ButtonFace.PRIMARY, true);
+        primary.putClientProperty(ButtonPainter.PRIMARY, true);
         primary.updateUI();
-        Component[] controls = {new JLabel("Label"), new JButton("Button"), primary, down, ticked, new JCheckBox("Empty"), new JTextField("Text"),
-            new JSpinner(), new JComboBox<>(new String[] {"One"}), new JSlider(), new JScrollBar(JScrollBar.HORIZONTAL)};
+        Component[] controls = {
+            new JLabel("Label"),
+            new JButton("Button"),
+            primary,
+            down,
+            ticked,
+            new JCheckBox("Empty"),
+            new JTextField("Text"),
+            new JSpinner(),
+            new JComboBox<>(new String[] {"One"}),
+            new JSlider(),
+            new JScrollBar(JScrollBar.HORIZONTAL)
+        };
         for (Component control : controls) {
             panel.add(control);
         }

@@ -1,16 +1,16 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Degrees;
-import faultline.gui.Components;
+import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.theme.Theme;
-import faultline.paint.Layer;
+import faultline.paint.scene.Layer;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import java.awt.Window;
@@ -32,7 +32,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** The control panel and the keys in a real window, as a user finds them: mouse and keyboard only. */
 @ExtendWith(EdtChecker.class)
-@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
 class ControlsRobotTest {
 
     private final Locale locale = Locale.getDefault();
@@ -53,7 +55,9 @@ class ControlsRobotTest {
 
     @Test
     void theControlPanelIsAsWideAsItsRowsNeedWhateverTheFrameTakes() {
-        ControlPanel panel = onEdt(() -> Components.all(driver.window(), ControlPanel.class).findFirst().orElseThrow());
+        ControlPanel panel = callOnEdt(() -> ComponentFinder.findAll(driver.window(), ControlPanel.class)
+                .findFirst()
+                .orElseThrow());
         driver.robot().waitFor("the panel has its width", () -> panel.getWidth() == panel.getMinimumSize().width);
     }
 
@@ -62,37 +66,56 @@ class ControlsRobotTest {
         List<String> ids = robot().sensors().stream().map(SensorSpec::id).toList();
         assertEquals(8, ids.size());
         for (String id : ids) {
-            driver.click(Components.named(driver.window(), JCheckBox.class, "Switch " + id));
-            driver.waitForFrame(id + " is off", frame -> !frame.world().robot().sensor(id).orElseThrow().on());
+            driver.click(ComponentFinder.find(driver.window(), JCheckBox.class, "Switch " + id));
+            driver.waitForFrame(
+                    id + " is off",
+                    frame -> !frame.snapshot().robot().sensor(id).orElseThrow().on());
         }
         for (int i = 0; i < ids.size(); i++) {
             String id = ids.get(i);
-            driver.robot().type(KeyEvent.VK_1 + i);
-            driver.waitForFrame(id + " is on", frame -> frame.world().robot().sensor(id).orElseThrow().on());
+            driver.robot().pressKeys(KeyEvent.VK_1 + i);
+            driver.waitForFrame(
+                    id + " is on",
+                    frame -> frame.snapshot().robot().sensor(id).orElseThrow().on());
         }
     }
 
     @Test
     void rangeIsTypedWithACommaAndConeWithAPoint() {
-        driver.typeInto("Range of left, metres", KeyEvent.VK_1, KeyEvent.VK_COMMA, KeyEvent.VK_2, KeyEvent.VK_5, KeyEvent.VK_ENTER);
-        driver.waitForFrame("the range is 1.25 m", frame -> frame.world().robot().sensor("left").orElseThrow().range() == 1.25);
-        driver.typeInto("Cone of left, degrees", KeyEvent.VK_3, KeyEvent.VK_5, KeyEvent.VK_PERIOD, KeyEvent.VK_5, KeyEvent.VK_ENTER);
-        driver.waitForFrame("the cone is 35.5 deg",
-                frame -> frame.world().robot().sensor("left").orElseThrow().cone() == Degrees.toRadians(35.5));
+        driver.typeInto(
+                "Range of left, metres",
+                KeyEvent.VK_1,
+                KeyEvent.VK_COMMA,
+                KeyEvent.VK_2,
+                KeyEvent.VK_5,
+                KeyEvent.VK_ENTER);
+        driver.waitForFrame(
+                "the range is 1.25 m",
+                frame -> frame.snapshot().robot().sensor("left").orElseThrow().range() == 1.25);
+        driver.typeInto(
+                "Cone of left, degrees",
+                KeyEvent.VK_3,
+                KeyEvent.VK_5,
+                KeyEvent.VK_PERIOD,
+                KeyEvent.VK_5,
+                KeyEvent.VK_ENTER);
+        driver.waitForFrame(
+                "the cone is 35.5 deg",
+                frame -> frame.snapshot().robot().sensor("left").orElseThrow().cone() == Degrees.toRadians(35.5));
         assertEquals(1.25, robot().sensor("left").orElseThrow().range());
-        assertEquals(0, driver.frame().world().tick(), "the point made no tick");
+        assertEquals(0, driver.frame().snapshot().tick(), "the point made no tick");
     }
 
     @Test
     void spaceAndPointAreTypedWhileAFieldHasTheFocusAndActOtherwise() {
         driver.typeInto("Linear velocity", KeyEvent.VK_SPACE, KeyEvent.VK_PERIOD, KeyEvent.VK_P);
-        assertFalse(onEdt(driver::isRunning));
-        assertEquals(0, driver.frame().world().tick());
-        assertTrue(onEdt(() -> driver.canvas().isLayerOn(Layer.PATH)));
+        assertFalse(callOnEdt(driver::isRunning));
+        assertEquals(0, driver.frame().snapshot().tick());
+        assertTrue(callOnEdt(() -> driver.canvas().isLayerOn(Layer.PATH)));
         focusCanvas();
-        driver.robot().type(KeyEvent.VK_PERIOD);
-        driver.waitForFrame("one tick is made", frame -> frame.world().tick() == 1);
-        driver.robot().type(KeyEvent.VK_SPACE);
+        driver.robot().pressKeys(KeyEvent.VK_PERIOD);
+        driver.waitForFrame("one tick is made", frame -> frame.snapshot().tick() == 1);
+        driver.robot().pressKeys(KeyEvent.VK_SPACE);
         driver.robot().waitFor("time runs", driver::isRunning);
     }
 
@@ -100,35 +123,37 @@ class ControlsRobotTest {
     void whatCannotBeTakenGoesBackToWhatIsTrue() {
         driver.typeInto("Cone of left, degrees", KeyEvent.VK_2, KeyEvent.VK_0, KeyEvent.VK_0, KeyEvent.VK_ENTER);
         focusCanvas();
-        JTextField field = Components.named(driver.window(), JTextField.class, "Cone of left, degrees");
+        JTextField field = ComponentFinder.find(driver.window(), JTextField.class, "Cone of left, degrees");
         driver.robot().waitFor("the field shows 20 again", () -> field.getText().equals("20"));
     }
 
     @Test
     void aPlatformThatTheRobotHasNoRoomForGoesBack() {
         driver.typeInto("Platform length", KeyEvent.VK_9, KeyEvent.VK_ENTER);
-        JTextField field = Components.named(driver.window(), JTextField.class, "Platform length");
-        driver.robot().waitFor("the field shows 0.25 again", () -> field.getText().equals("0.25"));
+        JTextField field = ComponentFinder.find(driver.window(), JTextField.class, "Platform length");
+        driver.robot()
+                .waitFor("the field shows 0.25 again", () -> field.getText().equals("0.25"));
         assertEquals(RobotSpec.DEFAULT.length(), robot().length());
     }
 
     @Test
     void theArrowsOfASpinnerSetTheVelocity() {
         double before = robot().speed();
-        driver.click(Components.named(driver.window(), JButton.class, "Linear velocity, more"));
-        driver.waitForFrame("the velocity is higher", frame -> frame.world().robot().speed() > before);
+        driver.click(ComponentFinder.find(driver.window(), JButton.class, "Linear velocity, more"));
+        driver.waitForFrame(
+                "the velocity is higher", frame -> frame.snapshot().robot().speed() > before);
     }
 
     @Test
     void plusAndMinusZoomOnceForEachPress() {
         focusCanvas();
-        double before = onEdt(this::scale);
-        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_EQUALS);
+        double before = callOnEdt(this::scale);
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_EQUALS);
         driver.robot().waitFor("the view is larger", () -> scale() > before);
-        double larger = onEdt(this::scale);
-        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_MINUS);
+        double larger = callOnEdt(this::scale);
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_MINUS);
         driver.robot().waitFor("the view is as before", () -> Math.abs(scale() - before) < 1e-9);
-        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_ADD);
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_ADD);
         driver.robot().waitFor("the view is as large again", () -> Math.abs(scale() - larger) < 1e-9);
     }
 
@@ -139,55 +164,66 @@ class ControlsRobotTest {
     @Test
     void runPauseStepAndRestartGoByKeys() {
         focusCanvas();
-        driver.robot().type(KeyEvent.VK_SPACE);
-        driver.waitForFrame("time has run", frame -> frame.world().tick() > 20);
-        driver.robot().type(KeyEvent.VK_SPACE);
+        driver.robot().pressKeys(KeyEvent.VK_SPACE);
+        driver.waitForFrame("time has run", frame -> frame.snapshot().tick() > 20);
+        driver.robot().pressKeys(KeyEvent.VK_SPACE);
         driver.robot().waitFor("time is held", () -> !driver.isRunning());
-        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_R);
-        driver.waitForFrame("time is 0 again", frame -> frame.world().tick() == 0);
-        driver.robot().type(KeyEvent.VK_PERIOD);
-        driver.waitForFrame("one tick is made", frame -> frame.world().tick() == 1);
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_R);
+        driver.waitForFrame("time is 0 again", frame -> frame.snapshot().tick() == 0);
+        driver.robot().pressKeys(KeyEvent.VK_PERIOD);
+        driver.waitForFrame("one tick is made", frame -> frame.snapshot().tick() == 1);
     }
 
     @Test
-    void aFaultIsInjectedAndMended() {
-        driver.click(Components.named(driver.window(), JButton.class, "Inject"));
-        driver.waitForFrame("the front sensor is broken", frame -> frame.world().sensors().get(0).faults().size() == 1);
-        driver.robot().waitFor("it is listed",
-                () -> Components.all(driver.window(), JButton.class).anyMatch(button -> Components.name(button).startsWith("Mend front")));
-        driver.click(Components.all(driver.window(), JButton.class).filter(button -> Components.name(button).startsWith("Mend front"))
-                .findFirst().orElseThrow());
-        driver.waitForFrame("it is mended", frame -> frame.world().sensors().get(0).faults().isEmpty());
+    void aFaultIsInjectedAndCleared() {
+        driver.click(ComponentFinder.find(driver.window(), JButton.class, "Inject"));
+        driver.waitForFrame(
+                "the front sensor is broken",
+                frame -> frame.snapshot().sensors().get(0).faults().size() == 1);
+        driver.robot().waitFor("it is listed", () -> ComponentFinder.findAll(driver.window(), JButton.class)
+                .anyMatch(button -> ComponentFinder.accessibleName(button).startsWith("Mend front")));
+        driver.click(ComponentFinder.findAll(driver.window(), JButton.class)
+                .filter(button -> ComponentFinder.accessibleName(button).startsWith("Mend front"))
+                .findFirst()
+                .orElseThrow());
+        driver.waitForFrame(
+                "it is mended",
+                frame -> frame.snapshot().sensors().get(0).faults().isEmpty());
     }
 
     @Test
     void theThemeIsSwitchedWhileTheRunGoesOn() {
         driver.choose("run");
-        driver.waitForFrame("time runs", frame -> frame.world().tick() > 0);
+        driver.waitForFrame("time runs", frame -> frame.snapshot().tick() > 0);
         driver.choose("dark");
-        assertEquals(Theme.DARK, onEdt(Theme::current));
-        long tick = driver.frame().world().tick();
-        driver.waitForFrame("time still runs", frame -> frame.world().tick() > tick);
-        assertEquals(Theme.DARK.colours().background().getRGB(), onEdt(() -> driver.window().getContentPane().getBackground().getRGB()));
+        assertEquals(Theme.DARK, callOnEdt(Theme::current));
+        long tick = driver.frame().snapshot().tick();
+        driver.waitForFrame("time still runs", frame -> frame.snapshot().tick() > tick);
+        assertEquals(
+                Theme.DARK.colours().background().getRGB(),
+                callOnEdt(() -> driver.window().getContentPane().getBackground().getRGB()));
     }
 
     @ParameterizedTest
     @CsvSource({"languagePolish, languageEnglish", "textSizeLarge, textSizeNormal"})
-    void aChoiceThatShowsLaterIsToldAtOnceAndOneThatShowsAlreadyIsNot(String later, String now) {
+    void aPreferenceForTheNextStartIsAnnouncedAtOnce(String later, String now) {
         driver.chooseLater(later);
-        assertTrue(WindowDriver.text(driver.dialog("From the next start on")).contains("This shows when Faultline is started again."));
-        driver.answer("From the next start on", "OK");
+        assertTrue(WindowDriver.text(driver.dialog("From the next start on"))
+                .contains("This shows when Faultline is started again."));
+        driver.clickButton("From the next start on", "OK");
         driver.chooseLater(now);
-        assertEquals(0, onEdt(() -> Stream.of(driver.window().getOwnedWindows()).filter(Window::isShowing).count()));
+        assertEquals(0, callOnEdt(() -> Stream.of(driver.window().getOwnedWindows())
+                .filter(Window::isShowing)
+                .count()));
     }
 
     private void focusCanvas() {
         driver.click(driver.canvas());
-        onEdt(() -> driver.canvas().requestFocusInWindow());
+        callOnEdt(() -> driver.canvas().requestFocusInWindow());
         driver.robot().waitFor("the canvas has the focus", driver.canvas()::isFocusOwner);
     }
 
     private RobotSpec robot() {
-        return driver.frame().world().robot();
+        return driver.frame().snapshot().robot();
     }
 }

@@ -1,17 +1,17 @@
 package faultline.gui.window;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.Setup;
+import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
 import faultline.gui.theme.Theme;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Expectation;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
-import faultline.world.Motion;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -35,8 +35,7 @@ final class CrowdedHall {
 
     private final Random random = new Random(7);
 
-    private CrowdedHall() {
-    }
+    private CrowdedHall() {}
 
     /** Opens a window with the hall, kept in a file of a folder. */
     static WindowDriver open(Path folder) throws IOException, ScenarioException {
@@ -47,25 +46,30 @@ final class CrowdedHall {
 
     static Scenario scenario() {
         int rows = (SHAPES + COLUMNS - 1) / COLUMNS;
-        WorldSpec world = new WorldSpec(COLUMNS * PITCH + 2 * AISLE, rows * PITCH + 2 * AISLE, true, MOVING, new CrowdedHall().obstacles());
+        WorldSpec world = new WorldSpec(
+                COLUMNS * PITCH + 2 * AISLE, rows * PITCH + 2 * AISLE, true, MOVING, new CrowdedHall().obstacles());
         RobotSpec robot = RobotSpec.DEFAULT.withPlatform(0.25, 0.20, 0.6);
-        Setup setup = new Setup(world, robot, new Pose(0.5, 0.5, 0), ControllerSpec.WallFollowing.DEFAULT, List.of(), 0.01, 1, 60);
+        SimulationSetup setup = new SimulationSetup(
+                world, robot, new Pose(0.5, 0.5, 0), ControllerSpec.WallFollowing.DEFAULT, List.of(), 0.01, 1, 60);
         return new Scenario("Crowded hall", "", false, setup, Expectation.NONE);
     }
 
     private List<Obstacle> obstacles() {
         List<Obstacle> obstacles = new ArrayList<>();
         for (int i = 0; i < SHAPES; i++) {
-            obstacles.add(obstacle(i, new Vec(AISLE + (i % COLUMNS + 0.5) * PITCH, AISLE + (i / COLUMNS + 0.5) * PITCH)));
+            obstacles.add(
+                    obstacle(i, new Vector2(AISLE + (i % COLUMNS + 0.5) * PITCH, AISLE + (i / COLUMNS + 0.5) * PITCH)));
         }
         return obstacles;
     }
 
-    private Obstacle obstacle(int number, Vec place) {
+    private Obstacle obstacle(int number, Vector2 place) {
         boolean moves = number % (SHAPES / MOVING) == SHAPES / MOVING / 2;
-        Vec beside = place.plus(new Vec(0.3, 0.2));
-        Optional<Motion> motion = moves ? Optional.of(new Motion(0.2, true, List.of(place, beside))) : Optional.empty();
-        return new Obstacle("shape" + number, shape(number % 6), new Pose(place.x(), place.y(), random.nextDouble() * 6), motion);
+        Vector2 beside = place.plus(new Vector2(0.3, 0.2));
+        Optional<WaypointPath> motion =
+                moves ? Optional.of(new WaypointPath(0.2, true, List.of(place, beside))) : Optional.empty();
+        return new Obstacle(
+                "shape" + number, shape(number % 6), new Pose(place.x(), place.y(), random.nextDouble() * 6), motion);
     }
 
     private ObstacleShape shape(int kind) {
@@ -75,15 +79,16 @@ final class CrowdedHall {
             case 1 -> new ObstacleShape.Circle(size);
             case 2 -> new ObstacleShape.Ellipse(size, size / 2);
             case 3 -> new ObstacleShape.Polygon(star(size));
-            case 4 -> new ObstacleShape.Wall(List.of(new Vec(-size, 0), new Vec(0, size), new Vec(size, 0)));
+            case 4 ->
+                new ObstacleShape.Wall(List.of(new Vector2(-size, 0), new Vector2(0, size), new Vector2(size, 0)));
             default -> new ObstacleShape.Rectangle(size, size);
         };
     }
 
-    private static List<Vec> star(double size) {
-        List<Vec> points = new ArrayList<>();
+    private static List<Vector2> star(double size) {
+        List<Vector2> points = new ArrayList<>();
         for (int i = 0; i < 10; i++) {
-            points.add(Vec.direction(i * Math.PI / 5).times(i % 2 == 0 ? size : size / 2));
+            points.add(Vector2.direction(i * Math.PI / 5).times(i % 2 == 0 ? size : size / 2));
         }
         return points;
     }

@@ -1,13 +1,13 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.gui.Components;
+import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
-import faultline.gui.document.Bench;
+import faultline.gui.document.Workspace;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
 import java.awt.KeyboardFocusManager;
@@ -36,15 +36,18 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Whoever cannot see, or has no mouse, gets along with every dialog: each control has a name, the Tab key reaches it, and Esc closes the
- * dialog.
+ * Whoever cannot see, or has no mouse, gets along with every dialog: each control has a name, the Tab key reaches it,
+ * and Esc closes the dialog.
  */
 @ExtendWith(EdtChecker.class)
-@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
 class DialogAccessRobotTest {
 
     @TempDir
     private Path folder;
+
     private Path file;
     private WindowDriver driver;
 
@@ -60,8 +63,16 @@ class DialogAccessRobotTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"guide, Guide", "shortcuts, Keys and mouse", "about, About Faultline", "open, Open a scenario", "saveAs, Save the scenario",
-        "saveJournal, Save the journal", "exportPng, Export a picture", "examples, Examples"})
+    @CsvSource({
+        "guide, Guide",
+        "shortcuts, Keys and mouse",
+        "about, About Faultline",
+        "open, Open a scenario",
+        "saveAs, Save the scenario",
+        "saveJournal, Save the journal",
+        "exportPng, Export a picture",
+        "examples, Examples"
+    })
     void aDialogOfAnActionIsNamedReachedAndClosedByKeys(String action, String title) {
         driver.chooseLater(action);
         check(title);
@@ -78,49 +89,64 @@ class DialogAccessRobotTest {
     }
 
     @Test
-    void theComplaintsOfABrokenFileAreToo() throws IOException {
-        Path broken = Files.writeString(folder.resolve("broken.xml"), Files.readString(file).replaceFirst("<robot ", "<robot lenght=\"1\" "));
-        edt(() -> driver.window().open(broken));
+    void theProblemsOfAnInvalidFileAreToo() throws IOException {
+        Path broken = Files.writeString(
+                folder.resolve("broken.xml"), Files.readString(file).replaceFirst("<robot ", "<robot lenght=\"1\" "));
+        runOnEdt(() -> driver.window().open(broken));
         check("Scenario not opened");
     }
 
     @Test
     void theSentenceOfAFileThatIsGoneIsToo() {
-        edt(() -> driver.window().open(folder.resolve("gone.xml")));
+        runOnEdt(() -> driver.window().open(folder.resolve("gone.xml")));
         check("Faultline");
     }
 
     private void check(String title) {
         JDialog dialog = driver.dialog(title);
-        List<Component> controls = onEdt(() -> controls(dialog).toList());
+        List<Component> controls = callOnEdt(() -> controls(dialog).toList());
         assertTrue(!controls.isEmpty(), "there is something to press");
-        assertEquals(List.of(), onEdt(() -> controls.stream().filter(control ->
-                Components.name(control).isBlank()).map(Component::getClass).toList()));
+        assertEquals(List.of(), callOnEdt(() -> controls.stream()
+                .filter(control -> ComponentFinder.accessibleName(control).isBlank())
+                .map(Component::getClass)
+                .toList()));
         Set<Component> reached = new HashSet<>();
         for (int i = 0; i < 2 * controls.size() + 4; i++) {
-            reached.add(onEdt(() -> KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()));
-            driver.robot().type(KeyEvent.VK_TAB);
+            reached.add(callOnEdt(
+                    () -> KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()));
+            driver.robot().pressKeys(KeyEvent.VK_TAB);
         }
-        assertEquals(List.of(), controls.stream().filter(control -> !reached.contains(control)).map(Components::name).toList(), "not reached");
-        driver.robot().type(KeyEvent.VK_ESCAPE);
+        assertEquals(
+                List.of(),
+                controls.stream()
+                        .filter(control -> !reached.contains(control))
+                        .map(ComponentFinder::accessibleName)
+                        .toList(),
+                "not reached");
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
     }
 
     /** What a user can use; the arrow of a choice is a part of the choice. */
     private static Stream<Component> controls(JDialog dialog) {
-        return Components.tree(dialog.getContentPane()).filter(DialogAccessRobotTest::isControl)
-                .filter(part -> part.isFocusable() && part.isShowing() && part.isEnabled() && !(part.getParent() instanceof JComboBox))
+        return ComponentFinder.tree(dialog.getContentPane())
+                .filter(DialogAccessRobotTest::isControl)
+                .filter(part -> part.isFocusable()
+                        && part.isShowing()
+                        && part.isEnabled()
+                        && !(part.getParent() instanceof JComboBox))
                 .filter(part -> !isOneOfAGroup(part));
     }
 
     /** Of buttons of which one is down, Tab reaches that one, and arrows the others. */
     private static boolean isOneOfAGroup(Component part) {
-        return part instanceof JToggleButton button && ((JToggleButton.ToggleButtonModel) button.getModel()).getGroup() != null
+        return part instanceof JToggleButton button
+                && ((JToggleButton.ToggleButtonModel) button.getModel()).getGroup() != null
                 && !button.isSelected();
     }
 
     private static boolean isControl(Component part) {
-        return Stream.of(AbstractButton.class, JTextComponent.class, JTable.class, JList.class, JComboBox.class).anyMatch(kind ->
-                kind.isInstance(part));
+        return Stream.of(AbstractButton.class, JTextComponent.class, JTable.class, JList.class, JComboBox.class)
+                .anyMatch(kind -> kind.isInstance(part));
     }
 }

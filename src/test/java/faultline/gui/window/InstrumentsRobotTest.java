@@ -1,12 +1,12 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
-import faultline.gui.Components;
+import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.theme.Theme;
@@ -24,7 +24,9 @@ import org.junit.jupiter.api.extension.ExtendWith;
 
 /** The instruments and the way back in time in a real window. */
 @ExtendWith(EdtChecker.class)
-@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
 class InstrumentsRobotTest {
 
     private WindowDriver driver;
@@ -40,14 +42,17 @@ class InstrumentsRobotTest {
     }
 
     private InstrumentDock dock() {
-        return Components.all(driver.window(), InstrumentDock.class).findFirst().orElseThrow();
+        return ComponentFinder.findAll(driver.window(), InstrumentDock.class)
+                .findFirst()
+                .orElseThrow();
     }
 
     /** Runs fast until a moment, and holds. */
-    private Frame ran(double seconds) {
+    private Frame runUntil(double seconds) {
         IntStream.range(0, 12).forEach(i -> driver.choose("faster"));
         driver.choose("run");
-        driver.waitForFrame("the run has come far enough", frame -> frame.world().time() > seconds);
+        driver.waitForFrame(
+                "the run has come far enough", frame -> frame.snapshot().time() > seconds);
         driver.choose("run");
         driver.robot().waitFor("time is held", () -> !driver.isRunning());
         return driver.frame();
@@ -56,43 +61,45 @@ class InstrumentsRobotTest {
     @Test
     void theCommaTakesATickBackAndThePointMakesItAgain() {
         for (int i = 0; i < 3; i++) {
-            driver.robot().type(KeyEvent.VK_PERIOD);
+            driver.robot().pressKeys(KeyEvent.VK_PERIOD);
         }
-        driver.waitForFrame("three ticks are made", frame -> frame.world().tick() == 3);
+        driver.waitForFrame("three ticks are made", frame -> frame.snapshot().tick() == 3);
         long hash = driver.frame().trajectoryHash();
-        driver.robot().type(KeyEvent.VK_COMMA);
-        driver.waitForFrame("one is taken back", frame -> frame.world().tick() == 2);
-        driver.robot().type(KeyEvent.VK_PERIOD);
-        driver.waitForFrame("it is made again", frame -> frame.world().tick() == 3);
+        driver.robot().pressKeys(KeyEvent.VK_COMMA);
+        driver.waitForFrame("one is taken back", frame -> frame.snapshot().tick() == 2);
+        driver.robot().pressKeys(KeyEvent.VK_PERIOD);
+        driver.waitForFrame("it is made again", frame -> frame.snapshot().tick() == 3);
         assertEquals(hash, driver.frame().trajectoryHash());
     }
 
     @Test
     void aDoubleClickOnAnEventGoesToItsMoment() {
-        ran(12);
-        edt(() -> dock().setSelectedIndex(2));
-        JTable table = Components.named(driver.window(), JTable.class, "Event log");
+        runUntil(12);
+        runOnEdt(() -> dock().setSelectedIndex(2));
+        JTable table = ComponentFinder.find(driver.window(), JTable.class, "Event log");
         driver.robot().waitFor("there are events", () -> table.getRowCount() > 3 && table.isShowing());
-        edt(() -> {
+        runOnEdt(() -> {
             table.setRowSelectionInterval(0, 0);
             table.scrollRectToVisible(table.getCellRect(0, 0, true));
         });
-        double time = Double.parseDouble(onEdt(() -> (String) table.getValueAt(0, 0)));
-        Rectangle cell = onEdt(() -> table.getCellRect(0, 2, true));
+        double time = Double.parseDouble(callOnEdt(() -> (String) table.getValueAt(0, 0)));
+        Rectangle cell = callOnEdt(() -> table.getCellRect(0, 2, true));
         driver.robot().click(table, cell.getCenterX(), cell.getCenterY(), InputEvent.BUTTON1_DOWN_MASK);
         driver.robot().press(InputEvent.BUTTON1_DOWN_MASK);
         driver.robot().release(InputEvent.BUTTON1_DOWN_MASK);
-        driver.waitForFrame("the run is at that moment", frame -> Math.abs(frame.world().time() - time) < 1e-9);
-        assertTrue(onEdt(() -> !driver.isRunning()));
+        driver.waitForFrame(
+                "the run is at that moment", frame -> Math.abs(frame.snapshot().time() - time) < 1e-9);
+        assertTrue(callOnEdt(() -> !driver.isRunning()));
     }
 
     @Test
     void aKeyHidesTheInstrumentsAndBringsThemBackAsHighAsTheyWere() {
-        int height = onEdt(() -> dock().getHeight());
-        int canvas = onEdt(() -> driver.canvas().getHeight());
-        driver.robot().type(KeyEvent.VK_I);
-        driver.robot().waitFor("the canvas has their room", () -> driver.canvas().getHeight() >= canvas + height);
-        driver.robot().type(KeyEvent.VK_I);
+        int height = callOnEdt(() -> dock().getHeight());
+        int canvas = callOnEdt(() -> driver.canvas().getHeight());
+        driver.robot().pressKeys(KeyEvent.VK_I);
+        driver.robot()
+                .waitFor("the canvas has their room", () -> driver.canvas().getHeight() >= canvas + height);
+        driver.robot().pressKeys(KeyEvent.VK_I);
         driver.robot().waitFor("they are back", () -> dock().isShowing() && dock().getHeight() == height);
     }
 }

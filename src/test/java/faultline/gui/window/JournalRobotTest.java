@@ -1,13 +1,13 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.engine.Frame;
 import faultline.geometry.Degrees;
-import faultline.geometry.Vec;
-import faultline.gui.Components;
+import faultline.geometry.Vector2;
+import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import faultline.sensor.SensorSpec;
@@ -30,9 +30,14 @@ import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A run that was meddled with by mouse and keys in a real window, saved as a journal, and replayed without the window and in it. */
+/**
+ * A run that was meddled with by mouse and keys in a real window, saved as a journal, and replayed without the window
+ * and in it.
+ */
 @ExtendWith(EdtChecker.class)
-@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
 class JournalRobotTest {
 
     private static final int LEFT = InputEvent.BUTTON1_DOWN_MASK;
@@ -40,6 +45,7 @@ class JournalRobotTest {
 
     @TempDir
     private Path folder;
+
     private Path journal;
     private WindowDriver driver;
 
@@ -57,34 +63,40 @@ class JournalRobotTest {
     @Test
     void anInteractiveSessionRunsHeadlessAndReplaysInTheWindowWithTheSameHash() throws IOException {
         driver.type(KeyEvent.VK_SPACE);
-        driver.waitForFrame("time runs", frame -> frame.world().time() > 0.2);
+        driver.waitForFrame("time runs", frame -> frame.snapshot().time() > 0.2);
         setRangeAndCone();
         toggleAllSensors();
-        putTheDeskInTheWay();
+        moveTheDeskIntoTheRobotsPath();
         drawATriangle();
-        undoAndRedoTen();
+        undoAndRedoTenTimes();
         driver.waitForFrame("some more of the run", after(driver.frame(), 1));
-        Frame last = hold();
+        Frame last = pause();
         driver.chooseLater("saveJournal");
-        driver.giveFile("Save the journal", journal);
+        driver.enterFile("Save the journal", journal);
         driver.robot().waitFor("the journal is there", () -> Files.exists(journal));
         assertEquals(hash(last), headless(journal));
-        edt(() -> driver.window().open(journal));
+        runOnEdt(() -> driver.window().open(journal));
         driver.waitForTitle("session.xml (replay)");
-        driver.waitForFrame("it is at its beginning", frame -> frame.world().tick() == 0);
-        driver.robot().waitFor("the window says so", () -> driver.note().startsWith("A saved run"));
+        driver.waitForFrame("it is at its beginning", frame -> frame.snapshot().tick() == 0);
+        driver.robot().waitFor("the window says so", () -> driver.statusNote().startsWith("A saved run"));
         for (int i = 0; i < 12; i++) {
             driver.choose("faster");
         }
         driver.choose("run");
-        driver.waitForFrame("the replay is at its end", frame -> frame.world().tick() == last.world().tick());
-        driver.robot().waitFor("it holds there, and says so", () -> !driver.isRunning()
-                && driver.note().startsWith("The replay has come to its end"));
+        driver.waitForFrame(
+                "the replay is at its end",
+                frame -> frame.snapshot().tick() == last.snapshot().tick());
+        driver.robot()
+                .waitFor(
+                        "it holds there, and says so",
+                        () -> !driver.isRunning() && driver.statusNote().startsWith("The replay has come to its end"));
         assertEquals(hash(last), hash(driver.frame()));
-        assertEquals(last.world().obstacles(), driver.frame().world().obstacles());
+        assertEquals(last.snapshot().obstacles(), driver.frame().snapshot().obstacles());
         assertEquals(sensors(last), sensors(driver.frame()));
         driver.choose("run");
-        driver.waitForFrame("it goes on if told to", frame -> frame.world().tick() > last.world().tick());
+        driver.waitForFrame(
+                "it goes on if told to",
+                frame -> frame.snapshot().tick() > last.snapshot().tick());
     }
 
     private void setRangeAndCone() {
@@ -92,36 +104,40 @@ class JournalRobotTest {
         driver.waitForFrame("the range is 0.9 m", frame -> left(frame).range() == 0.9);
         driver.typeInto("Cone of left, degrees", KeyEvent.VK_3, KeyEvent.VK_0, KeyEvent.VK_ENTER);
         driver.waitForFrame("the cone is 30 degrees", frame -> left(frame).cone() == Degrees.toRadians(30));
-        edt(() -> driver.canvas().requestFocusInWindow());
+        runOnEdt(() -> driver.canvas().requestFocusInWindow());
         driver.robot().waitFor("the canvas has the focus", driver.canvas()::isFocusOwner);
     }
 
     private static SensorSpec left(Frame frame) {
-        return frame.world().robot().sensor("left").orElseThrow();
+        return frame.snapshot().robot().sensor("left").orElseThrow();
     }
 
     private void toggleAllSensors() {
         for (int key = KeyEvent.VK_1; key <= KeyEvent.VK_8; key++) {
             List<Boolean> before = switches(driver.frame());
-            driver.robot().type(key);
-            driver.waitForFrame("a sensor is switched", frame -> !switches(frame).equals(before));
+            driver.robot().pressKeys(key);
+            driver.waitForFrame(
+                    "a sensor is switched", frame -> !switches(frame).equals(before));
         }
     }
 
     private static List<Boolean> switches(Frame frame) {
-        return frame.world().robot().sensors().stream().map(SensorSpec::on).toList();
+        return frame.snapshot().robot().sensors().stream().map(SensorSpec::on).toList();
     }
 
     private static List<SensorSpec> sensors(Frame frame) {
-        return frame.world().robot().sensors();
+        return frame.snapshot().robot().sensors();
     }
 
-    private void putTheDeskInTheWay() {
+    private void moveTheDeskIntoTheRobotsPath() {
         driver.drag(0, -30, -20);
-        Obstacle desk = driver.frame().world().obstacles().get(0);
-        Vec at = onScreen(desk.pose().position());
+        Obstacle desk = driver.frame().snapshot().obstacles().get(0);
+        Vector2 at = onScreen(desk.pose().position());
         driver.robot().drag(driver.canvas(), at.x() + 6, at.y() + 6, at.x() + 14, at.y() - 24, RIGHT);
-        driver.waitForFrame("the desk is turned", frame -> frame.world().obstacles().get(0).pose().heading() != desk.pose().heading());
+        driver.waitForFrame(
+                "the desk is turned",
+                frame -> frame.snapshot().obstacles().get(0).pose().heading()
+                        != desk.pose().heading());
     }
 
     private void drawATriangle() {
@@ -129,63 +145,76 @@ class JournalRobotTest {
         click(6, 1.5);
         click(7, 1.5);
         click(6.5, 2.2);
-        driver.robot().type(KeyEvent.VK_ENTER);
-        driver.waitForFrame("the triangle is there", frame ->
-                frame.world().obstacles().stream().anyMatch(obstacle -> obstacle.id().equals("polygon")));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.waitForFrame("the triangle is there", frame -> frame.snapshot().obstacles().stream()
+                .anyMatch(obstacle -> obstacle.id().equals("polygon")));
     }
 
     private void click(double x, double y) {
-        Vec at = onScreen(new Vec(x, y));
+        Vector2 at = onScreen(new Vector2(x, y));
         driver.robot().click(driver.canvas(), at.x(), at.y(), LEFT);
     }
 
-    private Vec onScreen(Vec world) {
-        return onEdt(() -> driver.canvas().camera().toScreen(world));
+    private Vector2 onScreen(Vector2 world) {
+        return callOnEdt(() -> driver.canvas().camera().toScreen(world));
     }
 
-    private void undoAndRedoTen() {
-        List<Obstacle> obstacles = driver.frame().world().obstacles();
+    private void undoAndRedoTenTimes() {
+        List<Obstacle> obstacles = driver.frame().snapshot().obstacles();
         List<SensorSpec> sensors = sensors(driver.frame());
         for (int i = 0; i < 10; i++) {
-            driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+            driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
         }
-        driver.waitForFrame("ten edits are undone", frame -> switches(frame).contains(true) && frame.world().obstacles().size() < obstacles.size());
+        driver.waitForFrame(
+                "ten edits are undone",
+                frame -> switches(frame).contains(true)
+                        && frame.snapshot().obstacles().size() < obstacles.size());
         for (int i = 0; i < 10; i++) {
-            driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_Y);
+            driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_Y);
         }
-        driver.waitForFrame("ten edits are redone", frame -> frame.world().obstacles().size() == obstacles.size() && sensors(frame).equals(sensors));
+        driver.waitForFrame(
+                "ten edits are redone",
+                frame -> frame.snapshot().obstacles().size() == obstacles.size()
+                        && sensors(frame).equals(sensors));
     }
 
     @Test
     void aScrubIntoThePastKeepsLaterEditsToBeRedone() {
         driver.type(KeyEvent.VK_SPACE);
-        driver.waitForFrame("time runs", frame -> frame.world().time() > 0.5);
-        Obstacle before = driver.frame().world().obstacles().get(0);
+        driver.waitForFrame("time runs", frame -> frame.snapshot().time() > 0.5);
+        Obstacle before = driver.frame().snapshot().obstacles().get(0);
         driver.drag(0, -30, -20);
-        Obstacle moved = driver.frame().world().obstacles().get(0);
+        Obstacle moved = driver.frame().snapshot().obstacles().get(0);
         driver.waitForFrame("some more of the run", after(driver.frame(), 0.5));
-        hold();
+        pause();
         scrubToTheBeginning();
-        driver.waitForFrame("the desk is where it was", frame -> frame.world().obstacles().get(0).equals(before));
+        driver.waitForFrame(
+                "the desk is where it was",
+                frame -> frame.snapshot().obstacles().get(0).equals(before));
         driver.waitForTitle("office.xml*");
-        driver.robot().type(KeyEvent.VK_1);
-        driver.waitForFrame("a sensor is switched off", frame -> !sensors(frame).get(0).on());
-        driver.robot().waitFor("the window says what becomes of the later edit", () -> driver.note().endsWith("later edits under Redo: 1"));
-        driver.robot().type(KeyEvent.VK_CONTROL, KeyEvent.VK_Y);
-        driver.waitForFrame("the desk is moved again", frame -> frame.world().obstacles().get(0).equals(moved));
+        driver.robot().pressKeys(KeyEvent.VK_1);
+        driver.waitForFrame(
+                "a sensor is switched off", frame -> !sensors(frame).get(0).on());
+        driver.robot().waitFor("the window says what becomes of the later edit", () -> driver.statusNote()
+                .endsWith("later edits under Redo: 1"));
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_Y);
+        driver.waitForFrame(
+                "the desk is moved again",
+                frame -> frame.snapshot().obstacles().get(0).equals(moved));
     }
 
     private void scrubToTheBeginning() {
-        JSlider slider = Components.named(driver.window(), JSlider.class, "Moment of the run");
-        edt(slider::requestFocusInWindow);
+        JSlider slider = ComponentFinder.find(driver.window(), JSlider.class, "Moment of the run");
+        runOnEdt(slider::requestFocusInWindow);
         driver.robot().waitFor("the line has the focus", slider::isFocusOwner);
-        driver.robot().type(KeyEvent.VK_HOME);
-        driver.waitForFrame("time is at its beginning", frame -> frame.world().tick() == 0);
-        edt(() -> driver.canvas().requestFocusInWindow());
+        driver.robot().pressKeys(KeyEvent.VK_HOME);
+        driver.waitForFrame(
+                "time is at its beginning", frame -> frame.snapshot().tick() == 0);
+        runOnEdt(() -> driver.canvas().requestFocusInWindow());
         driver.robot().waitFor("the canvas has the focus", driver.canvas()::isFocusOwner);
     }
 
-    private Frame hold() {
+    private Frame pause() {
         driver.type(KeyEvent.VK_SPACE);
         driver.robot().waitFor("time is held", () -> !driver.isRunning());
         driver.robot().waitForPaint();
@@ -193,7 +222,7 @@ class JournalRobotTest {
     }
 
     private static Predicate<Frame> after(Frame earlier, double seconds) {
-        return frame -> frame.world().time() > earlier.world().time() + seconds;
+        return frame -> frame.snapshot().time() > earlier.snapshot().time() + seconds;
     }
 
     private static String hash(Frame frame) {
@@ -202,11 +231,21 @@ class JournalRobotTest {
 
     /** The hash that the program prints for a file when it is run without a window. */
     private static String headless(Path file) throws IOException {
-        Process program = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", "target/classes",
-                "faultline.app.Main",
-                "run", file.toString()).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+        Process program = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        "target/classes",
+                        "faultline.app.Main",
+                        "run",
+                        file.toString())
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
         try (BufferedReader lines = program.inputReader(StandardCharsets.UTF_8)) {
-            return lines.lines().filter(line -> line.startsWith("trajectory_hash: ")).toList().get(0).substring("trajectory_hash: ".length());
+            return lines.lines()
+                    .filter(line -> line.startsWith("trajectory_hash: "))
+                    .toList()
+                    .get(0)
+                    .substring("trajectory_hash: ".length());
         }
     }
 }

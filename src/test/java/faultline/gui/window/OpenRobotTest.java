@@ -1,13 +1,14 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.gui.Components;
+import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
@@ -37,11 +38,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** The ways to open a scenario in a real window, and what is asked before changes are given up for it. */
 @ExtendWith(EdtChecker.class)
-@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
 class OpenRobotTest {
 
     @TempDir
     private Path folder;
+
     private Path office;
     private Path square;
     private WindowDriver driver;
@@ -50,7 +54,7 @@ class OpenRobotTest {
     void open() throws IOException {
         office = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("office.xml"));
         square = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("square.xml"));
-        driver = WindowDriver.open(Theme.LIGHT, office, new WindowMemory(new Notebook()));
+        driver = WindowDriver.open(Theme.LIGHT, office, new WindowPreferences(new InMemoryStore()));
     }
 
     @AfterEach
@@ -61,28 +65,30 @@ class OpenRobotTest {
     @Test
     void aFileIsOpenedByItsName() {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
-        driver.giveFile("Open a scenario", square);
+        driver.enterFile("Open a scenario", square);
         driver.waitForTitle("square.xml");
     }
 
     @Test
-    void recentFilesAreListedNewestFirstAndOneThatIsGoneIsToldAndLeavesTheList() throws IOException {
-        edt(() -> driver.window().open(square));
+    void recentFilesAreListedNewestFirstAndAMissingOneIsReportedAndRemoved() throws IOException {
+        runOnEdt(() -> driver.window().open(square));
         driver.waitForTitle("square.xml");
         assertEquals(List.of("1  square.xml", "2  office.xml"), recent());
         Files.delete(office);
         chooseRecent(KeyEvent.VK_2);
         JDialog dialog = driver.dialog("Faultline");
-        assertTrue(WindowDriver.text(dialog).contains("office.xml cannot be opened: there is no such file"), WindowDriver.text(dialog));
-        driver.robot().type(KeyEvent.VK_ENTER);
+        assertTrue(
+                WindowDriver.text(dialog).contains("office.xml cannot be opened: there is no such file"),
+                WindowDriver.text(dialog));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
         assertEquals(List.of("1  square.xml"), recent());
-        assertEquals("square.xml – Faultline", onEdt(driver.window()::getTitle));
+        assertEquals("square.xml – Faultline", callOnEdt(driver.window()::getTitle));
     }
 
     @Test
     void aRecentFileIsOpenedFromTheMenuByKeys() {
-        edt(() -> driver.window().open(square));
+        runOnEdt(() -> driver.window().open(square));
         driver.waitForTitle("square.xml");
         chooseRecent(KeyEvent.VK_2);
         driver.waitForTitle("office.xml");
@@ -93,35 +99,41 @@ class OpenRobotTest {
         driver.type(KeyEvent.VK_ALT, KeyEvent.VK_F);
         RecentMenu menu = recentMenu();
         driver.robot().waitFor("the menu is open", menu::isShowing);
-        driver.robot().type(onEdt(menu::getMnemonic));
+        driver.robot().pressKeys(callOnEdt(menu::getMnemonic));
         driver.robot().waitFor("the list is open", () -> menu.getPopupMenu().isShowing());
-        driver.robot().type(number);
+        driver.robot().pressKeys(number);
     }
 
     private RecentMenu recentMenu() {
-        return onEdt(() -> Components.all(driver.window(), RecentMenu.class).findFirst().orElseThrow());
+        return callOnEdt(() -> ComponentFinder.findAll(driver.window(), RecentMenu.class)
+                .findFirst()
+                .orElseThrow());
     }
 
     private List<String> recent() {
         RecentMenu menu = recentMenu();
-        return onEdt(() -> {
+        return callOnEdt(() -> {
             menu.setSelected(true);
             menu.setSelected(false);
-            return Components.all(menu, JMenuItem.class).map(JMenuItem::getText).filter(text -> text.matches("\\d .*"))
-                    .map(text -> text.substring(0, text.indexOf("  –"))).toList();
+            return ComponentFinder.findAll(menu, JMenuItem.class)
+                    .map(JMenuItem::getText)
+                    .filter(text -> text.matches("\\d .*"))
+                    .map(text -> text.substring(0, text.indexOf("  –")))
+                    .toList();
         });
     }
 
     @Test
     void aFileIsDroppedOnTheWindow() {
-        JFrame source = onEdt(() -> FileSource.of(square));
+        JFrame source = callOnEdt(() -> DragSourceWindow.create(square));
         driver.robot().open(source);
         try {
-            JLabel label = onEdt(() -> Components.all(source, JLabel.class).findFirst().orElseThrow());
+            JLabel label = callOnEdt(() ->
+                    ComponentFinder.findAll(source, JLabel.class).findFirst().orElseThrow());
             driver.robot().moveTo(label, 20, 20);
             driver.robot().press(InputEvent.BUTTON1_DOWN_MASK);
-            driver.robot().glide(label, 20, 20, 60, 30);
-            driver.robot().glide(driver.canvas(), 200, 200, 260, 230);
+            driver.robot().moveSmoothly(label, 20, 20, 60, 30);
+            driver.robot().moveSmoothly(driver.canvas(), 200, 200, 260, 230);
             driver.robot().waitForPaint();
             driver.robot().release(InputEvent.BUTTON1_DOWN_MASK);
             driver.waitForTitle("square.xml");
@@ -135,28 +147,28 @@ class OpenRobotTest {
         edit();
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_O);
         choose("Examples");
-        driver.answer("Unsaved changes", "Cancel");
-        assertEquals("office.xml* – Faultline", onEdt(driver.window()::getTitle));
+        driver.clickButton("Unsaved changes", "Cancel");
+        assertEquals("office.xml* – Faultline", callOnEdt(driver.window()::getTitle));
     }
 
     @Test
-    void withUnsavedChangesOpeningGivesThemUpIfToldTo() throws ScenarioException {
+    void withUnsavedChangesOpeningDiscardsThemOnRequest() throws ScenarioException {
         Scenario before = Scenario.load(office);
         edit();
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
-        driver.answer("Unsaved changes", "Don't save");
-        driver.giveFile("Open a scenario", square);
+        driver.clickButton("Unsaved changes", "Don't save");
+        driver.enterFile("Open a scenario", square);
         driver.waitForTitle("square.xml");
         assertEquals(before, Scenario.load(office));
     }
 
     @Test
-    void withUnsavedChangesOpeningSavesThemFirstIfToldTo() throws ScenarioException {
+    void withUnsavedChangesOpeningSavesThemFirstOnRequest() throws ScenarioException {
         Scenario before = Scenario.load(office);
         edit();
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
-        driver.answer("Unsaved changes", "Save");
-        driver.giveFile("Open a scenario", square);
+        driver.clickButton("Unsaved changes", "Save");
+        driver.enterFile("Open a scenario", square);
         driver.waitForTitle("square.xml");
         assertNotEquals(before, Scenario.load(office));
     }
@@ -165,15 +177,18 @@ class OpenRobotTest {
     void anExampleIsChosenByTheKeyboard() {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_O);
         JDialog gallery = driver.dialog("Examples");
-        JList<?> list = Components.all(gallery, JList.class).findFirst().orElseThrow();
+        JList<?> list =
+                ComponentFinder.findAll(gallery, JList.class).findFirst().orElseThrow();
         driver.robot().waitFor("two examples are there", () -> list.getModel().getSize() >= 2);
-        edt(list::requestFocusInWindow);
+        runOnEdt(list::requestFocusInWindow);
         driver.robot().waitFor("the list has the focus", list::isFocusOwner);
-        driver.robot().type(KeyEvent.VK_RIGHT);
+        driver.robot().pressKeys(KeyEvent.VK_RIGHT);
         driver.robot().waitFor("the second is chosen", () -> list.getSelectedIndex() == 1);
-        driver.robot().type(KeyEvent.VK_ENTER);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
         driver.robot().waitFor("the gallery is gone", () -> !gallery.isShowing());
-        driver.robot().waitFor("another scenario is open", () -> !driver.window().getTitle().startsWith("office.xml"));
+        driver.robot().waitFor("another scenario is open", () -> !driver.window()
+                .getTitle()
+                .startsWith("office.xml"));
     }
 
     @ParameterizedTest
@@ -181,18 +196,20 @@ class OpenRobotTest {
     void askedForAgainWhatIsOpenComesToTheFront(String action, String title) {
         driver.choose(action);
         JDialog open = driver.dialog(title);
-        edt(driver.window()::requestFocus);
+        runOnEdt(driver.window()::requestFocus);
         driver.robot().waitFor("the window has the focus", driver.window()::isFocused);
         driver.choose(action);
         driver.robot().waitFor("the dialog has the focus", open::isFocused);
-        assertEquals(1, onEdt(() -> Stream.of(driver.window().getOwnedWindows()).filter(Window::isShowing).count()));
+        assertEquals(1, callOnEdt(() -> Stream.of(driver.window().getOwnedWindows())
+                .filter(Window::isShowing)
+                .count()));
     }
 
     private void choose(String gallery) {
         JDialog dialog = driver.dialog(gallery);
-        JList<?> list = Components.all(dialog, JList.class).findFirst().orElseThrow();
+        JList<?> list = ComponentFinder.findAll(dialog, JList.class).findFirst().orElseThrow();
         driver.robot().waitFor("an example is chosen", () -> list.getSelectedIndex() == 0);
-        driver.robot().type(KeyEvent.VK_ENTER);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
     }
 
     private void edit() {
@@ -201,7 +218,7 @@ class OpenRobotTest {
     }
 
     /** Remembers as long as the test takes. */
-    private static final class Notebook implements WindowMemory.Store {
+    private static final class InMemoryStore implements WindowPreferences.PreferenceStore {
         private final Map<String, String> texts = new HashMap<>();
 
         @Override

@@ -1,13 +1,13 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.geometry.Vec;
+import faultline.geometry.Vector2;
+import faultline.gui.DurationStatistics;
 import faultline.gui.EdtChecker;
-import faultline.gui.EventMeter;
-import faultline.gui.Times;
+import faultline.gui.EventThreadMeter;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.world.Obstacle;
 import java.awt.event.InputEvent;
@@ -24,36 +24,42 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * How long it takes to paint 500 shapes, eight cones and a path of 100 000 points on a canvas of 1200 x 800 pixels while the run goes on,
- * whatever the user does to them. What is held to the bounds is the event dispatch thread's own processor time, because other programs on
- * the machine do not lengthen it; the time by the clock is printed beside it.
+ * How long it takes to paint 500 shapes, eight cones and a path of 100 000 points on a canvas of 1200 x 800 pixels
+ * while the run goes on, whatever the user does to them. What is held to the bounds is the event dispatch thread's own
+ * processor time, because other programs on the machine do not lengthen it; the time by the clock is printed beside it.
  */
 @ExtendWith(EdtChecker.class)
-@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
 class PaintTimesRobotTest {
 
     /** Milliseconds. */
-    private static final double MOST_MEDIAN = 8;
-    private static final double MOST_P99 = 16;
+    private static final double MAX_MEDIAN = 8;
+
+    private static final double MAX_P99 = 16;
 
     /** A paint that takes less than this, milliseconds, was one of a few labels beside the canvas. */
-    private static final double LEAST = 0.4;
+    private static final double MIN_CANVAS_PAINT = 0.4;
+
     private static final int LONG_PATH = 100_000;
 
     private final List<Double> all = new ArrayList<>();
+
     @TempDir
     private Path folder;
+
     private WindowDriver driver;
-    private EventMeter meter;
+    private EventThreadMeter meter;
 
     @BeforeEach
     void open() throws Exception {
         driver = CrowdedHall.open(folder);
         driver.choose("instruments");
-        driver.sizeCanvas(1200, 800);
+        driver.resizeCanvas(1200, 800);
         driver.runFast(frame -> frame.path().size() >= LONG_PATH);
         driver.choose("realTime");
-        meter = EventMeter.start();
+        meter = EventThreadMeter.start();
     }
 
     @AfterEach
@@ -63,49 +69,52 @@ class PaintTimesRobotTest {
     }
 
     @Test
-    void whateverTheUserDoesEveryFrameIsSoonPainted() {
-        assertEquals(8, driver.frame().world().sensors().size());
-        assertEquals(CrowdedHall.SHAPES, driver.frame().world().obstacles().size());
+    void everyFrameIsPaintedWithinTheLimits() {
+        assertEquals(8, driver.frame().snapshot().sensors().size());
+        assertEquals(CrowdedHall.SHAPES, driver.frame().snapshot().obstacles().size());
         watch();
-        Times times = measureAll();
-        assertTrue(times.median() < MOST_MEDIAN && times.p99() < MOST_P99, times::toString);
+        DurationStatistics times = measureAll();
+        assertTrue(times.median() < MAX_MEDIAN && times.p99() < MAX_P99, times::toString);
     }
 
-    private Times measureAll() {
-        meter.take();
+    private DurationStatistics measureAll() {
+        meter.drain();
         measure("running", this::watch);
         measure("panning", () -> repeat(4, turn -> drag(InputEvent.BUTTON2_DOWN_MASK, 20, 20, 320 - 40 * turn, 220)));
-        measure("zooming by the wheel", () -> repeat(30, turn -> driver.robot().wheel(turn % 20 < 10 ? -1 : 1)));
+        measure("zooming by the wheel", () -> repeat(30, turn -> driver.robot().rotateWheel(turn % 20 < 10 ? -1 : 1)));
         measure("fitting", () -> driver.choose("fit"));
         measure("dragging an obstacle", this::dragAnObstacle);
         measure("undoing and redoing", () -> repeat(20, turn -> driver.choose(turn % 2 == 0 ? "undo" : "redo")));
         measure("selecting all", () -> driver.choose("selectAll"));
         measure("dragging all", this::dragAnObstacle);
-        measure("switching sensors", () -> repeat(16, turn -> driver.robot().type(KeyEvent.VK_1 + turn % 8)));
+        measure("switching sensors", () -> repeat(16, turn -> driver.robot().pressKeys(KeyEvent.VK_1 + turn % 8)));
         measure("names on and off", () -> repeat(4, turn -> driver.choose("labels")));
         measure("path on and off", () -> repeat(4, turn -> driver.choose("path")));
         measure("dark and light", () -> repeat(2, turn -> driver.choose("dark")));
-        measure("resizing", () -> repeat(8, turn -> driver.sizeCanvas(1200 - 20 * (turn % 3), 800 - 10 * (turn % 2))));
-        measure("with a ghost, panning", this::panBesideAGhost);
-        measure("following the robot", this::follow);
-        Times times = Times.of(all);
+        measure(
+                "resizing",
+                () -> repeat(8, turn -> driver.resizeCanvas(1200 - 20 * (turn % 3), 800 - 10 * (turn % 2))));
+        measure("with a ghost, panning", this::panWithReferenceRun);
+        measure("following the robot", this::followRobot);
+        DurationStatistics times = DurationStatistics.of(all);
         System.out.println("painting, all:                    " + times);
         return times;
     }
 
     private void dragAnObstacle() {
-        Obstacle obstacle = driver.frame().world().obstacles().get(30);
-        Vec from = onEdt(() -> canvas().camera().toScreen(obstacle.pose().position()));
+        Obstacle obstacle = driver.frame().snapshot().obstacles().get(30);
+        Vector2 from =
+                callOnEdt(() -> canvas().camera().toScreen(obstacle.pose().position()));
         drag(InputEvent.BUTTON1_DOWN_MASK, from.x(), from.y(), from.x() + 60, from.y() + 35);
     }
 
-    private void panBesideAGhost() {
+    private void panWithReferenceRun() {
         driver.choose("keepGhost");
-        driver.waitForGhost();
+        driver.waitForReferenceRun();
         repeat(2, turn -> drag(InputEvent.BUTTON2_DOWN_MASK, 20, 20, 320, 220));
     }
 
-    private void follow() {
+    private void followRobot() {
         repeat(6, turn -> driver.choose("zoomIn"));
         driver.choose("follow");
         watch();
@@ -130,8 +139,8 @@ class PaintTimesRobotTest {
 
     /** Lets simulated seconds pass. */
     private void watch(double seconds) {
-        double from = driver.frame().world().time();
-        driver.waitForFrame("time passes", frame -> frame.world().time() >= from + seconds);
+        double from = driver.frame().snapshot().time();
+        driver.waitForFrame("time passes", frame -> frame.snapshot().time() >= from + seconds);
     }
 
     private SimulationCanvas canvas() {
@@ -139,13 +148,19 @@ class PaintTimesRobotTest {
     }
 
     private void measure(String what, Runnable action) {
-        meter.take();
+        meter.drain();
         action.run();
         watch(0.5);
-        List<EventMeter.Stretch> paints = meter.take().stream().filter(stretch -> stretch.isPaint() && stretch.cpu() > LEAST).toList();
-        List<Double> cpu = paints.stream().map(EventMeter.Stretch::cpu).toList();
+        List<EventThreadMeter.BusyPeriod> paints = meter.drain().stream()
+                .filter(stretch -> stretch.isPaint() && stretch.cpu() > MIN_CANVAS_PAINT)
+                .toList();
+        List<Double> cpu = paints.stream().map(EventThreadMeter.BusyPeriod::cpu).toList();
         all.addAll(cpu);
-        System.out.printf("painting, %-22s  %s; by the clock %s%n", what + ":", Times.of(cpu),
-                Times.of(paints.stream().map(EventMeter.Stretch::wall).toList()));
+        System.out.printf(
+                "painting, %-22s  %s; by the clock %s%n",
+                what + ":",
+                DurationStatistics.of(cpu),
+                DurationStatistics.of(
+                        paints.stream().map(EventThreadMeter.BusyPeriod::wall).toList()));
     }
 }

@@ -1,7 +1,7 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -27,11 +27,14 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Saving, reverting and closing in a real window, after an obstacle was dragged. */
 @ExtendWith(EdtChecker.class)
-@DisabledIf(value = "java.awt.GraphicsEnvironment#isHeadless", disabledReason = "drives a real window, which needs a display")
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
 class SaveRobotTest {
 
     @TempDir
     private Path folder;
+
     private Path file;
     private WindowDriver driver;
     private Pose before;
@@ -53,7 +56,7 @@ class SaveRobotTest {
     }
 
     private Pose shown() {
-        return driver.frame().world().obstacles().get(0).pose();
+        return driver.frame().snapshot().obstacles().get(0).pose();
     }
 
     private static Pose saved(Path where) throws ScenarioException {
@@ -74,16 +77,16 @@ class SaveRobotTest {
         driver.waitForTitle("office.xml");
         driver.typeInto("Linear velocity", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_4, KeyEvent.VK_1);
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
-        driver.answer("Unsaved changes", "Cancel");
+        driver.clickButton("Unsaved changes", "Cancel");
         driver.waitForTitle("office.xml*");
-        assertEquals(0.41, driver.frame().world().robot().speed());
+        assertEquals(0.41, driver.frame().snapshot().robot().speed());
     }
 
     @Test
     void saveAsWritesANewFileAndTheOldOneStaysAsItWas() throws ScenarioException {
         Path other = folder.resolve("other.xml");
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
-        driver.giveFile("Save the scenario", other);
+        driver.enterFile("Save the scenario", other);
         driver.waitForTitle("other.xml");
         assertEquals(after, saved(other));
         assertEquals(before, saved(file));
@@ -93,13 +96,13 @@ class SaveRobotTest {
     void saveAsAsksBeforeItReplacesAFile() throws IOException {
         Path other = Files.writeString(folder.resolve("other.xml"), "precious");
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
-        driver.giveFile("Save the scenario", other);
-        driver.answer("Replace file", "Cancel");
+        driver.enterFile("Save the scenario", other);
+        driver.clickButton("Replace file", "Cancel");
         assertEquals("precious", Files.readString(other));
-        assertEquals("office.xml* – Faultline", onEdt(driver.window()::getTitle));
+        assertEquals("office.xml* – Faultline", callOnEdt(driver.window()::getTitle));
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
-        driver.giveFile("Save the scenario", other);
-        driver.answer("Replace file", "OK");
+        driver.enterFile("Save the scenario", other);
+        driver.clickButton("Replace file", "OK");
         driver.waitForTitle("other.xml");
         assertTrue(Files.readString(other).contains("<scenario"));
     }
@@ -110,10 +113,12 @@ class SaveRobotTest {
         Files.createDirectory(file);
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
         JDialog dialog = driver.dialog("Faultline");
-        assertTrue(WindowDriver.text(dialog).contains("office.xml cannot be saved: this is a folder, allowed is a file"), WindowDriver.text(dialog));
-        driver.robot().type(KeyEvent.VK_ENTER);
+        assertTrue(
+                WindowDriver.text(dialog).contains("office.xml cannot be saved: this is a folder, allowed is a file"),
+                WindowDriver.text(dialog));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
-        assertEquals("office.xml* – Faultline", onEdt(driver.window()::getTitle));
+        assertEquals("office.xml* – Faultline", callOnEdt(driver.window()::getTitle));
         assertEquals(after, shown());
         Files.delete(file);
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
@@ -122,34 +127,36 @@ class SaveRobotTest {
     }
 
     @Test
-    void revertAsksAndGivesTheChangesUp() throws IOException {
+    void revertAsksAndDiscardsTheChanges() throws IOException {
         byte[] original = Files.readAllBytes(file);
         driver.chooseLater("revert");
-        driver.answer("Revert", "Cancel");
+        driver.clickButton("Revert", "Cancel");
         assertEquals(after, shown());
         driver.chooseLater("revert");
-        driver.answer("Revert", "Revert");
+        driver.clickButton("Revert", "Revert");
         driver.waitForTitle("office.xml");
-        driver.waitForFrame("all is as it was", frame -> frame.world().obstacles().get(0).pose().equals(before));
+        driver.waitForFrame(
+                "all is as it was",
+                frame -> frame.snapshot().obstacles().get(0).pose().equals(before));
         assertArrayEquals(original, Files.readAllBytes(file));
     }
 
     @Test
-    void closingSavesIfToldTo() throws ScenarioException {
+    void closingSavesOnRequest() throws ScenarioException {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
-        driver.answer("Unsaved changes", "Save");
+        driver.clickButton("Unsaved changes", "Save");
         driver.robot().waitFor("the window is closed", () -> !driver.window().isShowing());
         assertEquals(after, saved(file));
     }
 
     @Test
     void theBoxOfTheWindowAsksTooAndEscCancels() throws ScenarioException {
-        EventQueue.invokeLater(() -> driver.window().dispatchEvent(
-                new WindowEvent(driver.window(), WindowEvent.WINDOW_CLOSING)));
+        EventQueue.invokeLater(
+                () -> driver.window().dispatchEvent(new WindowEvent(driver.window(), WindowEvent.WINDOW_CLOSING)));
         JDialog dialog = driver.dialog("Unsaved changes");
-        driver.robot().type(KeyEvent.VK_ESCAPE);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
-        assertTrue(onEdt(driver.window()::isShowing));
+        assertTrue(callOnEdt(driver.window()::isShowing));
         assertEquals(before, saved(file));
     }
 

@@ -1,9 +1,9 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 
-import faultline.gui.Components;
+import faultline.gui.ComponentFinder;
 import faultline.gui.theme.Theme;
 import java.awt.AWTException;
 import java.awt.Component;
@@ -33,14 +33,15 @@ import javax.swing.JTabbedPane;
 import javax.swing.MenuSelectionManager;
 
 /**
- * Writes pictures of the window, its instruments, menus and dialogs, light and dark, for the documentation; {@code src/conf/screenshots}
- * runs it for screens of one and of two pixels to a unit. Arguments: a scenario, a folder, and how far the run is to have come in seconds.
- * Needs a display.
+ * Writes pictures of the window, its instruments, menus and dialogs, light and dark, for the documentation;
+ * {@code src/conf/screenshots} runs it for screens of one and of two pixels to a unit. Arguments: a scenario, a folder,
+ * and how far the run is to have come in seconds. Needs a display.
  */
 public final class Screenshots {
 
     /** Dialogs that an action opens, by the action. */
     private static final List<String> DIALOGS = List.of("guide", "shortcuts", "about", "open", "exportPng");
+
     private static final int EXAMPLES = 9;
 
     private final WindowDriver driver;
@@ -50,7 +51,8 @@ public final class Screenshots {
     private Screenshots(WindowDriver driver, Path folder, Theme theme) {
         this.driver = driver;
         this.folder = folder;
-        double scale = onEdt(() -> driver.window().getGraphicsConfiguration().getDefaultTransform().getScaleX());
+        double scale = callOnEdt(() ->
+                driver.window().getGraphicsConfiguration().getDefaultTransform().getScaleX());
         suffix = "-" + theme.name().toLowerCase(Locale.ROOT) + (scale > 1 ? "-2x" : "") + ".png";
     }
 
@@ -63,7 +65,7 @@ public final class Screenshots {
                 pictures.takeWindow();
                 pictures.takeMenus();
                 pictures.takeDialogs();
-                pictures.takeGhost();
+                pictures.takeReferenceRun();
             }
         }
         System.exit(0);
@@ -71,114 +73,120 @@ public final class Screenshots {
 
     private void takeWindow() throws IOException, AWTException {
         write(driver.window(), "window");
-        JTabbedPane instruments = Components.named(driver.window(), JTabbedPane.class, "Instruments");
+        JTabbedPane instruments = ComponentFinder.find(driver.window(), JTabbedPane.class, "Instruments");
         show(instruments, 1);
         write(instruments, "timing");
         show(instruments, 2);
         write(instruments, "events");
-        edt(() -> instruments.setSelectedIndex(0));
+        runOnEdt(() -> instruments.setSelectedIndex(0));
         driver.choose("run");
         driver.choose("measure");
         driver.robot().drag(driver.canvas(), 220, 80, 420, 200, InputEvent.BUTTON1_DOWN_MASK);
         write(driver.canvas(), "measure");
-        edt(() -> driver.canvas().tools().select(List.of()));
+        runOnEdt(() -> driver.canvas().tools().select(List.of()));
     }
 
     private void takeMenus() throws IOException, AWTException {
-        for (JMenu menu : Components.all(driver.window().getJMenuBar(), JMenu.class)
-                .filter(menu -> menu.getParent() == driver.window().getJMenuBar()).toList()) {
-            edt(() -> menu.doClick(0));
+        for (JMenu menu : ComponentFinder.findAll(driver.window().getJMenuBar(), JMenu.class)
+                .filter(menu -> menu.getParent() == driver.window().getJMenuBar())
+                .toList()) {
+            runOnEdt(() -> menu.doClick(0));
             driver.robot().waitFor("the menu shows", () -> menu.getPopupMenu().isShowing());
-            write(menu.getPopupMenu(), "menu-" + onEdt(menu::getText).toLowerCase(Locale.ROOT));
-            edt(MenuSelectionManager.defaultManager()::clearSelectedPath);
+            write(menu.getPopupMenu(), "menu-" + callOnEdt(menu::getText).toLowerCase(Locale.ROOT));
+            runOnEdt(MenuSelectionManager.defaultManager()::clearSelectedPath);
         }
     }
 
     /** A run as a ghost beside one in which a sensor lies. */
-    private void takeGhost() throws IOException, AWTException {
-        edt(() -> driver.canvas().requestFocusInWindow());
+    private void takeReferenceRun() throws IOException, AWTException {
+        runOnEdt(() -> driver.canvas().requestFocusInWindow());
         driver.robot().waitFor("the canvas hears keys", driver.canvas()::isFocusOwner);
-        driver.robot().type(KeyEvent.VK_ESCAPE);
-        runAnew(12);
-        driver.waitForFrame("the ghost's run is long enough", frame -> frame.world().time() > 40);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        restartAndRun(12);
+        driver.waitForFrame(
+                "the ghost's run is long enough", frame -> frame.snapshot().time() > 40);
         driver.choose("keepGhost");
-        driver.waitForGhost();
+        driver.waitForReferenceRun();
         driver.choose("run");
-        runAnew(7);
-        driver.waitForFrame("the run follows the wall", frame -> frame.world().time() > 14);
+        restartAndRun(7);
+        driver.waitForFrame(
+                "the run follows the wall", frame -> frame.snapshot().time() > 14);
         inject("front");
-        driver.waitForFrame("the runs have parted", frame -> frame.world().time() > 32);
+        driver.waitForFrame("the runs have parted", frame -> frame.snapshot().time() > 32);
         driver.choose("run");
         write(driver.window(), "ghost");
     }
 
-    private void runAnew(int faster) {
+    private void restartAndRun(int faster) {
         driver.choose("realTime");
         for (int i = 0; i < faster; i++) {
             driver.choose("faster");
         }
         driver.choose("restart");
-        driver.waitForFrame("the run begins anew", frame -> frame.world().tick() == 0);
+        driver.waitForFrame("the run begins anew", frame -> frame.snapshot().tick() == 0);
         driver.choose("run");
     }
 
     private void inject(String sensor) {
-        edt(() -> {
-            Components.named(driver.window(), JComboBox.class, "Sensor").setSelectedItem(sensor);
-            Components.named(driver.window(), JButton.class, "Inject").doClick(0);
+        runOnEdt(() -> {
+            ComponentFinder.find(driver.window(), JComboBox.class, "Sensor").setSelectedItem(sensor);
+            ComponentFinder.find(driver.window(), JButton.class, "Inject").doClick(0);
             driver.canvas().tools().selectSensor(Optional.empty());
         });
     }
 
     private void takeDialogs() throws IOException, AWTException {
         for (String action : DIALOGS) {
-            EventQueue.invokeLater(() -> driver.chooseNow(action));
+            EventQueue.invokeLater(() -> driver.chooseOnEdt(action));
             writeDialog(action);
         }
-        EventQueue.invokeLater(() -> driver.chooseNow("examples"));
+        EventQueue.invokeLater(() -> driver.chooseOnEdt("examples"));
         JDialog gallery = dialog();
-        driver.robot().waitFor("the examples are there",
-                () -> Components.all(gallery, JList.class).anyMatch(list -> list.getModel().getSize() >= EXAMPLES));
+        driver.robot().waitFor("the examples are there", () -> ComponentFinder.findAll(gallery, JList.class)
+                .anyMatch(list -> list.getModel().getSize() >= EXAMPLES));
         writeDialog("examples");
-        takeFileDialogs(new FileScenes(driver));
+        takeFileDialogs(new FileDialogScenes(driver));
     }
 
-    private void takeFileDialogs(FileScenes scenes) throws IOException, AWTException {
-        scenes.broken();
+    private void takeFileDialogs(FileDialogScenes scenes) throws IOException, AWTException {
+        scenes.openInvalidFile();
         writeDialog("broken-file");
-        scenes.missing();
+        scenes.openMissingFile();
         writeDialog("missing-file");
-        scenes.unsaved();
+        scenes.quitWithUnsavedChanges();
         writeDialog("unsaved");
         scenes.revert();
         writeDialog("revert");
-        scenes.changedUnsaved();
+        scenes.modifyFileExternally();
         writeDialog("changed-file");
-        scenes.recover();
+        scenes.offerRecovery();
         writeDialog("recover");
-        scenes.replay();
+        scenes.openReplay();
         write(driver.window(), "replay");
-        scenes.longWay();
+        scenes.seekFar();
         writeDialog("wait");
-        scenes.failedSave();
+        scenes.failSave();
         writeDialog("failed-save");
-        scenes.whole();
+        scenes.restoreFile();
     }
 
     private void writeDialog(String name) throws IOException, AWTException {
         JDialog dialog = dialog();
         write(dialog, "dialog-" + name);
-        edt(dialog::dispose);
+        runOnEdt(dialog::dispose);
         driver.robot().waitFor("the dialog is gone", () -> showing().findAny().isEmpty());
     }
 
     private JDialog dialog() {
         driver.robot().waitFor("a dialog shows", () -> showing().findAny().isPresent());
-        return onEdt(() -> showing().findFirst().orElseThrow());
+        return callOnEdt(() -> showing().findFirst().orElseThrow());
     }
 
     private static Stream<JDialog> showing() {
-        return Stream.of(Window.getWindows()).filter(JDialog.class::isInstance).map(JDialog.class::cast).filter(Window::isShowing);
+        return Stream.of(Window.getWindows())
+                .filter(JDialog.class::isInstance)
+                .map(JDialog.class::cast)
+                .filter(Window::isShowing);
     }
 
     private void prepare(double seconds) {
@@ -188,24 +196,27 @@ public final class Screenshots {
             driver.choose("faster");
         }
         driver.choose("run");
-        driver.waitForFrame("the run has come far enough", frame -> frame.world().time() > seconds);
+        driver.waitForFrame(
+                "the run has come far enough", frame -> frame.snapshot().time() > seconds);
         driver.choose("realTime");
-        double settled = driver.frame().world().time() + 1.5;
-        driver.waitForFrame("the pace has settled", frame -> frame.world().time() > settled);
+        double settled = driver.frame().snapshot().time() + 1.5;
+        driver.waitForFrame("the pace has settled", frame -> frame.snapshot().time() > settled);
     }
 
     private void show(JTabbedPane instruments, int tab) {
-        edt(() -> instruments.setSelectedIndex(tab));
-        double shown = driver.frame().world().time() + 0.5;
-        driver.waitForFrame("the instrument shows", frame -> frame.world().time() > shown);
+        runOnEdt(() -> instruments.setSelectedIndex(tab));
+        double shown = driver.frame().snapshot().time() + 0.5;
+        driver.waitForFrame("the instrument shows", frame -> frame.snapshot().time() > shown);
     }
 
     /** What is on the screen where a component is. */
     private void write(Component component, String name) throws IOException, AWTException {
         driver.robot().moveTo(driver.canvas(), 400, 300);
         driver.robot().waitForPaint();
-        Rectangle bounds = onEdt(() -> new Rectangle(component.getLocationOnScreen(), component.getSize()));
-        ImageIO.write((RenderedImage) sharpest(new Robot().createMultiResolutionScreenCapture(bounds)), "png",
+        Rectangle bounds = callOnEdt(() -> new Rectangle(component.getLocationOnScreen(), component.getSize()));
+        ImageIO.write(
+                (RenderedImage) sharpest(new Robot().createMultiResolutionScreenCapture(bounds)),
+                "png",
                 folder.resolve(name + suffix).toFile());
     }
 

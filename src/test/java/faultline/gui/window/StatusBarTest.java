@@ -1,18 +1,18 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
-import faultline.engine.Session;
+import faultline.engine.session.Session;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
-import faultline.gui.Components;
+import faultline.geometry.Vector2;
+import faultline.gui.ComponentFinder;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JLabel;
@@ -20,34 +20,37 @@ import org.junit.jupiter.api.Test;
 
 class StatusBarTest {
 
-    private final StatusBar bar = onEdt(StatusBar::new);
+    private final StatusBar bar = callOnEdt(StatusBar::new);
 
     @Test
-    void aRunIsToldInOneLine() {
-        show(SampleFrames.of(new Pose(1.5, 2, Degrees.toRadians(-90))), running(0.98));
-        assertEquals(List.of("Running", "t 0.010 s", "0.98× real time", "Follow", "x 1.500  y 2.000  θ -90.0°"), texts().subList(0, 5));
+    void aRunIsSummarisedInOneLine() {
+        show(SampleFrames.frameOf(new Pose(1.5, 2, Degrees.toRadians(-90))), running(0.98));
+        assertEquals(
+                List.of("Running", "t 0.010 s", "0.98× real time", "Follow", "x 1.500  y 2.000  θ -90.0°"),
+                texts().subList(0, 5));
     }
 
     @Test
     void aHeadingIsWithinHalfATurnAndNeverMinusNothing() {
-        show(SampleFrames.of(new Pose(1, 1, 7 * Math.PI - 1e-3)), running(1));
+        show(SampleFrames.frameOf(new Pose(1, 1, 7 * Math.PI - 1e-3)), running(1));
         assertTrue(texts().get(4).endsWith("θ 179.9°"), texts().get(4));
-        show(SampleFrames.of(new Pose(1, 1, -1e-4)), running(1));
+        show(SampleFrames.frameOf(new Pose(1, 1, -1e-4)), running(1));
         assertTrue(texts().get(4).endsWith("θ 0.0°"), texts().get(4));
     }
 
     @Test
     void thePlaceUnderTheMouseShowsWhileItIsOnTheCanvas() {
-        edt(() -> bar.showCursor(Optional.of(new Vec(1.234, -2))));
+        runOnEdt(() -> bar.showCursor(Optional.of(new Vector2(1.234, -2))));
         assertEquals("cursor 1.23, -2.00", texts().get(5));
-        edt(() -> bar.showCursor(Optional.empty()));
+        runOnEdt(() -> bar.showCursor(Optional.empty()));
         assertEquals("", texts().get(5));
     }
 
     @Test
     void aRefusalShowsForAWhile() {
-        Frame frame = SampleFrames.of(new Pose(1, 1, 0));
-        Session.Status refused = new Session.Status(true, 1, 1, 1, Optional.of("there is no obstacle box"), Optional.empty());
+        Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
+        Session.Status refused =
+                new Session.Status(true, 1, 1, 1, Optional.of("there is no obstacle box"), Optional.empty());
         show(frame, refused);
         assertTrue(texts().contains("there is no obstacle box"));
         for (int i = 0; i < 400; i++) {
@@ -58,9 +61,9 @@ class StatusBarTest {
 
     @Test
     void aLongNoteShowsForLonger() {
-        Frame frame = SampleFrames.of(new Pose(1, 1, 0));
+        Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         String sentence = "word ".repeat(30);
-        edt(() -> bar.showNote(sentence));
+        runOnEdt(() -> bar.showNote(sentence));
         for (int i = 0; i < 700; i++) {
             show(frame, running(1));
         }
@@ -68,10 +71,13 @@ class StatusBarTest {
     }
 
     @Test
-    void whyARunBrokeOffStays() {
-        Frame frame = SampleFrames.of(new Pose(1, 1, 0));
+    void theReasonOfAFailedRunStays() {
+        Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         for (int i = 0; i < 400; i++) {
-            show(frame, new Session.Status(false, 1, 0, 0, Optional.empty(), Optional.of("the controller does not answer")));
+            show(
+                    frame,
+                    new Session.Status(
+                            false, 1, 0, 0, Optional.empty(), Optional.of("the controller does not answer")));
         }
         assertEquals("Failed", texts().get(0));
         assertTrue(texts().contains("the controller does not answer"));
@@ -79,18 +85,20 @@ class StatusBarTest {
 
     @Test
     void whereTheLineIsShortItsEndGivesWayToTheReasonOfARefusal() {
-        edt(() -> bar.setSize(2000, 28));
+        runOnEdt(() -> bar.setSize(2000, 28));
         assertEquals(8, shown());
-        edt(() -> bar.setSize(600, 28));
+        runOnEdt(() -> bar.setSize(600, 28));
         assertEquals(4, shown());
-        edt(() -> bar.showNote("box cannot be put there: it would overlap the robot"));
+        runOnEdt(() -> bar.showNote("box cannot be put there: it would overlap the robot"));
         assertEquals(2, shown());
     }
 
     private long shown() {
-        return onEdt(() -> {
+        return callOnEdt(() -> {
             bar.doLayout();
-            return Components.all(bar, StatusCell.class).filter(StatusCell::isVisible).count();
+            return ComponentFinder.findAll(bar, StatusCell.class)
+                    .filter(StatusCell::isVisible)
+                    .count();
         });
     }
 
@@ -99,10 +107,11 @@ class StatusBarTest {
     }
 
     private void show(Frame frame, Session.Status status) {
-        edt(() -> bar.show(frame, status));
+        runOnEdt(() -> bar.setFrame(frame, status));
     }
 
     private List<String> texts() {
-        return onEdt(() -> Components.all(bar, JLabel.class).map(JLabel::getText).toList());
+        return callOnEdt(() ->
+                ComponentFinder.findAll(bar, JLabel.class).map(JLabel::getText).toList());
     }
 }

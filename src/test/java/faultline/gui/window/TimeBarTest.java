@@ -1,19 +1,19 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
-import faultline.gui.Components;
+import faultline.gui.Await;
+import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
-import faultline.gui.Patience;
-import faultline.gui.document.Bench;
-import faultline.gui.document.BenchListener;
-import faultline.gui.document.Filing;
-import faultline.gui.document.RunDesk;
-import faultline.gui.document.Task;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.TaskKind;
+import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
 import faultline.gui.theme.Theme;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
@@ -35,117 +35,120 @@ class TimeBarTest {
     private static final double DT = 0.01;
 
     private final List<Frame> previews = new ArrayList<>();
-    private Bench bench;
-    private RunDesk run;
+    private Workspace workspace;
+    private RunController run;
     private TimeBar bar;
     private JSlider slider;
 
     @BeforeEach
     void runAWhile() {
-        edt(() -> {
+        runOnEdt(() -> {
             Theme.LIGHT.install();
-            bench = new Bench(new Quiet());
-            run = new RunDesk(bench);
-            bar = new TimeBar(run.travel()::goTo, previews::add);
-            slider = Components.all(bar, JSlider.class).findFirst().orElseThrow();
-            new Filing(bench).open(Path.of("scenarios/office.xml"));
+            workspace = new Workspace(new NoOpListener());
+            run = new RunController(workspace);
+            bar = new TimeBar(run.navigator()::seek, previews::add);
+            slider = ComponentFinder.findAll(bar, JSlider.class).findFirst().orElseThrow();
+            new DocumentStore(workspace).open(Path.of("scenarios/office.xml"));
         });
-        Patience.waitFor("the scenario", () -> run.frame().isPresent());
+        Await.until("the scenario", () -> run.frame().isPresent());
         for (int i = 0; i < TICKS; i++) {
-            edt(run::step);
+            runOnEdt(run::step);
         }
         waitForTick(TICKS);
     }
 
     @AfterEach
     void close() {
-        edt(bench::close);
+        runOnEdt(workspace::close);
     }
 
     @Test
     void theThumbStandsAtTheEndOfARunThatGoesOn() {
-        assertEquals(TICKS, onEdt(slider::getMaximum));
-        assertEquals(TICKS, onEdt(slider::getValue));
+        assertEquals(TICKS, callOnEdt(slider::getMaximum));
+        assertEquals(TICKS, callOnEdt(slider::getValue));
     }
 
     @Test
-    void letGoSomewhereTheRunGoesThereToTheBitAndItsFutureIsKept() {
-        long hash = onEdt(() -> run.frame().orElseThrow().trajectoryHash());
-        edt(() -> slider.setValue(15));
+    void releasingTheThumbSeeksExactlyAndKeepsTheFuture() {
+        long hash = callOnEdt(() -> run.frame().orElseThrow().trajectoryHash());
+        runOnEdt(() -> slider.setValue(15));
         waitForTick(15);
-        assertEquals(TICKS, onEdt(slider::getMaximum));
-        edt(() -> slider.setValue(TICKS));
+        assertEquals(TICKS, callOnEdt(slider::getMaximum));
+        runOnEdt(() -> slider.setValue(TICKS));
         waitForTick(TICKS);
-        assertEquals(hash, onEdt(() -> run.frame().orElseThrow().trajectoryHash()));
+        assertEquals(hash, callOnEdt(() -> run.frame().orElseThrow().trajectoryHash()));
     }
 
     @Test
-    void whileTheThumbIsHeldARememberedPictureShowsAndTheRunStaysWhereItIs() {
-        edt(() -> {
+    void draggingTheThumbPreviewsAKeyframeWithoutSeeking() {
+        runOnEdt(() -> {
             slider.setValueIsAdjusting(true);
             slider.setValue(3);
         });
-        assertTrue(onEdt(bar::isHeld));
-        assertTrue(onEdt(() -> previews.get(previews.size() - 1).world().tick()) <= 3);
+        assertTrue(callOnEdt(bar::isAdjusting));
+        assertTrue(callOnEdt(() -> previews.get(previews.size() - 1).snapshot().tick()) <= 3);
         waitForTick(TICKS);
-        assertEquals(3, onEdt(slider::getValue), "the bar leaves the thumb to the hand");
-        edt(() -> slider.setValueIsAdjusting(false));
+        assertEquals(3, callOnEdt(slider::getValue), "the bar leaves the thumb to the hand");
+        runOnEdt(() -> slider.setValueIsAdjusting(false));
         waitForTick(3);
     }
 
     @Test
     void aClickOnTheLineGoesToTheMomentThatIsThere() {
-        edt(() -> slider.setSize(400 + 15, 24));
+        runOnEdt(() -> slider.setSize(400 + 15, 24));
         // The thumb, 15 pixels wide, keeps half of its width from the ends.
-        edt(() -> press(MouseEvent.MOUSE_PRESSED, 7 + 100));
-        assertEquals(TICKS / 4, onEdt(slider::getValue));
-        assertTrue(onEdt(bar::isHeld));
-        edt(() -> press(MouseEvent.MOUSE_RELEASED, 7 + 100));
+        runOnEdt(() -> press(MouseEvent.MOUSE_PRESSED, 7 + 100));
+        assertEquals(TICKS / 4, callOnEdt(slider::getValue));
+        assertTrue(callOnEdt(bar::isAdjusting));
+        runOnEdt(() -> press(MouseEvent.MOUSE_RELEASED, 7 + 100));
         waitForTick(TICKS / 4);
     }
 
     private void press(int type, int x) {
-        slider.dispatchEvent(new MouseEvent(slider, type, 0, InputEvent.BUTTON1_DOWN_MASK, x, 3, 1, false, MouseEvent.BUTTON1));
+        slider.dispatchEvent(
+                new MouseEvent(slider, type, 0, InputEvent.BUTTON1_DOWN_MASK, x, 3, 1, false, MouseEvent.BUTTON1));
     }
 
     @Test
     void aRestartForgetsTheOldFuture() {
-        edt(run::restart);
+        runOnEdt(run::restart);
         waitForTick(0);
-        assertEquals(0, onEdt(run.travel()::furthest));
-        assertEquals(0, onEdt(slider::getMaximum));
+        assertEquals(0, callOnEdt(run.navigator()::furthestTick));
+        assertEquals(0, callOnEdt(slider::getMaximum));
     }
 
     @Test
     void aRunThatIsSavedShowsItsEndBeforeItsFirstTick() {
-        edt(run::restart);
+        runOnEdt(run::restart);
         waitForTick(0);
-        edt(() -> bar.show(run.frame().orElseThrow(), 1200, 0.02));
-        assertEquals(List.of("0.00 s", "24.00 s"), onEdt(() -> Components.all(bar, JLabel.class).map(label -> label.getText().strip()).toList()));
+        runOnEdt(() -> bar.setFrame(run.frame().orElseThrow(), 1200, 0.02));
+        assertEquals(List.of("0.00 s", "24.00 s"), callOnEdt(() -> ComponentFinder.findAll(bar, JLabel.class)
+                .map(label -> label.getText().strip())
+                .toList()));
     }
 
     private void waitForTick(long tick) {
-        Patience.waitFor("tick " + tick, () -> {
+        Await.until("tick " + tick, () -> {
             Frame frame = run.frame().orElseThrow();
-            bar.show(frame, run.travel().furthest(), DT);
-            return frame.world().tick() == tick;
+            bar.setFrame(frame, run.navigator().furthestTick(), DT);
+            return frame.snapshot().tick() == tick;
         });
     }
 
     /** Nothing here fails. */
-    private static final class Quiet implements BenchListener {
+    private static final class NoOpListener implements WorkspaceListener {
         @Override
-        public void begun() {
+        public void sessionStarted() {
             // Frames are asked for.
         }
 
         @Override
-        public void renamed() {
+        public void titleChanged() {
             // Nobody reads the title.
         }
 
         @Override
-        public void failed(Task what, Path file, Throwable why) {
+        public void taskFailed(TaskKind what, Path file, Throwable why) {
             throw new AssertionError(why);
         }
     }

@@ -1,17 +1,18 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.edt;
-import static faultline.gui.GuiRobot.onEdt;
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 
 import faultline.engine.Frame;
 import faultline.geometry.Pose;
-import faultline.geometry.Vec;
-import faultline.gui.Components;
+import faultline.geometry.Vector2;
+import faultline.gui.ComponentFinder;
 import faultline.gui.GuiRobot;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Theme;
-import faultline.paint.Palette;
-import faultline.paint.Shot;
+import faultline.paint.export.RenderRequest;
+import faultline.paint.surface.Palette;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -37,17 +38,17 @@ import javax.swing.JTextField;
 final class WindowDriver implements AutoCloseable {
 
     /** How often the speed must be raised at most to be the highest. */
-    private static final int FASTER = 40;
+    private static final int MAX_SPEED_STEPS = 40;
 
     private static final long REST_NANOS = 150_000_000;
 
     private final GuiRobot robot = new GuiRobot();
-    private final SimulatorFrame window;
+    private final MainWindow window;
 
-    private WindowDriver(Theme theme, WindowMemory memory) {
-        window = onEdt(() -> {
+    private WindowDriver(Theme theme, WindowPreferences memory) {
+        window = callOnEdt(() -> {
             theme.install();
-            SimulatorFrame made = new SimulatorFrame(memory);
+            MainWindow made = new MainWindow(memory);
             // Where the window manager chooses the place, Java now and then never learns of it, and the mouse misses.
             made.setLocation(60, 40);
             return made;
@@ -56,15 +57,16 @@ final class WindowDriver implements AutoCloseable {
 
     /** Opens a window with a scenario, and waits until it shows. */
     static WindowDriver open(Theme theme, Path scenario) {
-        return open(theme, scenario, WindowMemory.none());
+        return open(theme, scenario, WindowPreferences.nonPersistent());
     }
 
     /** Opens a window that remembers. */
-    static WindowDriver open(Theme theme, Path scenario, WindowMemory memory) {
+    static WindowDriver open(Theme theme, Path scenario, WindowPreferences memory) {
         WindowDriver driver = new WindowDriver(theme, memory);
-        edt(() -> driver.window.open(scenario));
+        runOnEdt(() -> driver.window.open(scenario));
         driver.robot.open(driver.window);
-        driver.robot.waitFor("the first frame shows", () -> driver.canvas().frame().isPresent());
+        driver.robot.waitFor(
+                "the first frame shows", () -> driver.canvas().frame().isPresent());
         return driver;
     }
 
@@ -72,46 +74,53 @@ final class WindowDriver implements AutoCloseable {
         return robot;
     }
 
-    SimulatorFrame window() {
+    MainWindow window() {
         return window;
     }
 
     SimulationCanvas canvas() {
-        return Components.all(window, SimulationCanvas.class).findFirst().orElseThrow();
+        return ComponentFinder.findAll(window, SimulationCanvas.class)
+                .findFirst()
+                .orElseThrow();
     }
 
     /** The frame that shows; on any thread. */
     Frame frame() {
-        return onEdt(() -> canvas().frame().orElseThrow());
+        return callOnEdt(() -> canvas().frame().orElseThrow());
     }
 
     /** Waits until an earlier run shows beside this one. */
-    void waitForGhost() {
-        robot.waitFor("the ghost is there", () -> canvas().shot(Palette.LIGHT).flatMap(Shot::ghost).isPresent());
+    void waitForReferenceRun() {
+        robot.waitFor("the ghost is there", () -> canvas().renderRequest(Palette.LIGHT)
+                .flatMap(RenderRequest::reference)
+                .isPresent());
     }
 
     /** Chooses a menu item by the key of its action. */
     void choose(String action) {
-        edt(() -> item(action).doClick(0));
+        runOnEdt(() -> item(action).doClick(0));
     }
 
     /** Does the same on the event dispatch thread, where it may wait for a dialog. */
-    void chooseNow(String action) {
+    void chooseOnEdt(String action) {
         item(action).doClick(0);
     }
 
     /** Chooses an action that opens a dialog, and goes on meanwhile. */
     void chooseLater(String action) {
-        EventQueue.invokeLater(() -> chooseNow(action));
+        EventQueue.invokeLater(() -> chooseOnEdt(action));
     }
 
     /** What the line at the bottom says to the user. */
-    String note() {
-        return Components.named(window, JLabel.class, "Note").getText();
+    String statusNote() {
+        return ComponentFinder.find(window, JLabel.class, "Note").getText();
     }
 
     private JMenuItem item(String action) {
-        return Components.all(window, JMenuItem.class).filter(item -> action.equals(item.getActionCommand())).findFirst().orElseThrow();
+        return ComponentFinder.findAll(window, JMenuItem.class)
+                .filter(item -> action.equals(item.getActionCommand()))
+                .findFirst()
+                .orElseThrow();
     }
 
     /** Whether a menu item can be chosen; event dispatch thread only. */
@@ -121,40 +130,50 @@ final class WindowDriver implements AutoCloseable {
 
     /** The dialog of a title, once it has the focus. */
     JDialog dialog(String title) {
-        robot.waitFor("the dialog \"" + title + "\" shows and has the focus", () -> dialogs(title).filter(Window::isFocused).findAny().isPresent());
-        return onEdt(() -> dialogs(title).findAny().orElseThrow());
+        robot.waitFor(
+                "the dialog \"" + title + "\" shows and has the focus",
+                () -> dialogs(title).filter(Window::isFocused).findAny().isPresent());
+        return callOnEdt(() -> dialogs(title).findAny().orElseThrow());
     }
 
     private static Stream<JDialog> dialogs(String title) {
-        return Stream.of(Window.getWindows()).filter(JDialog.class::isInstance).map(JDialog.class::cast)
+        return Stream.of(Window.getWindows())
+                .filter(JDialog.class::isInstance)
+                .map(JDialog.class::cast)
                 .filter(dialog -> dialog.isShowing() && dialog.getTitle().equals(title));
     }
 
     /** Clicks on a button of a dialog, which closes it; the window has the focus again then. */
-    void answer(String title, String button) {
+    void clickButton(String title, String button) {
         JDialog dialog = dialog(title);
-        click(Components.all(dialog, JButton.class).filter(one -> button.equals(one.getText())).findFirst().orElseThrow());
+        click(ComponentFinder.findAll(dialog, JButton.class)
+                .filter(one -> button.equals(one.getText()))
+                .findFirst()
+                .orElseThrow());
         robot.waitFor("the dialog \"" + title + "\" is gone", () -> !dialog.isShowing());
     }
 
     /** Pastes the name of a file into a file dialog and presses Enter. */
-    void giveFile(String title, Path file) {
+    void enterFile(String title, Path file) {
         JDialog dialog = dialog(title);
-        JTextField name = Components.all(dialog, JTextField.class).findFirst().orElseThrow();
-        edt(() -> Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(file.toString()), null));
+        JTextField name =
+                ComponentFinder.findAll(dialog, JTextField.class).findFirst().orElseThrow();
+        runOnEdt(() -> Toolkit.getDefaultToolkit()
+                .getSystemClipboard()
+                .setContents(new StringSelection(file.toString()), null));
         click(name);
         robot.waitFor("the name has the focus", name::isFocusOwner);
-        robot.type(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
-        robot.type(KeyEvent.VK_CONTROL, KeyEvent.VK_V);
+        robot.pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        robot.pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_V);
         robot.waitFor("the name is there", () -> name.getText().equals(file.toString()));
-        robot.type(KeyEvent.VK_ENTER);
+        robot.pressKeys(KeyEvent.VK_ENTER);
         robot.waitFor("the dialog \"" + title + "\" is gone", () -> !dialog.isShowing());
     }
 
-    /** Presses keys as {@link GuiRobot#type}, once the window has the focus. */
+    /** Presses keys as {@link GuiRobot#pressKeys}, once the window has the focus. */
     void type(int... keys) {
         robot.waitFor("the window has the focus", window::isFocused);
-        robot.type(keys);
+        robot.pressKeys(keys);
     }
 
     /** Waits until the window has a title. */
@@ -164,24 +183,28 @@ final class WindowDriver implements AutoCloseable {
 
     /** All that the texts of a window say. */
     static String text(Window window) {
-        return onEdt(() -> Components.all(window, JLabel.class).map(JLabel::getText).collect(Collectors.joining(" ")));
+        return callOnEdt(() -> ComponentFinder.findAll(window, JLabel.class)
+                .map(JLabel::getText)
+                .collect(Collectors.joining(" ")));
     }
 
     /** Puts an obstacle elsewhere by dragging its middle, pixels to the right and down. */
     void drag(int index, int right, int down) {
-        Pose pose = frame().world().obstacles().get(index).pose();
-        Vec at = onEdt(() -> canvas().camera().toScreen(pose.position()));
+        Pose pose = frame().snapshot().obstacles().get(index).pose();
+        Vector2 at = callOnEdt(() -> canvas().camera().toScreen(pose.position()));
         robot.drag(canvas(), at.x(), at.y(), at.x() + right, at.y() + down, InputEvent.BUTTON1_DOWN_MASK);
-        waitForFrame("the obstacle is elsewhere", frame -> !frame.world().obstacles().get(index).pose().equals(pose));
-        waitForRest(index);
+        waitForFrame(
+                "the obstacle is elsewhere",
+                frame -> !frame.snapshot().obstacles().get(index).pose().equals(pose));
+        waitUntilStill(index);
     }
 
     /** The last moves of a drag show a few frames after the button is up. */
-    private void waitForRest(int index) {
+    private void waitUntilStill(int index) {
         AtomicReference<Pose> last = new AtomicReference<>(new Pose(0, 0, 0));
         AtomicLong since = new AtomicLong();
         waitForFrame("the obstacle is at rest", frame -> {
-            Pose now = frame.world().obstacles().get(index).pose();
+            Pose now = frame.snapshot().obstacles().get(index).pose();
             if (!now.equals(last.getAndSet(now))) {
                 since.set(System.nanoTime());
             }
@@ -190,7 +213,7 @@ final class WindowDriver implements AutoCloseable {
     }
 
     /** Resizes the window until the canvas has a size, pixels. */
-    void sizeCanvas(int width, int height) {
+    void resizeCanvas(int width, int height) {
         robot.waitFor("the canvas has its size", () -> {
             int wider = width - canvas().getWidth();
             int higher = height - canvas().getHeight();
@@ -203,7 +226,7 @@ final class WindowDriver implements AutoCloseable {
 
     /** Runs as fast as possible, and goes on doing so, until a condition of the shown frame holds. */
     void runFast(Predicate<Frame> condition) {
-        for (int i = 0; i < FASTER; i++) {
+        for (int i = 0; i < MAX_SPEED_STEPS; i++) {
             choose("faster");
         }
         choose("run");
@@ -217,21 +240,21 @@ final class WindowDriver implements AutoCloseable {
 
     /** Clicks on the middle of a component. */
     void click(Component component) {
-        Dimension size = onEdt(component::getSize);
+        Dimension size = callOnEdt(component::getSize);
         robot.click(component, size.width / 2.0, size.height / 2.0, InputEvent.BUTTON1_DOWN_MASK);
     }
 
     /**
-     * Puts the focus into a field for a number by clicking on it, and types keys of {@link java.awt.event.KeyEvent} in place of what is
-     * there.
+     * Puts the focus into a field for a number by clicking on it, and types keys of {@link java.awt.event.KeyEvent} in
+     * place of what is there.
      */
     void typeInto(String spinner, int... keys) {
-        JTextField field = Components.named(window, JTextField.class, spinner);
+        JTextField field = ComponentFinder.find(window, JTextField.class, spinner);
         click(field);
         robot.waitFor("the field has the focus", field::isFocusOwner);
-        robot.type(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        robot.pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
         for (int key : keys) {
-            robot.type(key);
+            robot.pressKeys(key);
         }
     }
 

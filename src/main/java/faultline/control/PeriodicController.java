@@ -1,0 +1,29 @@
+package faultline.control;
+
+/** Lets a controller decide once a period; between its decisions the last one holds. */
+final class PeriodicController implements Controller {
+
+    private final Controller delegate;
+    private final double period;
+    private Decision lastDecision;
+
+    /** A controller that asks another every {@code period} seconds, rounded to whole ticks, at least one. */
+    PeriodicController(Controller inner, double period) {
+        this.delegate = inner;
+        this.period = period;
+    }
+
+    @Override
+    public Decision decide(Observation observation) {
+        long every = ticksPerPeriod(period, observation.dt());
+        if (lastDecision == null || observation.tick() % every == 0) {
+            lastDecision = delegate.decide(observation);
+        }
+        return lastDecision;
+    }
+
+    /** A period in whole ticks, at least one. */
+    static long ticksPerPeriod(double period, double dt) {
+        return Math.max(1, Math.round(period / dt));
+    }
+}

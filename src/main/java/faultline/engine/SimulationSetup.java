@@ -1,0 +1,110 @@
+package faultline.engine;
+
+import faultline.control.ControllerSpec;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.world.Command;
+import faultline.world.WorldSpec;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * All that determines a run: same setup, same trajectory, to the bit.
+ *
+ * @param world before anything moves
+ * @param robot as built
+ * @param start the robot's pose at time 0
+ * @param controller what drives it
+ * @param timeline what is done to the world and when, in the file's order
+ * @param dt the length of a tick, seconds, positive
+ * @param seed of all random numbers
+ * @param duration how long a run lasts if nobody says otherwise, seconds, not negative
+ */
+public record SimulationSetup(
+        WorldSpec world,
+        RobotSpec robot,
+        Pose start,
+        ControllerSpec controller,
+        List<TimedCommand> timeline,
+        double dt,
+        long seed,
+        double duration) {
+
+    public SimulationSetup {
+        Objects.requireNonNull(world, "world");
+        Objects.requireNonNull(robot, "robot");
+        Objects.requireNonNull(start, "start");
+        Objects.requireNonNull(controller, "controller");
+        timeline = List.copyOf(timeline);
+        if (!(dt > 0 && Double.isFinite(dt))) {
+            throw new IllegalArgumentException("a tick must be positive: " + dt);
+        }
+        if (!(duration >= 0 && Double.isFinite(duration))) {
+            throw new IllegalArgumentException("the duration must not be negative: " + duration);
+        }
+    }
+
+    /**
+     * A command of the timeline.
+     *
+     * @param time seconds, not negative
+     * @param command what is done
+     */
+    public record TimedCommand(double time, Command command) {
+        public TimedCommand {
+            if (!(time >= 0 && Double.isFinite(time))) {
+                throw new IllegalArgumentException("a time must not be negative: " + time);
+            }
+            Objects.requireNonNull(command, "command");
+        }
+    }
+
+    /**
+     * The first tick whose time is not before a time; rounding noise of a millionth of a tick is forgiven.
+     *
+     * @param seconds not negative
+     * @return the tick
+     */
+    public long tickAt(double seconds) {
+        return (long) Math.ceil(seconds / dt - 1e-6);
+    }
+
+    /**
+     * How many ticks a run to {@link #duration} has.
+     *
+     * @return not negative
+     */
+    public long ticks() {
+        return tickAt(duration);
+    }
+
+    /**
+     * This setup with another seed.
+     *
+     * @param newSeed the seed
+     * @return the same setup otherwise
+     */
+    public SimulationSetup withSeed(long newSeed) {
+        return new SimulationSetup(world, robot, start, controller, timeline, dt, newSeed, duration);
+    }
+
+    /**
+     * This setup with the robot elsewhere at time 0.
+     *
+     * @param pose where
+     * @return the same setup otherwise
+     */
+    public SimulationSetup withStart(Pose pose) {
+        return new SimulationSetup(world, robot, pose, controller, timeline, dt, seed, duration);
+    }
+
+    /**
+     * This setup with another duration.
+     *
+     * @param seconds not negative
+     * @return the same setup otherwise
+     */
+    public SimulationSetup withDuration(double seconds) {
+        return new SimulationSetup(world, robot, start, controller, timeline, dt, seed, seconds);
+    }
+}

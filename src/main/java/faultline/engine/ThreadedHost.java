@@ -1,0 +1,69 @@
+package faultline.engine;
+
+import faultline.control.Controller;
+import faultline.control.Decision;
+import faultline.control.Observation;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+
+/**
+ * Runs the controller on its own single-thread executor. The executor's queue hands the observation over and the future
+ * hands the decision back, each with the memory visibility that that implies; at most one of them is under way.
+ */
+final class ThreadedHost implements ControllerHost {
+
+    /**
+     * A controller that has not answered for this long never will, seconds. No command is put in its place: the run has
+     * failed.
+     */
+    static final double DECISION_TIMEOUT = 10;
+
+    private static final double NANOS_PER_SECOND = 1e9;
+
+    private final Controller controller;
+    private final ExecutorService executor;
+    private Future<Decision> decision;
+    private final double timeout;
+    private long tick;
+
+    ThreadedHost(Controller controller, double patience) {
+        this.controller = controller;
+        this.timeout = patience;
+        this.executor = Executors.newSingleThreadExecutor(task -> {
+            Thread thread = new Thread(task, "faultline-controller");
+            thread.setDaemon(true);
+            return thread;
+        });
+    }
+
+    @Override
+    public void submit(Observation observation) {
+        tick = observation.tick();
+        decision = executor.submit(() -> controller.decide(observation));
+    }
+
+    @Override
+    public Decision await() {
+        try {
+            return decision.get((long) (timeout * NANOS_PER_SECOND), TimeUnit.NANOSECONDS);
+        } catch (ExecutionException broken) {
+            throw new RunFailedException(
+                    "the controller broke at tick " + tick + ": " + broken.getCause(), broken.getCause());
+        } catch (TimeoutException silent) {
+            throw new RunFailedException(
+                    "the controller has not answered for " + timeout + " s at tick " + tick, silent);
+        } catch (InterruptedException ended) {
+            Thread.currentThread().interrupt();
+            throw new RunFailedException("the run was interrupted at tick " + tick, ended);
+        }
+    }
+
+    @Override
+    public void close() {
+        executor.shutdownNow();
+    }
+}

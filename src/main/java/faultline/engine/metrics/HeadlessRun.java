@@ -1,0 +1,74 @@
+package faultline.engine.metrics;
+
+import faultline.engine.CommandListener;
+import faultline.engine.ControllerMode;
+import faultline.engine.RunFailedException;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.TickObserver;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/** Runs a setup to its end without a window. */
+public final class HeadlessRun {
+
+    private static final double NANOS_PER_SECOND = 1e9;
+
+    private HeadlessRun() {}
+
+    /**
+     * Runs to the setup's duration, as fast as possible.
+     *
+     * @param setup what to run
+     * @param mode where the controller runs
+     * @param observers called at tick 0 and after every tick, in order
+     * @return what it came to
+     * @throws RunFailedException if the run broke
+     */
+    public static RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
+        WallFollowingMetrics wall = new WallFollowingMetrics(setup);
+        Set<String> states = new LinkedHashSet<>();
+        List<TickObserver> all = new ArrayList<>(observers);
+        all.add(wall);
+        all.add(simulation -> states.add(simulation.telemetry().state()));
+        long start = System.nanoTime();
+        List<String> refused = new ArrayList<>();
+        CommandListener noting = (tick, command, refusal) ->
+                refusal.ifPresent(why -> refused.add("at " + tick * setup.dt() + " s: " + why));
+        try (Simulation simulation = new Simulation(setup, mode, noting)) {
+            long ticks = setup.ticks();
+            all.forEach(observer -> observer.observe(simulation));
+            while (simulation.ticks() < ticks) {
+                simulation.tick();
+                for (TickObserver observer : all) {
+                    observer.observe(simulation);
+                }
+            }
+            double seconds = (System.nanoTime() - start) / NANOS_PER_SECOND;
+            return result(simulation, wall, states, refused, seconds);
+        }
+    }
+
+    private static RunResult result(
+            Simulation simulation,
+            WallFollowingMetrics wall,
+            Set<String> states,
+            List<String> refused,
+            double seconds) {
+        return new RunResult(
+                simulation.ticks(),
+                simulation.time(),
+                simulation.time() / seconds,
+                simulation.telemetry().state(),
+                List.copyOf(states),
+                simulation.collision(),
+                wall.coverage(),
+                wall.distanceRms(),
+                simulation.trajectoryHash(),
+                simulation.setup().seed(),
+                refused,
+                simulation.snapshot());
+    }
+}

@@ -1,0 +1,103 @@
+package faultline.engine.metrics;
+
+import faultline.engine.Simulation;
+import faultline.engine.TickObserver;
+import faultline.geometry.Angles;
+import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.io.Writer;
+
+/**
+ * Writes the trace: a header, then a CSV row for tick 0 and after every tick. Numbers are the shortest that read back
+ * to the same bits.
+ */
+public final class TraceWriter implements TickObserver {
+
+    private final Writer out;
+    private boolean headerWritten;
+
+    /**
+     * A trace on a writer, which the caller closes.
+     *
+     * @param out where the rows go; buffered
+     */
+    public TraceWriter(Writer out) {
+        this.out = out;
+    }
+
+    /**
+     * Writes the row of this moment.
+     *
+     * @throws UncheckedIOException if the writer fails
+     */
+    @Override
+    public void observe(Simulation simulation) {
+        StringBuilder row = new StringBuilder(256);
+        if (!headerWritten) {
+            appendHeader(simulation, row);
+            headerWritten = true;
+        }
+        appendMotion(simulation, row);
+        for (int i = 0; i < simulation.robot().sensors().size(); i++) {
+            row.append(',')
+                    .append(readingCell(simulation.trueReading(i)))
+                    .append(',')
+                    .append(readingCell(simulation.reportedReading(i)));
+        }
+        write(row.append('\n'));
+    }
+
+    private static void appendHeader(Simulation simulation, StringBuilder row) {
+        row.append("tick,t,x,y,heading_deg,v,omega,left_v,right_v,state,collided");
+        for (SensorSpec sensor : simulation.robot().sensors()) {
+            row.append(',')
+                    .append(sensor.id())
+                    .append(".true,")
+                    .append(sensor.id())
+                    .append(".reading");
+        }
+        row.append('\n');
+    }
+
+    private static void appendMotion(Simulation s, StringBuilder row) {
+        double heading = StrictMath.toDegrees(Angles.normalize(s.pose().heading()));
+        row.append(s.ticks())
+                .append(',')
+                .append(s.time())
+                .append(',')
+                .append(s.pose().x())
+                .append(',')
+                .append(s.pose().y())
+                .append(',')
+                .append(heading)
+                .append(',')
+                .append(s.v())
+                .append(',')
+                .append(s.omega())
+                .append(',')
+                .append(s.leftSpeed())
+                .append(',')
+                .append(s.rightSpeed())
+                .append(',')
+                .append(s.telemetry().state())
+                .append(',')
+                .append(s.collision().isPresent());
+    }
+
+    private static String readingCell(double reading) {
+        if (Reading.isOff(reading)) {
+            return "off";
+        }
+        return reading == Reading.NOTHING ? "" : Double.toString(reading);
+    }
+
+    private void write(CharSequence text) {
+        try {
+            out.append(text);
+        } catch (IOException failed) {
+            throw new UncheckedIOException(failed);
+        }
+    }
+}

@@ -1,0 +1,146 @@
+package faultline.engine.metrics;
+
+import faultline.geometry.ConvexShape;
+import faultline.geometry.Disc;
+import faultline.geometry.Ellipse;
+import faultline.geometry.Pose;
+import faultline.geometry.Segment;
+import faultline.geometry.Vector2;
+import faultline.world.CandidateBuffer;
+import faultline.world.ObstacleSet;
+import faultline.world.SpatialIndex;
+import faultline.world.WorldSpec;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The walls of a world as they stand before anything moves, as ground truth for judging a wall follower: what could be
+ * followed at a distance, and how far the nearest wall is. Moving obstacles are no walls. Used by one thread.
+ */
+public final class WallReference {
+
+    private static final double NONE = Double.POSITIVE_INFINITY;
+
+    private final CandidateBuffer shapes = new CandidateBuffer();
+    private final CandidateBuffer candidates = new CandidateBuffer();
+    private final SpatialIndex index;
+
+    /**
+     * The walls of a world.
+     *
+     * @param world before anything moves
+     */
+    public WallReference(WorldSpec world) {
+        new ObstacleSet(world).collectStatic(shapes);
+        index = SpatialIndex.of(shapes);
+    }
+
+    /**
+     * How much farther than wanted the nearest wall is from a point, if it is a straight piece of wall.
+     *
+     * @param centre the robot's centre
+     * @param wanted the wanted distance from the centre, metres
+     * @param margin how far from a segment's ends the foot must lie, metres
+     * @return metres, positive for too far; not a number where the nearest wall is not straight, or farther than twice
+     *     what is wanted
+     */
+    public double straightWallError(Vector2 centre, double wanted, double margin) {
+        candidates.clear();
+        index.findNear(centre.x(), centre.y(), 2 * wanted, candidates);
+        double least = NONE;
+        boolean straight = false;
+        for (int i = 0; i < candidates.size(); i++) {
+            Vector2 nearest = candidates.shape(i).nearestTo(centre);
+            double distance = nearest.distanceTo(centre);
+            if (distance < least) {
+                least = distance;
+                straight = candidates.shape(i) instanceof Segment segment
+                        && nearest.distanceTo(segment.a()) >= margin
+                        && nearest.distanceTo(segment.b()) >= margin;
+            }
+        }
+        return straight && least <= 2 * wanted ? least - wanted : Double.NaN;
+    }
+
+    /**
+     * The places from which walls can be followed: points at a distance from a wall and nowhere nearer to any.
+     *
+     * @param distance from the wall to the robot's centre, metres
+     * @param spacing of the samples along the walls, metres
+     * @return samples in the order of the walls
+     */
+    public List<Sample> samples(double distance, double spacing) {
+        List<Sample> places = new ArrayList<>();
+        for (int i = 0; i < shapes.size(); i++) {
+            ConvexShape figure = shapes.shape(i);
+            if (figure instanceof Segment segment) {
+                sampleAlongSegment(segment, distance, spacing, places);
+            } else if (figure instanceof Disc disc) {
+                sampleAroundEllipse(
+                        Ellipse.at(new Pose(disc.cx(), disc.cy(), 0), disc.radius(), disc.radius()),
+                        distance,
+                        spacing,
+                        places);
+            } else {
+                sampleAroundEllipse((Ellipse) figure, distance, spacing, places);
+            }
+        }
+        return places;
+    }
+
+    /**
+     * A place from which a piece of wall can be followed.
+     *
+     * @param position where the robot's centre is then
+     * @param wallLength of the piece of wall, metres; 0 for a corner, which only joins two walls
+     */
+    public record Sample(Vector2 position, double wallLength) {}
+
+    private void sampleAlongSegment(Segment segment, double distance, double spacing, List<Sample> places) {
+        double length = segment.length();
+        int pieces = Math.max(1, (int) Math.ceil(length / spacing));
+        if (length > 0) {
+            Vector2 normal = segment.b().minus(segment.a()).times(1 / length).perpendicular();
+            for (int i = 0; i < pieces; i++) {
+                Vector2 foot = segment.pointAt((i + 0.5) / pieces);
+                addIfFree(foot, normal, distance, length / pieces, places);
+                addIfFree(foot, normal.times(-1), distance, length / pieces, places);
+            }
+        }
+        sampleAroundPoint(segment.a(), distance, spacing, places);
+        sampleAroundPoint(segment.b(), distance, spacing, places);
+    }
+
+    /** The arc about a corner is free just where the corner juts out. */
+    private void sampleAroundPoint(Vector2 corner, double distance, double spacing, List<Sample> places) {
+        int pieces = (int) Math.ceil(2 * StrictMath.PI * distance / spacing);
+        for (int i = 0; i < pieces; i++) {
+            addIfFree(corner, Vector2.direction(2 * StrictMath.PI * i / pieces), distance, 0, places);
+        }
+    }
+
+    private void sampleAroundEllipse(Ellipse oval, double distance, double spacing, List<Sample> places) {
+        int pieces = Math.max(8, (int) Math.ceil(2 * StrictMath.PI * oval.boundingRadius() / spacing));
+        Vector2 before = oval.toWorld(new Vector2(oval.rx(), 0));
+        for (int i = 1; i <= pieces; i++) {
+            Vector2 unit = Vector2.direction(2 * StrictMath.PI * i / pieces);
+            Vector2 point = oval.toWorld(new Vector2(oval.rx() * unit.x(), oval.ry() * unit.y()));
+            Vector2 across = new Vector2(unit.x() / oval.rx(), unit.y() / oval.ry());
+            Vector2 normal = across.times(1 / across.length()).rotated(oval.cos(), oval.sin());
+            addIfFree(point, normal, distance, point.distanceTo(before), places);
+            before = point;
+        }
+    }
+
+    private void addIfFree(Vector2 foot, Vector2 normal, double distance, double length, List<Sample> places) {
+        Vector2 place = foot.plus(normal.times(distance));
+        candidates.clear();
+        index.findNear(place.x(), place.y(), distance, candidates);
+        for (int i = 0; i < candidates.size(); i++) {
+            if (candidates.shape(i).nearestTo(place).distanceTo(place) < distance * (1 - 1e-6)) {
+                return;
+            }
+        }
+        places.add(new Sample(place, length));
+    }
+}

@@ -1,0 +1,73 @@
+package faultline.engine.recording;
+
+import faultline.world.Collision;
+import faultline.world.Command;
+
+/** Something that happened in a run at one moment. */
+public sealed interface RunEvent {
+
+    /**
+     * The tick at whose end it shows.
+     *
+     * @return from 0
+     */
+    long tick();
+
+    /**
+     * When it happened.
+     *
+     * @return seconds
+     */
+    double time();
+
+    /**
+     * The controller came to another state.
+     *
+     * @param tick the first in which it acted by it
+     * @param time of that tick, seconds
+     * @param from the state that it left
+     * @param to the state that it came to
+     * @param condition the named condition of the arrow
+     */
+    record StateChanged(long tick, double time, String from, String to, String condition) implements RunEvent {}
+
+    /**
+     * A command was carried out: one of the timeline, or one from outside.
+     *
+     * @param tick at whose start it was
+     * @param time of that tick, seconds
+     * @param command what was done
+     */
+    record CommandExecuted(long tick, double time, Command command) implements RunEvent {}
+
+    /**
+     * A command was refused.
+     *
+     * @param tick at whose start it was
+     * @param time of that tick, seconds
+     * @param command what was not done
+     * @param reason one sentence
+     */
+    record CommandRefused(long tick, double time, Command command, String reason) implements RunEvent {}
+
+    /**
+     * The robot touched an obstacle for the first time.
+     *
+     * @param tick at whose end it showed
+     * @param collision the contact
+     */
+    record Collided(long tick, Collision collision) implements RunEvent {
+        @Override
+        public double time() {
+            return collision.time();
+        }
+    }
+
+    /**
+     * The run became another than the earlier one that it is compared with.
+     *
+     * @param tick the first in which they differ by a bit or more
+     * @param time of that tick, seconds
+     */
+    record Diverged(long tick, double time) implements RunEvent {}
+}

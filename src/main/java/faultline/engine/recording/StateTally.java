@@ -1,0 +1,63 @@
+package faultline.engine.recording;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * How long a controller has been in each of its states, and how often it took each way between them.
+ *
+ * @param states in the order of their first appearance
+ * @param transitions in the order in which they were first taken
+ */
+public record StateTally(List<Dwell> states, List<TransitionCount> transitions) {
+
+    /** Of a run that is not recorded. */
+    public static final StateTally EMPTY = new StateTally(List.of(), List.of());
+
+    public StateTally {
+        states = List.copyOf(states);
+        transitions = List.copyOf(transitions);
+    }
+
+    /**
+     * A state that the controller was in.
+     *
+     * @param state its name
+     * @param ticks in all
+     * @param visits how often it came there, the start included
+     */
+    public record Dwell(String state, long ticks, long visits) {}
+
+    /**
+     * A way from a state to a state that the controller took.
+     *
+     * @param from the state that it left
+     * @param to the state that it came to
+     * @param count how often
+     */
+    public record TransitionCount(String from, String to, long count) {}
+
+    /**
+     * The stay in a state.
+     *
+     * @param state its name
+     * @return empty where the controller never was there
+     */
+    public Optional<Dwell> dwell(String state) {
+        return states.stream().filter(stay -> stay.state().equals(state)).findFirst();
+    }
+
+    /**
+     * How often a way was taken.
+     *
+     * @param from the state left
+     * @param to the state reached
+     * @return from 0
+     */
+    public long transitionCount(String from, String to) {
+        return transitions.stream()
+                .filter(way -> way.from().equals(from) && way.to().equals(to))
+                .mapToLong(TransitionCount::count)
+                .sum();
+    }
+}

@@ -1,0 +1,55 @@
+package faultline.engine.recording;
+
+/** The numbers that are traced: six of the controller, the robot's heading, and two of each sensor. */
+public final class TraceChannels {
+
+    /** The distance that the controller holds, metres. */
+    public static final int WANTED_DISTANCE = 0;
+    /** The distance that it goes by, metres. */
+    public static final int MEASURED_DISTANCE = 1;
+    /** The PD controller's P term, radians per second. */
+    public static final int PROPORTIONAL = 2;
+    /** The PD controller's D term, radians per second. */
+    public static final int DERIVATIVE = 3;
+    /** What the controller gives the left motors, volts. */
+    public static final int LEFT_VOLTS = 4;
+    /** What the controller gives the right motors, volts. */
+    public static final int RIGHT_VOLTS = 5;
+
+    /** The robot's heading, radians, not normalised. */
+    public static final int HEADING = 6;
+
+    private static final int SENSOR_OFFSET = 7;
+
+    private TraceChannels() {}
+
+    /**
+     * What a sensor would read without noise and faults.
+     *
+     * @param sensor its place in the robot's list, from 0
+     * @return the channel, metres
+     */
+    public static int trueReading(int sensor) {
+        return SENSOR_OFFSET + 2 * sensor;
+    }
+
+    /**
+     * What a sensor reports.
+     *
+     * @param sensor its place in the robot's list, from 0
+     * @return the channel, metres
+     */
+    public static int reportedReading(int sensor) {
+        return SENSOR_OFFSET + 2 * sensor + 1;
+    }
+
+    /**
+     * How many channels a robot has.
+     *
+     * @param sensors how many sensors it has
+     * @return all channels
+     */
+    public static int count(int sensors) {
+        return SENSOR_OFFSET + 2 * sensors;
+    }
+}

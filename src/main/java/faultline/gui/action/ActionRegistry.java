@@ -1,0 +1,33 @@
+package faultline.gui.action;
+
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** All actions of a window, by key, in the order in which they were made. */
+public final class ActionRegistry {
+
+    private final Map<String, UiAction> actions = new LinkedHashMap<>();
+
+    /** Adds an action. */
+    public UiAction add(UiAction action) {
+        if (actions.put(action.key(), action) != null) {
+            throw new IllegalArgumentException("two actions are called " + action.key());
+        }
+        return action;
+    }
+
+    /** The action of a key. */
+    public UiAction get(String key) {
+        UiAction action = actions.get(key);
+        if (action == null) {
+            throw new IllegalArgumentException("there is no action " + key);
+        }
+        return action;
+    }
+
+    public Collection<UiAction> allActions() {
+        return Collections.unmodifiableCollection(actions.values());
+    }
+}

@@ -1,0 +1,52 @@
+package faultline.gui.action;
+
+import static faultline.gui.action.Keystrokes.menuShiftShortcut;
+import static faultline.gui.action.Keystrokes.menuShortcut;
+
+import faultline.gui.edit.UndoController;
+import faultline.gui.theme.Glyph;
+import java.awt.event.KeyEvent;
+import java.util.Optional;
+import javax.swing.JComponent;
+import javax.swing.JRootPane;
+
+/** The actions that take edits back and do them again, named after the edits. */
+public final class EditActions {
+
+    private final UndoController undoController;
+    private final UiAction undo;
+    private final UiAction redo;
+
+    public EditActions(UndoController desk) {
+        this.undoController = desk;
+        this.undo = UiAction.of("undo", desk::undo)
+                .withAccelerator(menuShortcut(KeyEvent.VK_Z))
+                .withIcon(Glyph.UNDO);
+        this.redo = UiAction.of("redo", desk::redo)
+                .withAccelerator(menuShiftShortcut(KeyEvent.VK_Z))
+                .withIcon(Glyph.REDO);
+        update();
+    }
+
+    public void addTo(ActionRegistry actions) {
+        actions.add(undo);
+        actions.add(redo);
+    }
+
+    /** The second key of redo, which an action has no room for. */
+    public void bindTo(JRootPane root) {
+        root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(menuShortcut(KeyEvent.VK_Y), redo.key());
+        root.getActionMap().put(redo.key(), redo);
+    }
+
+    /** Makes the actions say what they would do. */
+    public void update() {
+        update(undo, undoController.undoName());
+        update(redo, undoController.redoName());
+    }
+
+    private static void update(UiAction action, Optional<String> edit) {
+        action.setEnabled(edit.isPresent());
+        edit.ifPresentOrElse(name -> action.rename(action.key() + ".of", name), () -> action.rename(action.key()));
+    }
+}

@@ -1,0 +1,240 @@
+package faultline.gui.action;
+
+import static faultline.gui.action.Keystrokes.menuShortcut;
+import static faultline.gui.action.Keystrokes.unmodified;
+
+import faultline.geometry.Degrees;
+import faultline.gui.canvas.CanvasTools;
+import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.ObstacleCopies;
+import faultline.gui.edit.ShapePreset;
+import faultline.gui.edit.SnapSettings;
+import faultline.gui.settings.WindowPreferences;
+import faultline.gui.text.MessageTranslator;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Glyph;
+import faultline.scenario.ObstacleXml;
+import faultline.scenario.ScenarioException;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import java.awt.Toolkit;
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import java.util.function.DoubleFunction;
+
+/**
+ * The actions on obstacles: new ones from the palette, copies by way of the clipboard, deleting, ways, and snapping.
+ */
+public final class ObstacleActions {
+
+    /** The palette: all that makes a new obstacle, in the order of its buttons. */
+    public static final List<String> PALETTE_KEYS = List.of(
+            "placeRectangle",
+            "placeSquare",
+            "placeCircle",
+            "placeEllipse",
+            "placeTriangle",
+            "placeHexagon",
+            "placeAngle",
+            "drawWall",
+            "drawPolygon");
+
+    private static final Map<ShapePreset, Glyph> GLYPHS = Map.of(
+            ShapePreset.RECTANGLE,
+            Glyph.RECTANGLE,
+            ShapePreset.SQUARE,
+            Glyph.SQUARE,
+            ShapePreset.CIRCLE,
+            Glyph.CIRCLE,
+            ShapePreset.ELLIPSE,
+            Glyph.ELLIPSE,
+            ShapePreset.TRIANGLE,
+            Glyph.TRIANGLE,
+            ShapePreset.HEXAGON,
+            Glyph.HEXAGON,
+            ShapePreset.ANGLE,
+            Glyph.ANGLE);
+    private static final double GRID_STEP = 0.05;
+    private static final double ANGLE_STEP = Degrees.toRadians(15);
+
+    private final CanvasTools tools;
+    private final CommandSink editor;
+    private final Consumer<String> notifier;
+    private final DoubleFunction<OptionalDouble> askSpeed;
+    private final WindowPreferences preferences;
+    private final UiAction snapGrid;
+    private final UiAction snapAngle;
+
+    /**
+     * Actions that are not shown yet.
+     *
+     * @param tools of the canvas
+     * @param editor where changes go
+     * @param note told what the user should know
+     * @param askSpeed asks for a speed, metres per second, given the present one
+     * @param memory keeps how obstacles snap
+     */
+    public ObstacleActions(
+            CanvasTools tools,
+            CommandSink editor,
+            Consumer<String> note,
+            DoubleFunction<OptionalDouble> askSpeed,
+            WindowPreferences memory) {
+        this.tools = tools;
+        this.editor = editor;
+        this.notifier = note;
+        this.askSpeed = askSpeed;
+        this.preferences = memory;
+        snapGrid = UiAction.toggle("snapGrid", memory.isGridSnapped(), on -> applySnap());
+        snapAngle = UiAction.toggle("snapAngle", memory.isAngleSnapped(), on -> applySnap());
+        applySnap();
+    }
+
+    public void addTo(ActionRegistry actions) {
+        for (ShapePreset shape : ShapePreset.values()) {
+            String name = shape.name();
+            String key = "place" + name.charAt(0) + name.substring(1).toLowerCase(Locale.ROOT);
+            actions.add(createToolAction(key, () -> tools.placeShape(shape)).withIcon(GLYPHS.get(shape)));
+        }
+        actions.add(createToolAction("drawWall", tools::drawWall).withIcon(Glyph.WALL));
+        actions.add(createToolAction("drawPolygon", tools::drawPolygon).withIcon(Glyph.POLYGON));
+        actions.add(UiAction.of("drawWay", this::drawMotionPath));
+        actions.add(UiAction.of("waySpeed", this::editMotionSpeed));
+        actions.add(UiAction.of("standStill", this::removeMotion));
+        actions.add(UiAction.of("cut", this::cut).withAccelerator(menuShortcut(KeyEvent.VK_X)));
+        actions.add(UiAction.of("copy", this::copySelection).withAccelerator(menuShortcut(KeyEvent.VK_C)));
+        actions.add(UiAction.of("paste", this::paste).withAccelerator(menuShortcut(KeyEvent.VK_V)));
+        actions.add(UiAction.of("duplicate", () -> addCopies(tools.selected()))
+                .withAccelerator(menuShortcut(KeyEvent.VK_D)));
+        actions.add(UiAction.of("delete", this::delete).withAccelerator(unmodified(KeyEvent.VK_DELETE)));
+        actions.add(UiAction.of("selectAll", tools::selectAll).withAccelerator(menuShortcut(KeyEvent.VK_A)));
+        actions.add(snapGrid);
+        actions.add(snapAngle);
+    }
+
+    private UiAction createToolAction(String key, Runnable tool) {
+        UiAction[] self = new UiAction[1];
+        self[0] = UiAction.of(key, () -> activateTool(self[0], tool));
+        tools.addToolListener(inUse -> self[0].setOn(false));
+        return self[0];
+    }
+
+    /** Says how a tool is used, and shows that it is. */
+    private void activateTool(UiAction action, Runnable tool) {
+        tool.run();
+        action.setOn(true);
+        notifier.accept(Messages.get("action." + action.key() + ".tip"));
+    }
+
+    private void applySnap() {
+        tools.setSnap(new SnapSettings(snapGrid.isOn() ? GRID_STEP : 0, snapAngle.isOn() ? ANGLE_STEP : 0));
+        preferences.setSnap(snapGrid.isOn(), snapAngle.isOn());
+    }
+
+    private void drawMotionPath() {
+        if (tools.selected().size() == 1) {
+            tools.drawMotionPath();
+            notifier.accept(Messages.get("action.drawWay.tip"));
+        } else {
+            notifier.accept(Messages.get("note.selectOne"));
+        }
+    }
+
+    /** Of all selected obstacles that move. */
+    private void editMotionSpeed() {
+        List<Obstacle> moving = tools.selected().stream()
+                .filter(obstacle -> obstacle.motion().isPresent())
+                .toList();
+        if (moving.isEmpty()) {
+            notifier.accept(Messages.get("note.selectMoving"));
+        } else {
+            askSpeed.apply(moving.get(0).motion().orElseThrow().speed())
+                    .ifPresent(speed -> editor.send(moving.stream()
+                            .<Command>map(obstacle -> new Command.PlaceObstacle(
+                                    obstacle.withMotion(obstacle.motion().map(way -> way.withSpeed(speed)))))
+                            .toList()));
+        }
+    }
+
+    private void removeMotion() {
+        editor.send(tools.selected().stream()
+                .filter(obstacle -> obstacle.motion().isPresent())
+                .<Command>map(obstacle -> new Command.PlaceObstacle(obstacle.withMotion(Optional.empty())))
+                .toList());
+    }
+
+    private void cut() {
+        if (copySelection()) {
+            delete();
+        }
+    }
+
+    private void delete() {
+        editor.send(tools.selected().stream()
+                .<Command>map(obstacle -> new Command.RemoveObstacle(obstacle.id()))
+                .toList());
+    }
+
+    /** Copies what is selected; says whether it is on the clipboard. */
+    private boolean copySelection() {
+        if (tools.selected().isEmpty()) {
+            return false;
+        }
+        try {
+            clipboard().setContents(new StringSelection(ObstacleXml.format(tools.selected())), null);
+            return true;
+        } catch (IllegalStateException busy) {
+            notifier.accept(Messages.get("note.clipboardBusy"));
+            return false;
+        }
+    }
+
+    private void paste() {
+        try {
+            readClipboardText().ifPresent(this::paste);
+        } catch (IllegalStateException busy) {
+            notifier.accept(Messages.get("note.clipboardBusy"));
+        }
+    }
+
+    private void paste(String text) {
+        try {
+            addCopies(ObstacleXml.parse(text));
+        } catch (ScenarioException bad) {
+            int more = bad.problems().size() - 1;
+            String first = MessageTranslator.translate(bad.problems().get(0).message());
+            notifier.accept(
+                    more == 0
+                            ? Messages.get("note.notPasted", first)
+                            : Messages.get("note.notPasted.more", first, Integer.toString(more)));
+        }
+    }
+
+    private static Optional<String> readClipboardText() {
+        try {
+            return Optional.of((String) clipboard().getData(DataFlavor.stringFlavor));
+        } catch (UnsupportedFlavorException | IOException noText) {
+            return Optional.empty();
+        }
+    }
+
+    private static Clipboard clipboard() {
+        return Toolkit.getDefaultToolkit().getSystemClipboard();
+    }
+
+    private void addCopies(List<Obstacle> originals) {
+        List<Obstacle> copies = ObstacleCopies.copyOf(originals, tools.ids());
+        tools.selectWhenPresent(copies.stream().map(Obstacle::id).toList());
+        editor.send(copies.stream().<Command>map(Command.PlaceObstacle::new).toList());
+    }
+}

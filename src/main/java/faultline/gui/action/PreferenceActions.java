@@ -1,0 +1,60 @@
+package faultline.gui.action;
+
+import faultline.gui.settings.WindowPreferences;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
+import java.awt.Component;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javax.swing.JOptionPane;
+
+/**
+ * The choice of language and of the size of texts. Both are made when the window is, so a change shows in the next one,
+ * which is told at once.
+ */
+public final class PreferenceActions {
+
+    private final Component parent;
+    private final WindowPreferences preferences;
+
+    public PreferenceActions(Component parent, WindowPreferences memory) {
+        this.parent = parent;
+        this.preferences = memory;
+    }
+
+    public void addTo(ActionRegistry actions) {
+        toggleGroup("language", Language.values(), preferences.language(), preferences::setLanguage)
+                .forEach(actions::add);
+        toggleGroup("textSize", TextSize.values(), preferences.textSize(), preferences::setTextSize)
+                .forEach(actions::add);
+    }
+
+    /** The key of the action that makes a choice. */
+    static String actionKey(String group, Enum<?> option) {
+        return group + option.name().charAt(0) + option.name().substring(1).toLowerCase(Locale.ROOT);
+    }
+
+    private <E extends Enum<E>> List<UiAction> toggleGroup(String group, E[] options, E now, Consumer<E> keep) {
+        UiAction[] actions = new UiAction[options.length];
+        for (int i = 0; i < options.length; i++) {
+            E option = options[i];
+            actions[i] = UiAction.toggle(actionKey(group, option), option == now, on -> {
+                Arrays.stream(actions)
+                        .forEach(action -> action.putValue(
+                                UiAction.SELECTED_KEY, action.key().equals(actionKey(group, option))));
+                keep.accept(option);
+                if (option != now) {
+                    JOptionPane.showMessageDialog(
+                            parent,
+                            Messages.get("choice.later"),
+                            Messages.get("choice.title"),
+                            JOptionPane.INFORMATION_MESSAGE);
+                }
+            });
+        }
+        return List.of(actions);
+    }
+}

@@ -1,0 +1,70 @@
+package faultline.gui.action;
+
+import static faultline.gui.action.Keystrokes.character;
+import static faultline.gui.action.Keystrokes.menuShortcut;
+import static faultline.gui.action.Keystrokes.unmodified;
+
+import faultline.engine.session.Session;
+import faultline.gui.document.RunController;
+import faultline.gui.theme.Glyph;
+import java.awt.event.KeyEvent;
+import java.util.function.IntConsumer;
+import java.util.function.IntUnaryOperator;
+import javax.swing.BoundedRangeModel;
+
+/** The actions on the run: run and pause, step, restart, the speed, and the switches of the sensors. */
+public final class RunActions {
+
+    private static final int SENSOR_KEYS = 8;
+
+    private final RunController runController;
+    private final BoundedRangeModel speedModel;
+    private final UiAction runAction;
+    private boolean running;
+
+    public RunActions(RunController desk, BoundedRangeModel speed) {
+        this.runController = desk;
+        this.speedModel = speed;
+        this.runAction = UiAction.of("run", desk::toggleRunning)
+                .withAccelerator(unmodified(KeyEvent.VK_SPACE))
+                .withIcon(Glyph.RUN);
+        speed.addChangeListener(event -> desk.setSpeed(SpeedScale.speedAt(speed.getValue())));
+    }
+
+    public void addTo(ActionRegistry actions, IntConsumer toggleSensor) {
+        actions.add(runAction);
+        actions.add(UiAction.of("step", runController::step)
+                .withAccelerator(character('.'))
+                .withIcon(Glyph.STEP));
+        actions.add(UiAction.of("stepBack", runController.navigator()::stepBack)
+                .withAccelerator(character(','))
+                .withIcon(Glyph.STEP_BACK));
+        actions.add(UiAction.of("restart", runController::restart)
+                .withAccelerator(menuShortcut(KeyEvent.VK_R))
+                .withIcon(Glyph.RESTART));
+        actions.add(
+                UiAction.of("slower", () -> changeSpeed(SpeedScale::nextSlower)).withAccelerator(character('[')));
+        actions.add(
+                UiAction.of("faster", () -> changeSpeed(SpeedScale::nextFaster)).withAccelerator(character(']')));
+        actions.add(UiAction.of("realTime", () -> speedModel.setValue(SpeedScale.REAL_TIME_POSITION))
+                .withAccelerator(character('\\')));
+        for (int i = 0; i < SENSOR_KEYS; i++) {
+            int index = i;
+            actions.add(UiAction.of("sensor" + (i + 1), () -> toggleSensor.accept(index))
+                    .withAccelerator(unmodified(KeyEvent.VK_1 + i)));
+        }
+    }
+
+    private void changeSpeed(IntUnaryOperator next) {
+        speedModel.setValue(next.applyAsInt(speedModel.getValue()));
+    }
+
+    /** Makes the one action say Run or Pause. */
+    public void update(Session.Status status) {
+        if (status.running() != running) {
+            running = status.running();
+            runAction.rename(running ? "pause" : "run");
+            runAction.withIcon(running ? Glyph.PAUSE : Glyph.RUN);
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package faultline.gui.action;
+
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.settings.WindowPreferences;
+import faultline.gui.theme.Glyph;
+import faultline.gui.theme.Theme;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+
+/** The switch between the light theme and the dark one. */
+public final class ThemeAction {
+
+    private final JFrame window;
+    private final SimulationCanvas canvas;
+    private final WindowPreferences preferences;
+    private final UiAction darkAction =
+            UiAction.toggle("dark", Theme.current() == Theme.DARK, on -> switchTo(on ? Theme.DARK : Theme.LIGHT));
+
+    public ThemeAction(JFrame window, SimulationCanvas canvas, WindowPreferences memory) {
+        this.window = window;
+        this.canvas = canvas;
+        this.preferences = memory;
+        updateIcon();
+    }
+
+    public UiAction action() {
+        return darkAction;
+    }
+
+    private void switchTo(Theme theme) {
+        theme.install();
+        updateIcon();
+        canvas.setPalette(theme.palette());
+        SwingUtilities.updateComponentTreeUI(window);
+        preferences.setTheme(theme);
+    }
+
+    /** Shows what a press would bring. */
+    private void updateIcon() {
+        darkAction.withIcon(Theme.current() == Theme.DARK ? Glyph.SUN : Glyph.MOON);
+    }
+}

@@ -1,0 +1,64 @@
+package faultline.gui.action;
+
+import static faultline.gui.action.Keystrokes.menuCharacter;
+import static faultline.gui.action.Keystrokes.menuShiftShortcut;
+import static faultline.gui.action.Keystrokes.menuShortcut;
+import static faultline.gui.action.Keystrokes.unmodified;
+
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.theme.Glyph;
+import faultline.paint.scene.Layer;
+import java.awt.event.KeyEvent;
+import javax.swing.JComponent;
+import javax.swing.JRootPane;
+import javax.swing.KeyStroke;
+
+/** The actions on what is shown: zoom, layers and following. */
+public final class ViewActions {
+
+    private ViewActions() {}
+
+    public static void addTo(ActionRegistry actions, SimulationCanvas canvas) {
+        actions.add(UiAction.of("fit", canvas::fit)
+                .withAccelerator(menuShortcut(KeyEvent.VK_0))
+                .withIcon(Glyph.FIT));
+        actions.add(UiAction.of("zoomIn", canvas::zoomIn).withAccelerator(menuCharacter('+')));
+        actions.add(UiAction.of("zoomOut", canvas::zoomOut).withAccelerator(menuCharacter('-')));
+        actions.add(UiAction.toggle("follow", false, canvas::setFollowing)
+                .withAccelerator(unmodified(KeyEvent.VK_F))
+                .withIcon(Glyph.FOLLOW));
+        actions.add(UiAction.of("measure", canvas.tools()::measure).withAccelerator(unmodified(KeyEvent.VK_M)));
+        actions.add(layer("path", canvas, Layer.PATH)
+                .withAccelerator(unmodified(KeyEvent.VK_P))
+                .withIcon(Glyph.PATH));
+        actions.add(layer("cones", canvas, Layer.CONES).withAccelerator(unmodified(KeyEvent.VK_C)));
+        actions.add(layer("hits", canvas, Layer.INTERSECTIONS));
+        actions.add(layer("routes", canvas, Layer.ROUTES));
+        actions.add(layer("labels", canvas, Layer.LABELS));
+        actions.add(layer("grid", canvas, Layer.GRID).withAccelerator(unmodified(KeyEvent.VK_G)));
+        actions.add(layer("scaleBar", canvas, Layer.SCALE_BAR));
+    }
+
+    /** The keys that are plus and minus on one keyboard or another. */
+    public static void bindTo(JRootPane root, ActionRegistry actions) {
+        bind(
+                root,
+                actions.get("zoomIn"),
+                menuShortcut(KeyEvent.VK_PLUS),
+                menuShortcut(KeyEvent.VK_EQUALS),
+                menuShiftShortcut(KeyEvent.VK_EQUALS),
+                menuShortcut(KeyEvent.VK_ADD));
+        bind(root, actions.get("zoomOut"), menuShortcut(KeyEvent.VK_MINUS), menuShortcut(KeyEvent.VK_SUBTRACT));
+    }
+
+    private static void bind(JRootPane root, UiAction action, KeyStroke... strokes) {
+        for (KeyStroke stroke : strokes) {
+            root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, action.key());
+        }
+        root.getActionMap().put(action.key(), action);
+    }
+
+    private static UiAction layer(String key, SimulationCanvas canvas, Layer layer) {
+        return UiAction.toggle(key, canvas.isLayerOn(layer), on -> canvas.setLayer(layer, on));
+    }
+}

@@ -1,0 +1,106 @@
+package faultline.gui.canvas;
+
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.gui.canvas.tool.CanvasModel;
+import faultline.gui.canvas.tool.Tool;
+import faultline.gui.edit.PendingEdits;
+import faultline.paint.scene.ObstacleOutlines;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import java.awt.event.ActionEvent;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+
+/**
+ * What the keyboard does while the canvas has the focus: arrows nudge the selected obstacles, Q and E turn them, Enter
+ * ends a tool, Esc lets go.
+ */
+final class CanvasKeys {
+
+    private static final double SMALL_NUDGE = 0.01;
+    private static final double BIG_NUDGE = 0.1;
+    private static final double TURN_ANGLE = Degrees.toRadians(5);
+
+    private final CanvasModel model;
+    private final PendingEdits pendingEdits;
+    private final CanvasMouse mouse;
+
+    CanvasKeys(CanvasModel scene, PendingEdits courier, CanvasMouse hand) {
+        this.model = scene;
+        this.pendingEdits = courier;
+        this.mouse = hand;
+    }
+
+    void install(JComponent canvas) {
+        bindNudges(canvas, "LEFT", -1, 0);
+        bindNudges(canvas, "RIGHT", 1, 0);
+        bindNudges(canvas, "UP", 0, 1);
+        bindNudges(canvas, "DOWN", 0, -1);
+        bind(canvas, "Q", () -> turn(TURN_ANGLE));
+        bind(canvas, "E", () -> turn(-TURN_ANGLE));
+        bind(canvas, "ENTER", () -> withTool(Tool::finish));
+        bind(canvas, "BACK_SPACE", () -> withTool(Tool::removeLastPoint));
+        bind(canvas, "shift F10", mouse::requestMenu);
+        bind(canvas, "CONTEXT_MENU", mouse::requestMenu);
+        bind(canvas, "ESCAPE", this::cancelOrDeselect);
+    }
+
+    private void bindNudges(JComponent canvas, String key, int right, int up) {
+        bind(canvas, key, () -> nudge(right * SMALL_NUDGE, up * SMALL_NUDGE));
+        bind(canvas, "shift " + key, () -> nudge(right * BIG_NUDGE, up * BIG_NUDGE));
+    }
+
+    private void nudge(double dx, double dy) {
+        moveSelected(obstacle -> new Pose(
+                obstacle.pose().x() + dx,
+                obstacle.pose().y() + dy,
+                obstacle.pose().heading()));
+    }
+
+    private void turn(double turn) {
+        List<Obstacle> expected =
+                model.selected().stream().map(pendingEdits::expectedObstacle).toList();
+        if (!expected.isEmpty()) {
+            Vector2 middle = ObstacleOutlines.centre(expected);
+            moveSelected(obstacle -> ObstacleOutlines.rotatedPose(obstacle, middle, turn));
+        }
+    }
+
+    private void moveSelected(Function<Obstacle, Pose> change) {
+        pendingEdits.send(model.selected().stream()
+                .<Command>map(obstacle ->
+                        new Command.MoveObstacle(obstacle.id(), change.apply(pendingEdits.expectedObstacle(obstacle))))
+                .toList());
+    }
+
+    private void withTool(Consumer<Tool> deed) {
+        mouse.tool().get().ifPresent(deed);
+        mouse.clearFinishedTool();
+    }
+
+    private void cancelOrDeselect() {
+        if (!mouse.cancel()) {
+            model.select(Set.of());
+            model.sensor().set(Optional.empty());
+        }
+    }
+
+    private static void bind(JComponent canvas, String key, Runnable action) {
+        canvas.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(key), key);
+        canvas.getActionMap().put(key, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                action.run();
+                canvas.repaint();
+            }
+        });
+    }
+}

@@ -1,0 +1,189 @@
+package faultline.gui.canvas;
+
+import faultline.geometry.Vector2;
+import faultline.gui.canvas.tool.CanvasListeners;
+import faultline.gui.canvas.tool.Gesture;
+import faultline.gui.canvas.tool.ObservableValue;
+import faultline.gui.canvas.tool.PanGesture;
+import faultline.gui.canvas.tool.Tool;
+import faultline.gui.canvas.tool.Viewport;
+import faultline.gui.edit.SnapSettings;
+import faultline.paint.surface.DrawContext;
+import java.awt.Cursor;
+import java.awt.Point;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.util.Optional;
+import javax.swing.SwingUtilities;
+
+/**
+ * What the mouse does. The wheel zooms on the cursor and the middle button pans. The left button does what the tool
+ * does, or else what {@link GesturePicker} finds: it moves, turns, resizes, selects, and pans where nothing is. The
+ * right button turns, or asks for a menu.
+ */
+final class CanvasMouse extends MouseAdapter {
+
+    /** One notch of the wheel zooms by this factor. */
+    private static final double WHEEL_ZOOM_FACTOR = 1.15;
+
+    private final Viewport viewport;
+    private final GesturePicker gesturePicker;
+    private final CanvasListeners listeners;
+    private final ObservableValue<Optional<Vector2>> cursorPoint = new ObservableValue<>(Optional.empty());
+    private final ObservableValue<Optional<Tool>> tool = new ObservableValue<>(Optional.empty());
+    private Optional<Gesture> gesture = Optional.empty();
+    private Vector2 pressPoint = Vector2.ZERO;
+    /** The button that holds. */
+    private int button;
+
+    private SnapSettings snap = SnapSettings.NONE;
+
+    CanvasMouse(Viewport viewpoint, GesturePicker grips, CanvasListeners watchers) {
+        this.viewport = viewpoint;
+        this.gesturePicker = grips;
+        this.listeners = watchers;
+    }
+
+    /** The point of the world under the mouse. */
+    ObservableValue<Optional<Vector2>> cursorPoint() {
+        return cursorPoint;
+    }
+
+    /** What the left button does in place of selecting and moving. */
+    ObservableValue<Optional<Tool>> tool() {
+        return tool;
+    }
+
+    /** Asks for a menu where the mouse was last, for those who have no right button at hand. */
+    void requestMenu() {
+        listeners.fireMenuRequested(new Point((int) pressPoint.x(), (int) pressPoint.y()));
+    }
+
+    void setSnap(SnapSettings newSnap) {
+        snap = newSnap;
+    }
+
+    /** Cancels what is going on; says whether there was anything. */
+    boolean cancel() {
+        boolean busy = gesture.isPresent() || tool.get().isPresent();
+        gesture.ifPresent(Gesture::cancel);
+        gesture = Optional.empty();
+        tool.set(Optional.empty());
+        return busy;
+    }
+
+    /** Lets go of what is no longer there. */
+    void releaseIfTargetGone() {
+        if (gesture.filter(Gesture::isTargetGone).isPresent()) {
+            gesture.ifPresent(Gesture::release);
+            gesture = Optional.empty();
+        }
+    }
+
+    void paint(DrawContext brush) {
+        gesture.ifPresent(held -> held.paint(brush));
+        tool.get().ifPresent(t -> t.paint(brush));
+    }
+
+    @Override
+    public void mousePressed(MouseEvent event) {
+        event.getComponent().requestFocusInWindow();
+        if (gesture.isPresent()) {
+            return;
+        }
+        pressPoint = screenPoint(event);
+        button = event.getButton();
+        boolean left = SwingUtilities.isLeftMouseButton(event);
+        if (SwingUtilities.isMiddleMouseButton(event)) {
+            gesture = Optional.of(new PanGesture(viewport, pressPoint, () -> {}));
+        } else if (tool.get().isPresent()) {
+            useTool(event, left);
+        } else {
+            gesture = Optional.of(
+                    gesturePicker.pick(pressPoint, left, !left || event.isControlDown(), event.isShiftDown()));
+        }
+    }
+
+    /** The right button says that there is no more to come. */
+    private void useTool(MouseEvent event, boolean left) {
+        Vector2 at = snappedPoint(event);
+        tool.get().ifPresent(left ? t -> t.press(at, event.getClickCount() > 1) : Tool::finish);
+        clearFinishedTool();
+        event.getComponent().repaint();
+    }
+
+    /** Ends the tool where it has done what it is for. */
+    void clearFinishedTool() {
+        tool.set(tool.get().filter(t -> !t.isDone()));
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent event) {
+        gesture.ifPresent(held -> held.moveTo(screenPoint(event), snap(event)));
+        if (gesture.isEmpty() && SwingUtilities.isLeftMouseButton(event)) {
+            tool.get().ifPresent(t -> t.move(snappedPoint(event), true));
+        }
+        cursorPoint.set(Optional.of(toWorld(screenPoint(event))));
+        event.getComponent().repaint();
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent event) {
+        if (gesture.isPresent() && event.getButton() != button) {
+            return;
+        }
+        gesture.ifPresent(Gesture::release);
+        if (gesture.isEmpty() && SwingUtilities.isLeftMouseButton(event)) {
+            tool.get().ifPresent(t -> t.release(snappedPoint(event)));
+            clearFinishedTool();
+        }
+        boolean clicked = screenPoint(event).distanceTo(pressPoint) < Gesture.CLICK_TOLERANCE;
+        if (gesture.isPresent() && clicked && SwingUtilities.isRightMouseButton(event)) {
+            listeners.fireMenuRequested(event.getPoint());
+        }
+        gesture = Optional.empty();
+        event.getComponent().repaint();
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent event) {
+        Vector2 at = screenPoint(event);
+        cursorPoint.set(Optional.of(toWorld(at)));
+        tool.get().ifPresent(t -> {
+            t.move(snappedPoint(event), false);
+            event.getComponent().repaint();
+        });
+        int shape = tool.get().isPresent() ? Cursor.CROSSHAIR_CURSOR : gesturePicker.cursorType(at);
+        event.getComponent().setCursor(Cursor.getPredefinedCursor(shape));
+    }
+
+    @Override
+    public void mouseExited(MouseEvent event) {
+        cursorPoint.set(Optional.empty());
+    }
+
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent event) {
+        Vector2 at = screenPoint(event);
+        viewport.moveCamera(
+                camera -> camera.zoomedAbout(at, Math.pow(WHEEL_ZOOM_FACTOR, -event.getPreciseWheelRotation())));
+    }
+
+    /** Alt lets the hand go free for as long as it is down. */
+    private SnapSettings snap(MouseEvent event) {
+        return event.isAltDown() ? SnapSettings.NONE : snap;
+    }
+
+    private Vector2 snappedPoint(MouseEvent event) {
+        return snap(event).point(toWorld(screenPoint(event)));
+    }
+
+    private Vector2 toWorld(Vector2 at) {
+        return viewport.camera().get().toWorld(at);
+    }
+
+    private static Vector2 screenPoint(MouseEvent event) {
+        return new Vector2(event.getX(), event.getY());
+    }
+}

@@ -1,0 +1,99 @@
+package faultline.gui.canvas;
+
+import faultline.geometry.Vector2;
+import faultline.gui.canvas.tool.CanvasModel;
+import faultline.gui.canvas.tool.DragOperation;
+import faultline.gui.canvas.tool.DragPreview;
+import faultline.gui.canvas.tool.Gesture;
+import faultline.gui.canvas.tool.PlacementCheck;
+import faultline.gui.canvas.tool.Viewport;
+import faultline.gui.edit.PendingEdits;
+import faultline.gui.edit.SnapSettings;
+import faultline.gui.text.Messages;
+import faultline.paint.scene.InteractionPainter;
+import faultline.paint.surface.DrawContext;
+import faultline.world.Obstacle;
+import java.util.List;
+import java.util.Optional;
+
+/** One drag from the press of the button on: nothing happens before the mouse has moved far enough to mean it. */
+final class DragGesture implements Gesture {
+
+    private final DragOperation operation;
+    private final Vector2 pressed;
+    private final CanvasModel model;
+    private final Viewport viewport;
+    private final PendingEdits pendingEdits;
+    private Optional<DragPreview> preview = Optional.empty();
+    private Vector2 last;
+
+    DragGesture(DragOperation drag, Vector2 pressed, CanvasModel scene, Viewport viewpoint, PendingEdits courier) {
+        this.operation = drag;
+        this.pressed = pressed;
+        this.model = scene;
+        this.viewport = viewpoint;
+        this.pendingEdits = courier;
+        this.last = pressed;
+        courier.beginGesture();
+    }
+
+    @Override
+    public void moveTo(Vector2 screen, SnapSettings snap) {
+        last = screen;
+        if (preview.isPresent() || screen.distanceTo(pressed) >= CLICK_TOLERANCE) {
+            applyPreview(operation.preview(viewport.camera().get().toWorld(screen), snap));
+        }
+    }
+
+    private void applyPreview(DragPreview wanted) {
+        boolean isNew = preview.filter(before -> before.commands().equals(wanted.commands()))
+                .isEmpty();
+        preview = Optional.of(wanted);
+        if (isNew) {
+            pendingEdits.send(wanted.commands());
+        }
+    }
+
+    @Override
+    public void release() {
+        pendingEdits.endGesture();
+    }
+
+    @Override
+    public void cancel() {
+        if (preview.isPresent()) {
+            pendingEdits.send(operation.restoreCommands());
+        }
+        pendingEdits.endGesture();
+    }
+
+    @Override
+    public boolean isTargetGone() {
+        return !model.obstacleIds()
+                .containsAll(operation.obstacles().stream().map(Obstacle::id).toList());
+    }
+
+    @Override
+    public void paint(DrawContext brush) {
+        preview.ifPresent(wanted -> {
+            List<Obstacle> blocked = wanted.obstacles().stream()
+                    .filter(obstacle -> PlacementCheck.overlapsRobot(model, obstacle))
+                    .toList();
+            paint(brush, wanted.obstacles(), blocked);
+            if (blocked.isEmpty()) {
+                InteractionPainter.paintValues(brush, wanted.valueText(), wanted.obstacles(), last);
+            } else {
+                InteractionPainter.paintRefusal(
+                        brush, Messages.get("refused.robot", blocked.get(0).id()), wanted.obstacles(), last);
+            }
+        });
+    }
+
+    private static void paint(DrawContext brush, List<Obstacle> there, List<Obstacle> blocked) {
+        if (there.size() <= CachedSceneRenderer.MAX_UNCACHED_SELECTION) {
+            there.forEach(obstacle -> InteractionPainter.paintPreview(brush, obstacle, blocked.contains(obstacle)));
+        } else {
+            InteractionPainter.paintPreview(brush, there, !blocked.isEmpty());
+        }
+    }
+}

@@ -1,0 +1,167 @@
+package faultline.gui.canvas;
+
+import faultline.geometry.Vector2;
+import faultline.gui.canvas.tool.CanvasListeners;
+import faultline.gui.canvas.tool.CanvasModel;
+import faultline.gui.canvas.tool.ConeHitTest;
+import faultline.gui.canvas.tool.DragOperation;
+import faultline.gui.canvas.tool.Gesture;
+import faultline.gui.canvas.tool.ObstacleFinder;
+import faultline.gui.canvas.tool.PanGesture;
+import faultline.gui.canvas.tool.RubberBandGesture;
+import faultline.gui.canvas.tool.StartPoseGesture;
+import faultline.gui.canvas.tool.Viewport;
+import faultline.gui.edit.PendingEdits;
+import faultline.gui.edit.ShapeHandles;
+import faultline.paint.scene.SelectionPainter;
+import faultline.paint.surface.Camera;
+import faultline.world.Obstacle;
+import faultline.world.SensorSnapshot;
+import faultline.world.Snapshot;
+import java.awt.Cursor;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Set;
+import java.util.stream.IntStream;
+
+/** Says what the hand would take hold of at a place of the picture, and how the cursor tells so. */
+final class GesturePicker {
+
+    private static final double HANDLE_TOLERANCE = SelectionPainter.HANDLE_RADIUS + Gesture.CLICK_TOLERANCE;
+
+    private final CanvasModel model;
+    private final Viewport viewport;
+    private final PendingEdits pendingEdits;
+    private final CanvasListeners listeners;
+
+    GesturePicker(CanvasModel scene, Viewport viewpoint, PendingEdits courier, CanvasListeners watchers) {
+        this.model = scene;
+        this.viewport = viewpoint;
+        this.pendingEdits = courier;
+        this.listeners = watchers;
+    }
+
+    /** What a button takes hold of, with or without Shift and a wish to turn. */
+    Gesture pick(Vector2 at, boolean left, boolean turns, boolean shift) {
+        if (left && !shift) {
+            Optional<DragOperation> handle = handleDrag(at);
+            if (handle.isPresent()) {
+                return dragGesture(handle.get(), at);
+            }
+        }
+        Optional<Obstacle> under = ObstacleFinder.topmostAt(camera(), model.obstacles(), at);
+        if (under.isPresent()) {
+            return left && shift ? toggleSelection(under.get(), at) : obstacleGesture(under.get(), turns, at);
+        }
+        Optional<Snapshot> robot = robotAtStart(at);
+        if (robot.isPresent()) {
+            return new StartPoseGesture(robot.get(), turns, at, viewport, listeners);
+        }
+        return left && shift
+                ? new RubberBandGesture(model, viewport, at)
+                : new PanGesture(viewport, at, left ? () -> selectSensorAt(at) : () -> {});
+    }
+
+    private Optional<DragOperation> handleDrag(Vector2 at) {
+        if (rotationHandle()
+                .filter(place -> place.distanceTo(at) <= HANDLE_TOLERANCE)
+                .isPresent()) {
+            return Optional.of(new DragOperation.Rotate(model.selected(), camera().toWorld(at)));
+        }
+        Optional<Obstacle> single = model.singleSelected();
+        OptionalInt handle =
+                single.map(obstacle -> resizeHandleAt(obstacle, at)).orElse(OptionalInt.empty());
+        return handle.isPresent()
+                ? Optional.of(new DragOperation.Resize(single.orElseThrow(), handle.getAsInt()))
+                : model.selectedSensor().flatMap(s -> coneDrag(s, at));
+    }
+
+    /** Where the handle is that turns what is selected. */
+    private Optional<Vector2> rotationHandle() {
+        List<Obstacle> selected = model.selected();
+        return selected.isEmpty()
+                ? Optional.empty()
+                : Optional.of(
+                        selected.size() == 1
+                                ? SelectionPainter.handlePosition(camera(), selected.get(0))
+                                : SelectionPainter.handlePosition(camera(), selected));
+    }
+
+    private OptionalInt resizeHandleAt(Obstacle obstacle, Vector2 at) {
+        List<Vector2> places = ShapeHandles.positions(obstacle).stream()
+                .map(camera()::toScreen)
+                .toList();
+        return IntStream.range(0, places.size())
+                .filter(i -> places.get(i).distanceTo(at) <= HANDLE_TOLERANCE)
+                .findFirst();
+    }
+
+    private Optional<DragOperation> coneDrag(SensorSnapshot sensor, Vector2 at) {
+        String id = sensor.spec().id();
+        if (ConeHitTest.isOnArc(camera(), sensor.sector(), at)) {
+            return Optional.of(new DragOperation.ChangeRange(
+                    sensor.spec(), () -> model.sensor(id).orElse(sensor)));
+        }
+        boolean edge = ConeHitTest.isOnEdge(camera(), sensor.sector(), at);
+        return edge
+                ? Optional.of(new DragOperation.ChangeCone(
+                        sensor.spec(), () -> model.sensor(id).orElse(sensor)))
+                : Optional.empty();
+    }
+
+    private Gesture toggleSelection(Obstacle obstacle, Vector2 at) {
+        model.toggleSelection(obstacle.id());
+        return new PanGesture(viewport, at, () -> {});
+    }
+
+    private Gesture obstacleGesture(Obstacle obstacle, boolean turns, Vector2 at) {
+        if (!model.isSelected(obstacle)) {
+            model.select(Set.of(obstacle.id()));
+        }
+        Vector2 grip = camera().toWorld(at);
+        return dragGesture(
+                turns
+                        ? new DragOperation.Rotate(model.selected(), grip)
+                        : new DragOperation.Move(obstacle, model.selected(), grip),
+                at);
+    }
+
+    private Gesture dragGesture(DragOperation drag, Vector2 at) {
+        return new DragGesture(drag, at, model, viewport, pendingEdits);
+    }
+
+    /** The world, where its robot is at a place and has not set out yet. */
+    private Optional<Snapshot> robotAtStart(Vector2 at) {
+        return model.frame()
+                .map(frame -> frame.snapshot())
+                .filter(world -> listeners.hasStartListener() && world.tick() == 0 && isOnRobot(world, at));
+    }
+
+    private boolean isOnRobot(Snapshot world, Vector2 at) {
+        Vector2 local = world.pose().toLocal(camera().toWorld(at));
+        return Math.abs(local.x()) <= world.robot().length() / 2
+                && Math.abs(local.y()) <= world.robot().width() / 2;
+    }
+
+    private void selectSensorAt(Vector2 at) {
+        model.select(Set.of());
+        model.sensor().set(ConeHitTest.sensorAt(camera(), model.sensors(), at).map(sensor -> sensor.spec()
+                .id()));
+    }
+
+    /** The shape of the cursor that says what a press of the left button would do. */
+    int cursorType(Vector2 at) {
+        if (handleDrag(at).isPresent()) {
+            return Cursor.HAND_CURSOR;
+        }
+        boolean movable =
+                ObstacleFinder.topmostAt(camera(), model.obstacles(), at).isPresent()
+                        || robotAtStart(at).isPresent();
+        return movable ? Cursor.MOVE_CURSOR : Cursor.DEFAULT_CURSOR;
+    }
+
+    private Camera camera() {
+        return viewport.camera().get();
+    }
+}

@@ -1,0 +1,38 @@
+package faultline.gui.canvas;
+
+import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
+import faultline.paint.scene.SceneLabels;
+import faultline.paint.surface.DrawContext;
+import java.awt.Font;
+
+/** The words in pictures of the world, in the user's language. */
+public final class LocalizedLabels {
+
+    private LocalizedLabels() {}
+
+    /** As large as all other texts of the window. */
+    static Font font() {
+        return TextSize.scaledFont(DrawContext.DEFAULT_FONT.getStyle(), DrawContext.DEFAULT_FONT.getSize());
+    }
+
+    static SceneLabels create() {
+        return create(font());
+    }
+
+    /**
+     * What is written in pictures.
+     *
+     * @param font how
+     * @return in today's language
+     */
+    public static SceneLabels create(Font font) {
+        return new SceneLabels(
+                Messages.get("picture.collision"),
+                Messages.get("picture.faults"),
+                Messages.get("picture.off"),
+                Messages.get("reading.off"),
+                kind -> Messages.get("picture.fault." + kind.fileName()),
+                font);
+    }
+}

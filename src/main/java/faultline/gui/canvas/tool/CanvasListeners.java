@@ -1,0 +1,46 @@
+package faultline.gui.canvas.tool;
+
+import faultline.geometry.Pose;
+import java.awt.Point;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/** Who is told what the canvas itself cannot do. */
+public final class CanvasListeners {
+
+    private final List<Consumer<String>> notes = new ArrayList<>();
+    private final List<Consumer<Point>> menus = new ArrayList<>();
+    private final List<Consumer<Pose>> starts = new ArrayList<>();
+
+    public void addNoteListener(Consumer<String> listener) {
+        notes.add(listener);
+    }
+
+    public void addMenuListener(Consumer<Point> listener) {
+        menus.add(listener);
+    }
+
+    public void addStartListener(Consumer<Pose> listener) {
+        starts.add(listener);
+    }
+
+    /** Why something was not done. */
+    void fireNote(String sentence) {
+        notes.forEach(listener -> listener.accept(sentence));
+    }
+
+    /** A menu is wanted at a place of the canvas. */
+    public void fireMenuRequested(Point at) {
+        menus.forEach(listener -> listener.accept(at));
+    }
+
+    /** The robot is to start elsewhere. */
+    void fireStartRequested(Pose pose) {
+        starts.forEach(listener -> listener.accept(pose));
+    }
+
+    public boolean hasStartListener() {
+        return !starts.isEmpty();
+    }
+}

@@ -1,0 +1,127 @@
+package faultline.gui.canvas.tool;
+
+import faultline.engine.Frame;
+import faultline.paint.scene.ReferenceOverlay;
+import faultline.world.Obstacle;
+import faultline.world.SensorSnapshot;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** The frame that shows, and which of its obstacles and which of its sensors are selected. */
+public final class CanvasModel {
+
+    private final ObservableValue<Set<String>> selection = new ObservableValue<>(Set.of());
+    private final ObservableValue<Optional<String>> sensor = new ObservableValue<>(Optional.empty());
+    private final ObservableValue<Optional<ReferenceOverlay>> referenceOverlay =
+            new ObservableValue<>(Optional.empty());
+    private Optional<Frame> frame = Optional.empty();
+    private Set<String> pendingSelection = Set.of();
+
+    /** Takes a newer frame; what it lacks is no longer selected, and what was awaited is. */
+    public void setFrame(Frame newest) {
+        frame = Optional.of(newest);
+        if (!pendingSelection.isEmpty() && hasAll(pendingSelection)) {
+            select(pendingSelection);
+        } else if (!hasAll(selection.get())) {
+            select(selection.get(), pendingSelection);
+        }
+        if (selectedSensor().isEmpty()) {
+            sensor.set(Optional.empty());
+        }
+    }
+
+    public Optional<Frame> frame() {
+        return frame;
+    }
+
+    public ObservableValue<Set<String>> selection() {
+        return selection;
+    }
+
+    /** The earlier run that shows beside the frame's. */
+    public ObservableValue<Optional<ReferenceOverlay>> referenceOverlay() {
+        return referenceOverlay;
+    }
+
+    /** The id of the selected sensor. */
+    public ObservableValue<Optional<String>> sensor() {
+        return sensor;
+    }
+
+    /** Looked at with every frame: no two obstacles have the same id, so it is enough to count. */
+    private boolean hasAll(Set<String> ids) {
+        return ids.isEmpty()
+                || obstacles().stream()
+                                .filter(obstacle -> ids.contains(obstacle.id()))
+                                .count()
+                        == ids.size();
+    }
+
+    /** Selects obstacles and no others; those that are not there are left out. */
+    public void select(Collection<String> wanted) {
+        select(wanted, Set.of());
+    }
+
+    private void select(Collection<String> wanted, Set<String> nowAwaited) {
+        pendingSelection = nowAwaited;
+        Set<String> there = new LinkedHashSet<>(wanted);
+        there.retainAll(obstacleIds());
+        selection.set(Collections.unmodifiableSet(there));
+    }
+
+    /** Selects obstacles as soon as a frame has them all. */
+    public void selectWhenPresent(Collection<String> ids) {
+        pendingSelection = Set.copyOf(ids);
+    }
+
+    /** Selects an obstacle besides the others, or no longer. */
+    public void toggleSelection(String id) {
+        Set<String> changed = new LinkedHashSet<>(selection.get());
+        if (!changed.remove(id)) {
+            changed.add(id);
+        }
+        select(changed);
+    }
+
+    public boolean isSelected(Obstacle obstacle) {
+        return selection.get().contains(obstacle.id());
+    }
+
+    public List<Obstacle> obstacles() {
+        return frame.map(f -> f.snapshot().obstacles()).orElse(List.of());
+    }
+
+    public Set<String> obstacleIds() {
+        return obstacles().stream().map(Obstacle::id).collect(Collectors.toSet());
+    }
+
+    /** The selected obstacles, in drawing order. */
+    public List<Obstacle> selected() {
+        return obstacles().stream().filter(this::isSelected).toList();
+    }
+
+    /** The selected obstacle, empty where none or several are. */
+    public Optional<Obstacle> singleSelected() {
+        List<Obstacle> selected = selected();
+        return selected.size() == 1 ? Optional.of(selected.get(0)) : Optional.empty();
+    }
+
+    public List<SensorSnapshot> sensors() {
+        return frame.map(f -> f.snapshot().sensors()).orElse(List.of());
+    }
+
+    public Optional<SensorSnapshot> sensor(String id) {
+        return sensors().stream()
+                .filter(candidate -> candidate.spec().id().equals(id))
+                .findFirst();
+    }
+
+    public Optional<SensorSnapshot> selectedSensor() {
+        return sensor.get().flatMap(this::sensor);
+    }
+}

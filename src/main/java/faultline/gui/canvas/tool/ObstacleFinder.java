@@ -1,0 +1,56 @@
+package faultline.gui.canvas.tool;
+
+import faultline.geometry.RigidMotion;
+import faultline.geometry.Vector2;
+import faultline.paint.scene.ObstacleOutlines;
+import faultline.paint.surface.Camera;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.awt.Shape;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Line2D;
+import java.util.List;
+import java.util.Optional;
+
+/** Finds the obstacle under the mouse, with a tolerance that lets a hand catch thin poles and walls. */
+public final class ObstacleFinder {
+
+    /** How far from an obstacle the mouse may be, pixels. */
+    private static final double TOLERANCE = 5;
+
+    private ObstacleFinder() {}
+
+    /**
+     * The obstacle that is painted on top at a place of the picture; moving ones are painted after those that stand
+     * still.
+     */
+    public static Optional<Obstacle> topmostAt(Camera camera, List<Obstacle> obstacles, Vector2 screen) {
+        Vector2 point = camera.toWorld(screen);
+        double tolerance = TOLERANCE / camera.scale();
+        List<Obstacle> under = obstacles.stream()
+                .filter(obstacle -> touches(obstacle, point, tolerance))
+                .toList();
+        Optional<Obstacle> moving =
+                under.stream().filter(obstacle -> obstacle.motion().isPresent()).reduce((lower, upper) -> upper);
+        return moving.or(() -> under.stream().reduce((lower, upper) -> upper));
+    }
+
+    private static boolean touches(Obstacle obstacle, Vector2 point, double tolerance) {
+        if (obstacle.shape() instanceof ObstacleShape.Wall wall) {
+            return touches(wall.points(), RigidMotion.poseTransform(obstacle.pose()), point, tolerance);
+        }
+        Shape shape = ObstacleOutlines.worldShape(obstacle);
+        return shape.intersects(point.x() - tolerance, point.y() - tolerance, 2 * tolerance, 2 * tolerance);
+    }
+
+    private static boolean touches(List<Vector2> points, AffineTransform frame, Vector2 point, double tolerance) {
+        for (int i = 1; i < points.size(); i++) {
+            Vector2 from = RigidMotion.apply(frame, points.get(i - 1));
+            Vector2 to = RigidMotion.apply(frame, points.get(i));
+            if (Line2D.ptSegDist(from.x(), from.y(), to.x(), to.y(), point.x(), point.y()) <= tolerance) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,38 @@
+package faultline.gui.canvas.tool;
+
+import faultline.geometry.Vector2;
+import faultline.gui.edit.SnapSettings;
+
+/** A pan from where the button went down; one that goes nowhere is a click, and leaves the view as it is. */
+public final class PanGesture implements Gesture {
+
+    private final Viewport viewport;
+    private final Vector2 pressed;
+    private final Runnable click;
+    private Vector2 last;
+    private boolean moved;
+
+    public PanGesture(Viewport viewpoint, Vector2 pressed, Runnable click) {
+        this.viewport = viewpoint;
+        this.pressed = pressed;
+        this.click = click;
+        this.last = pressed;
+    }
+
+    @Override
+    public void moveTo(Vector2 screen, SnapSettings snap) {
+        moved |= screen.distanceTo(pressed) >= CLICK_TOLERANCE;
+        if (moved) {
+            Vector2 by = screen.minus(last);
+            viewport.moveCamera(camera -> camera.panned(by.x(), by.y()));
+            last = screen;
+        }
+    }
+
+    @Override
+    public void release() {
+        if (!moved) {
+            click.run();
+        }
+    }
+}

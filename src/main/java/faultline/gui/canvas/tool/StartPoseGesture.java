@@ -1,0 +1,82 @@
+package faultline.gui.canvas.tool;
+
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.gui.edit.ShapeHandles;
+import faultline.gui.edit.SnapSettings;
+import faultline.gui.text.Messages;
+import faultline.paint.scene.InteractionPainter;
+import faultline.paint.surface.DrawContext;
+import faultline.world.Snapshot;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** The robot in the hand before a run has begun: where it is let go, the run starts. */
+public final class StartPoseGesture implements Gesture {
+
+    private final Snapshot world;
+    private final boolean rotating;
+    private final Vector2 pressed;
+    private final Viewport viewport;
+    private final CanvasListeners listeners;
+    private Optional<Pose> startPose = Optional.empty();
+    private Vector2 last;
+
+    public StartPoseGesture(
+            Snapshot world, boolean turns, Vector2 pressed, Viewport viewpoint, CanvasListeners watchers) {
+        this.world = world;
+        this.rotating = turns;
+        this.pressed = pressed;
+        this.viewport = viewpoint;
+        this.listeners = watchers;
+        this.last = pressed;
+    }
+
+    @Override
+    public void moveTo(Vector2 screen, SnapSettings snap) {
+        last = screen;
+        if (startPose.isPresent() || screen.distanceTo(pressed) >= CLICK_TOLERANCE) {
+            Vector2 mouse = viewport.camera().get().toWorld(screen);
+            startPose = Optional.of(rotating ? rotatedPose(mouse, snap) : movedPose(mouse, snap));
+        }
+    }
+
+    private Pose movedPose(Vector2 mouse, SnapSettings snap) {
+        Vector2 grip = viewport.camera().get().toWorld(pressed);
+        Vector2 place = snap.point(world.pose().position().plus(mouse.minus(grip)));
+        return new Pose(place.x(), place.y(), world.pose().heading());
+    }
+
+    private Pose rotatedPose(Vector2 mouse, SnapSettings snap) {
+        double heading = snap.angle(mouse.minus(world.pose().position()).angle());
+        return new Pose(world.pose().x(), world.pose().y(), heading);
+    }
+
+    @Override
+    public void release() {
+        startPose.ifPresent(pose -> PlacementCheck.findObstruction(world, pose)
+                .ifPresentOrElse(
+                        obstacle -> listeners.fireNote(Messages.get("refused.start", obstacle)),
+                        () -> listeners.fireStartRequested(pose)));
+    }
+
+    @Override
+    public void paint(DrawContext brush) {
+        startPose.ifPresent(pose -> {
+            Optional<String> obstructing = PlacementCheck.findObstruction(world, pose);
+            InteractionPainter.paintRobotPreview(brush, world.robot(), pose, obstructing.isPresent());
+            obstructing.ifPresentOrElse(
+                    id -> InteractionPainter.paintRefusal(brush, Messages.get("refused.start", id), List.of(), last),
+                    () -> InteractionPainter.paintValues(brush, poseText(pose), List.of(), last));
+        });
+    }
+
+    private String poseText(Pose pose) {
+        String degrees =
+                String.format(Locale.ROOT, "%.1f", Math.toDegrees(Math.IEEEremainder(pose.heading(), 2 * Math.PI)));
+        return rotating
+                ? Messages.get("value.heading", degrees)
+                : Messages.get("value.place", ShapeHandles.formatMetres(pose.x()), ShapeHandles.formatMetres(pose.y()));
+    }
+}

@@ -1,0 +1,92 @@
+package faultline.gui.canvas.tool;
+
+import faultline.geometry.Vector2;
+import faultline.paint.export.FrameRenderer;
+import faultline.paint.surface.Camera;
+import faultline.world.Snapshot;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+
+/**
+ * Where the canvas looks. At first, and whenever it is told to, it shows the whole world and goes on doing so when the
+ * canvas is resized, until a hand zooms or pans; when it follows, it moves only as far as keeps the robot in the middle
+ * part, because every move costs a new picture of the ground.
+ */
+public final class Viewport {
+
+    /** How far from the middle the robot may go before the view moves, as a share of the canvas's size. */
+    private static final double MAX_OFFSET = 0.2;
+
+    private final ObservableValue<Camera> camera = new ObservableValue<>(new Camera(0, 0, 100, 1, 1));
+    private Optional<Snapshot> world = Optional.empty();
+    private boolean fitting = true;
+    private boolean following;
+
+    public ObservableValue<Camera> camera() {
+        return camera;
+    }
+
+    /** Takes the newest world; one of another size than the last is fitted. */
+    public void setWorld(Snapshot newest) {
+        boolean known = world.filter(old -> old.width() == newest.width() && old.height() == newest.height())
+                .isPresent();
+        world = Optional.of(newest);
+        if (!known) {
+            fit();
+        }
+        followRobot();
+    }
+
+    public void resize(int width, int height) {
+        camera.set(camera.get().resized(Math.max(1, width), Math.max(1, height)));
+        if (fitting) {
+            fit();
+        }
+    }
+
+    public void fit() {
+        fitting = true;
+        Camera now = camera.get();
+        world.ifPresent(w -> camera.set(FrameRenderer.fitCamera(w, now.width(), now.height())));
+    }
+
+    /** Moves the camera as a hand wants it. */
+    public void moveCamera(UnaryOperator<Camera> hand) {
+        fitting = false;
+        camera.set(hand.apply(camera.get()));
+    }
+
+    public void zoom(double factor) {
+        moveCamera(c -> c.zoomedAbout(new Vector2(c.width() / 2.0, c.height() / 2.0), factor));
+    }
+
+    public void setFollowing(boolean follow) {
+        following = follow;
+        followRobot();
+    }
+
+    public boolean isFollowing() {
+        return following;
+    }
+
+    private void followRobot() {
+        if (following) {
+            world.ifPresent(w -> keepRobotInMiddle(w.pose().position()));
+        }
+    }
+
+    private void keepRobotInMiddle(Vector2 robot) {
+        Camera now = camera.get();
+        Vector2 place = now.toScreen(robot);
+        // By whole pixels, so that what is kept of the picture can be moved.
+        double dx = Math.rint(excess(place.x() - now.width() / 2.0, MAX_OFFSET * now.width()));
+        double dy = Math.rint(excess(place.y() - now.height() / 2.0, MAX_OFFSET * now.height()));
+        if (dx != 0 || dy != 0) {
+            moveCamera(c -> c.panned(-dx, -dy));
+        }
+    }
+
+    private static double excess(double offset, double allowed) {
+        return offset - Math.max(-allowed, Math.min(allowed, offset));
+    }
+}

@@ -1,0 +1,135 @@
+package faultline.gui.dialog;
+
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.Keystrokes;
+import faultline.gui.action.UiAction;
+import faultline.gui.document.TaskKind;
+import faultline.gui.text.ErrorMessages;
+import faultline.gui.text.MessageTranslator;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Glyph;
+import faultline.scenario.Problem;
+import faultline.scenario.ScenarioException;
+import java.awt.Font;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.Icon;
+import javax.swing.ImageIcon;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.UIManager;
+
+/** What the window tells its user in a dialog. */
+public final class Dialogs {
+
+    private static final List<Integer> PROBLEM_COLUMN_WIDTHS = List.of(60, 70, 560);
+    private static final List<Integer> SHORTCUT_COLUMN_WIDTHS = List.of(150, 420);
+
+    private final Window owner;
+
+    public Dialogs(Window owner) {
+        this.owner = owner;
+    }
+
+    public void addTo(ActionRegistry actions) {
+        actions.add(
+                UiAction.of("shortcuts", () -> createShortcutsDialog(actions).setVisible(true))
+                        .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F1)));
+        actions.add(UiAction.of("guide", () -> GuideDialog.showGuide(owner)));
+        actions.add(UiAction.of("about", this::showAbout));
+    }
+
+    /** Brings the dialog of a kind to the front, if one is open. Says whether one is. */
+    public static boolean bringToFront(Window owner, Class<? extends Window> kind) {
+        Optional<Window> open = Stream.of(owner.getOwnedWindows())
+                .filter(kind::isInstance)
+                .filter(Window::isShowing)
+                .findFirst();
+        open.ifPresent(Window::toFront);
+        open.ifPresent(Window::requestFocus);
+        return open.isPresent();
+    }
+
+    /** Says why something asked for was not done. */
+    public void showFailure(TaskKind task, Path file, Throwable why) {
+        if (why instanceof ScenarioException bad
+                && bad.problems().stream()
+                        .anyMatch(complaint -> complaint.location().line() > 0)) {
+            createProblemsDialog(file, bad.problems()).setVisible(true);
+            return;
+        }
+        String sentence =
+                Messages.get("failed." + task, String.valueOf(file.getFileName()), ErrorMessages.describe(why, file));
+        JOptionPane.showMessageDialog(
+                owner, TextWrap.wrap(sentence), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
+    }
+
+    /** Says of the open file that somebody else has made it unreadable. */
+    public static String unreadableFileText(ScenarioException bad) {
+        Problem first = bad.problems().get(0);
+        return Messages.get(
+                "broken",
+                Path.of(first.file()).getFileName() + first.location().toString() + ": "
+                        + MessageTranslator.translate(first.message()));
+    }
+
+    private JDialog createProblemsDialog(Path file, List<Problem> complaints) {
+        List<List<String>> rows = complaints.stream()
+                .map(complaint -> List.of(
+                        positionText(complaint.location().line()),
+                        positionText(complaint.location().column()),
+                        MessageTranslator.translate(complaint.message())))
+                .toList();
+        List<String> columns =
+                List.of(Messages.get("badFile.line"), Messages.get("badFile.column"), Messages.get("badFile.what"));
+        String heading = Messages.get("badFile.heading", String.valueOf(file.getFileName()));
+        return new TableDialog(
+                owner,
+                Messages.get("badFile.title"),
+                heading,
+                UIManager.getIcon("OptionPane.errorIcon"),
+                columns,
+                PROBLEM_COLUMN_WIDTHS,
+                rows);
+    }
+
+    private static String positionText(int number) {
+        return number > 0 ? Integer.toString(number) : "–";
+    }
+
+    private JDialog createShortcutsDialog(ActionRegistry actions) {
+        List<List<String>> rows = new ArrayList<>();
+        actions.allActions().forEach(action -> action.accelerator()
+                .ifPresent(stroke -> rows.add(List.of(
+                        Keystrokes.toText(stroke), String.valueOf(action.getValue(UiAction.LONG_DESCRIPTION))))));
+        for (String hand : Messages.get("shortcuts.canvas").split(";")) {
+            rows.add(List.of(hand.split(":")));
+        }
+        List<String> columns = List.of(Messages.get("shortcuts.key"), Messages.get("shortcuts.what"));
+        return new TableDialog(
+                owner,
+                Messages.get("shortcuts.title"),
+                Messages.get("shortcuts.heading"),
+                Glyph.NOTE.icon(),
+                columns,
+                SHORTCUT_COLUMN_WIDTHS,
+                rows);
+    }
+
+    private void showAbout() {
+        String version = Optional.ofNullable(Dialogs.class.getPackage().getImplementationVersion())
+                .orElse("–");
+        Icon robot = new ImageIcon(AppIcon.images().get(AppIcon.images().size() - 1));
+        JLabel name = new JLabel(Messages.get("about.name", version));
+        name.setFont(name.getFont().deriveFont(Font.BOLD));
+        Object[] message = {name, " ", Messages.get("about.text", System.getProperty("java.version"))};
+        JOptionPane.showMessageDialog(
+                owner, message, Messages.get("about.title"), JOptionPane.INFORMATION_MESSAGE, robot);
+    }
+}

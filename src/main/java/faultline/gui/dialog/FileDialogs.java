@@ -1,0 +1,122 @@
+package faultline.gui.dialog;
+
+import faultline.gui.text.Messages;
+import java.awt.Component;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JFileChooser;
+import javax.swing.JOptionPane;
+import javax.swing.KeyStroke;
+import javax.swing.filechooser.FileNameExtensionFilter;
+
+/** Asks which file. */
+final class FileDialogs {
+
+    private final Component parent;
+    private File folder = new File("").getAbsoluteFile();
+
+    FileDialogs(Component parent) {
+        this.parent = parent;
+    }
+
+    /** The file to open, empty where the user thinks better of it. */
+    Optional<Path> chooseFileToOpen(String action, Optional<Path> open) {
+        JFileChooser chooser = createChooser(action, "xml");
+        open.map(Path::toAbsolutePath).map(Path::toFile).ifPresent(chooser::setSelectedFile);
+        return selectedFile(chooser, chooser.showOpenDialog(parent));
+    }
+
+    /**
+     * The file to write, of the suggestion's kind; empty where the user thinks better of it; asks before a file is
+     * replaced.
+     */
+    Optional<Path> chooseFileToSave(String action, Path suggestion) {
+        String name = suggestion.getFileName().toString();
+        String extension = name.substring(name.lastIndexOf('.') + 1);
+        JFileChooser chooser = createChooser(action, extension);
+        chooser.setSelectedFile(new File(folder, name));
+        if (suggestion.isAbsolute()) {
+            chooser.setSelectedFile(suggestion.toFile());
+        }
+        return selectedFile(chooser, chooser.showSaveDialog(parent))
+                .map(file -> withExtension(file, extension))
+                .filter(this::confirmReplace);
+    }
+
+    private JFileChooser createChooser(String action, String extension) {
+        JFileChooser chooser = new EscapableFileChooser(folder);
+        chooser.setDialogTitle(Messages.get("files." + action));
+        chooser.setFileFilter(new FileNameExtensionFilter(Messages.get("files.filter." + extension), extension));
+        return chooser;
+    }
+
+    private Optional<Path> selectedFile(JFileChooser chooser, int answer) {
+        if (answer != JFileChooser.APPROVE_OPTION) {
+            return Optional.empty();
+        }
+        folder = chooser.getCurrentDirectory();
+        return Optional.of(chooser.getSelectedFile().toPath());
+    }
+
+    /** The file, with the extension behind its name unless it is there. */
+    static Path withExtension(Path file, String extension) {
+        String name = file.getFileName().toString();
+        boolean has = name.toLowerCase(Locale.ROOT).endsWith("." + extension);
+        return has ? file : file.resolveSibling(name + "." + extension);
+    }
+
+    /** A file dialog that Escape closes wherever in it the focus is. */
+    private static final class EscapableFileChooser extends JFileChooser {
+        EscapableFileChooser(File folder) {
+            super(folder);
+        }
+
+        @Override
+        protected JDialog createDialog(Component parent) {
+            JDialog dialog = super.createDialog(parent);
+            dialog.getRootPane()
+                    .registerKeyboardAction(
+                            event -> cancelSelection(),
+                            KeyStroke.getKeyStroke("ESCAPE"),
+                            JComponent.WHEN_IN_FOCUSED_WINDOW);
+            return dialog;
+        }
+    }
+
+    /**
+     * Asks a question; says which of the answers, given by their keys, was chosen, the first being what Enter chooses:
+     * negative where the question was closed.
+     */
+    int showOptions(String key, String question, String... answerKeys) {
+        String[] answers = Stream.of(answerKeys).map(Messages::get).toArray(String[]::new);
+        return JOptionPane.showOptionDialog(
+                parent,
+                TextWrap.wrap(question),
+                Messages.get(key + ".title"),
+                JOptionPane.DEFAULT_OPTION,
+                JOptionPane.QUESTION_MESSAGE,
+                null,
+                answers,
+                answers[0]);
+    }
+
+    private boolean confirmReplace(Path file) {
+        if (!Files.exists(file)) {
+            return true;
+        }
+        String question = Messages.get("files.replace", file.getFileName().toString());
+        return JOptionPane.showConfirmDialog(
+                        parent,
+                        TextWrap.wrap(question),
+                        Messages.get("files.replace.title"),
+                        JOptionPane.OK_CANCEL_OPTION,
+                        JOptionPane.WARNING_MESSAGE)
+                == JOptionPane.OK_OPTION;
+    }
+}

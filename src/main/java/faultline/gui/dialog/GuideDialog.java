@@ -1,0 +1,82 @@
+package faultline.gui.dialog;
+
+import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.FlowLayout;
+import java.awt.Window;
+import java.util.concurrent.ExecutionException;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import javax.swing.SwingWorker;
+
+/** The short guide, beside the window rather than in its way. */
+final class GuideDialog extends JDialog {
+
+    private static final Dimension SIZE = new Dimension(620, 560);
+
+    private GuideDialog(Window owner, GuidePage page) {
+        super(owner, Messages.get("guide.title"), ModalityType.MODELESS);
+        JPanel content = new JPanel(new BorderLayout(0, 12));
+        content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
+        JScrollPane scroll = new JScrollPane(page.createPane());
+        scroll.setPreferredSize(new Dimension(TextSize.scaled(SIZE.width), SIZE.height));
+        content.add(scroll, BorderLayout.CENTER);
+        content.add(createButtons(), BorderLayout.SOUTH);
+        setContentPane(content);
+        pack();
+        setLocationRelativeTo(owner);
+    }
+
+    /** Shows the guide, soon, or brings it to the front where it is open. */
+    static void showGuide(Window owner) {
+        if (!Dialogs.bringToFront(owner, GuideDialog.class)) {
+            loadAndShow(owner);
+        }
+    }
+
+    private static void loadAndShow(Window owner) {
+        new SwingWorker<GuidePage, Void>() {
+            @Override
+            protected GuidePage doInBackground() {
+                return GuidePage.load();
+            }
+
+            @Override
+            protected void done() {
+                try {
+                    showPage(owner, get());
+                } catch (ExecutionException broken) {
+                    throw new IllegalStateException(broken.getCause());
+                } catch (InterruptedException broken) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+        }.execute();
+    }
+
+    private static void showPage(Window owner, GuidePage page) {
+        // Another may have been asked for, and have come, while this page was read.
+        if (!Dialogs.bringToFront(owner, GuideDialog.class)) {
+            new GuideDialog(owner, page).setVisible(true);
+        }
+    }
+
+    private JPanel createButtons() {
+        JButton close = new JButton(Messages.get("dialog.close"));
+        close.addActionListener(event -> dispose());
+        getRootPane().setDefaultButton(close);
+        getRootPane()
+                .registerKeyboardAction(
+                        event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 0, 0));
+        buttons.add(close);
+        return buttons;
+    }
+}

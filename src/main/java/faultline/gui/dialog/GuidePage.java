@@ -1,0 +1,71 @@
+package faultline.gui.dialog;
+
+import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
+import java.awt.Color;
+import java.io.IOException;
+import java.io.StringReader;
+import java.io.UncheckedIOException;
+import java.util.Locale;
+import javax.swing.JEditorPane;
+import javax.swing.text.BadLocationException;
+import javax.swing.text.Document;
+import javax.swing.text.html.HTMLEditorKit;
+import javax.swing.text.html.StyleSheet;
+
+/**
+ * The text of the guide, read and styled. That takes as long as several frames, and may be done on any thread.
+ *
+ * @param kit that shows it
+ * @param document the text
+ */
+record GuidePage(HTMLEditorKit kit, Document document) {
+
+    /** Reads the guide in today's language, colours and size. */
+    static GuidePage load() {
+        HTMLEditorKit kit = new HTMLEditorKit();
+        kit.setStyleSheet(createStyleSheet(kit));
+        Document document = kit.createDefaultDocument();
+        try {
+            kit.read(new StringReader(Messages.loadPage("guide")), document, 0);
+        } catch (IOException broken) {
+            throw new UncheckedIOException(broken);
+        } catch (BadLocationException broken) {
+            throw new IllegalStateException(broken);
+        }
+        return new GuidePage(kit, document);
+    }
+
+    /** The kit's own sheet is shared by all kits, so ours goes on top of it. */
+    private static StyleSheet createStyleSheet(HTMLEditorKit kit) {
+        StyleSheet styles = new StyleSheet();
+        styles.addStyleSheet(kit.getStyleSheet());
+        int size = TextSize.scaled(13);
+        styles.addRule("body { font-family: SansSerif; font-size: " + size + "px; color: "
+                + hex(Theme.currentColours().text()) + "; margin: 12px 18px 12px 18px }");
+        styles.addRule("h1 { font-size: " + TextSize.scaled(19) + "px; margin-bottom: 4px }");
+        styles.addRule("h2 { font-size: " + TextSize.scaled(15) + "px; margin-top: 14px; margin-bottom: 2px; color: "
+                + hex(Theme.currentColours().accent()) + " }");
+        styles.addRule("p, li { margin-top: 4px; margin-bottom: 4px }");
+        return styles;
+    }
+
+    private static String hex(Color colour) {
+        return String.format(Locale.ROOT, "#%06x", colour.getRGB() & 0xFFFFFF);
+    }
+
+    /** The component that shows it; event dispatch thread only. */
+    JEditorPane createPane() {
+        JEditorPane pane = new JEditorPane();
+        pane.setEditorKit(kit);
+        // Without this a pixel of the page would be 1.3 of the window.
+        pane.putClientProperty(JEditorPane.W3C_LENGTH_UNITS, true);
+        pane.setDocument(document);
+        pane.setEditable(false);
+        pane.setCaretPosition(0);
+        pane.setBackground(Theme.currentColours().field());
+        pane.getAccessibleContext().setAccessibleName(Messages.get("guide.title"));
+        return pane;
+    }
+}

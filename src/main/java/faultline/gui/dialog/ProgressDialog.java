@@ -1,0 +1,76 @@
+package faultline.gui.dialog;
+
+import faultline.gui.document.TaskProgress;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.FlowLayout;
+import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.OptionalDouble;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.KeyStroke;
+
+/** Shows how far something slow has come; its button, Esc and the closing of the dialog give it up. */
+final class ProgressDialog extends JDialog {
+
+    private static final int PROGRESS_STEPS = 1000;
+    private static final int WIDTH = 380;
+
+    private final JProgressBar progressBar = new JProgressBar(0, PROGRESS_STEPS);
+    private final transient Runnable cancelHandler;
+
+    ProgressDialog(Window owner, TaskProgress way, Runnable cancel) {
+        super(owner, Messages.get("wait.title"), ModalityType.APPLICATION_MODAL);
+        this.cancelHandler = cancel;
+        setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent event) {
+                cancel.run();
+            }
+        });
+        String sentence =
+                Messages.get("wait." + way.task(), String.valueOf(way.name().getFileName()));
+        progressBar.getAccessibleContext().setAccessibleName(sentence);
+        JPanel content = new JPanel(new BorderLayout(0, 12));
+        content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
+        content.add(new JLabel(sentence), BorderLayout.NORTH);
+        content.add(progressBar, BorderLayout.CENTER);
+        content.add(createButtons(), BorderLayout.SOUTH);
+        setContentPane(content);
+        setProgress(way.fraction());
+        pack();
+        setSize(new Dimension(Math.max(TextSize.scaled(WIDTH), getWidth()), getHeight()));
+        setResizable(false);
+        setLocationRelativeTo(owner);
+    }
+
+    private JPanel createButtons() {
+        JButton button = new JButton(Messages.get("wait.cancel"));
+        button.addActionListener(event -> cancelHandler.run());
+        getRootPane().setDefaultButton(button);
+        getRootPane()
+                .registerKeyboardAction(
+                        event -> cancelHandler.run(),
+                        KeyStroke.getKeyStroke("ESCAPE"),
+                        JComponent.WHEN_IN_FOCUSED_WINDOW);
+        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 0, 0));
+        buttons.add(button);
+        return buttons;
+    }
+
+    /** Shows how far it has come. */
+    void setProgress(OptionalDouble share) {
+        progressBar.setIndeterminate(share.isEmpty());
+        share.ifPresent(known -> progressBar.setValue((int) (PROGRESS_STEPS * known)));
+    }
+}

@@ -1,0 +1,29 @@
+package faultline.gui.dialog;
+
+import faultline.gui.panel.NumberDialog;
+import faultline.gui.text.Messages;
+import java.awt.Component;
+import java.util.OptionalDouble;
+
+/** Asks how fast an obstacle is to move along its way-points. */
+public final class SpeedDialog {
+
+    /** As fast as people run, metres per second. */
+    private static final double MAX_SPEED = 5;
+
+    private static final double SPEED_STEP = 0.05;
+
+    private SpeedDialog() {}
+
+    /** The speed, metres per second, given the present one; empty where the user thinks better of it. */
+    public static OptionalDouble showDialog(Component parent, double now) {
+        return new NumberDialog(
+                        Messages.get("waySpeed.title"),
+                        Messages.get("waySpeed"),
+                        "m/s",
+                        0,
+                        Math.max(MAX_SPEED, now),
+                        SPEED_STEP)
+                .showDialog(parent, now);
+    }
+}

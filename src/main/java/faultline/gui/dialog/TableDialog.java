@@ -1,0 +1,100 @@
+package faultline.gui.dialog;
+
+import faultline.gui.text.Messages;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.FlowLayout;
+import java.awt.KeyboardFocusManager;
+import java.awt.Window;
+import java.util.List;
+import javax.swing.BorderFactory;
+import javax.swing.Icon;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import javax.swing.SwingConstants;
+import javax.swing.table.DefaultTableModel;
+
+/** A window in front of the window: a heading, a table to read, and a button that closes it, as Esc and Enter do. */
+final class TableDialog extends JDialog {
+
+    private static final int MAX_TABLE_HEIGHT = 360;
+
+    /**
+     * A dialog, not yet shown.
+     *
+     * @param owner the window behind it
+     * @param title of the dialog
+     * @param heading a sentence above the table
+     * @param icon before the heading
+     * @param columns the table's headings
+     * @param widths of the columns, pixels
+     * @param rows the table's texts
+     */
+    TableDialog(
+            Window owner,
+            String title,
+            String heading,
+            Icon icon,
+            List<String> columns,
+            List<Integer> widths,
+            List<List<String>> rows) {
+        super(owner, title, ModalityType.APPLICATION_MODAL);
+        JPanel content = new JPanel(new BorderLayout(0, 12));
+        content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
+        JLabel label = new JLabel(heading, icon, JLabel.LEADING);
+        label.setIconTextGap(12);
+        content.add(label, BorderLayout.NORTH);
+        JTable table = createTable(columns, rows);
+        WrappedCellRenderer.install(table, widths);
+        content.add(createScrollPane(table, title), BorderLayout.CENTER);
+        content.add(createButtons(), BorderLayout.SOUTH);
+        setContentPane(content);
+        pack();
+        setLocationRelativeTo(owner);
+    }
+
+    private static JTable createTable(List<String> columns, List<List<String>> rows) {
+        JTable table = new JTable(new DefaultTableModel(columns.toArray(), 0) {
+            @Override
+            public boolean isCellEditable(int row, int column) {
+                return false;
+            }
+        });
+        rows.forEach(row -> ((DefaultTableModel) table.getModel()).addRow(row.toArray()));
+        table.setShowVerticalLines(false);
+        // Tab goes on to the button, not to the next cell: nothing can be typed into a cell.
+        table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+        table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
+        table.getTableHeader().setReorderingAllowed(false);
+        if (table.getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
+            headings.setHorizontalAlignment(SwingConstants.LEADING);
+        }
+        return table;
+    }
+
+    private static JScrollPane createScrollPane(JTable table, String name) {
+        table.getAccessibleContext().setAccessibleName(name);
+        JScrollPane scroll = new JScrollPane(table);
+        int height = table.getPreferredSize().height + table.getTableHeader().getPreferredSize().height + 4;
+        scroll.setPreferredSize(new Dimension(table.getPreferredSize().width + 20, Math.min(MAX_TABLE_HEIGHT, height)));
+        return scroll;
+    }
+
+    private JPanel createButtons() {
+        JButton close = new JButton(Messages.get("dialog.close"));
+        close.addActionListener(event -> dispose());
+        getRootPane().setDefaultButton(close);
+        getRootPane()
+                .registerKeyboardAction(
+                        event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 0, 0));
+        buttons.add(close);
+        return buttons;
+    }
+}

@@ -1,0 +1,37 @@
+package faultline.gui.dialog;
+
+import faultline.gui.text.ErrorMessages;
+import faultline.gui.text.Messages;
+import java.awt.EventQueue;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import javax.swing.JOptionPane;
+
+/**
+ * Tells the user of a fault of the program itself in one sentence; the details go to the log. One dialog at a time, or
+ * a fault in painting would fill the screen.
+ */
+public final class UncaughtExceptionDialog implements Thread.UncaughtExceptionHandler {
+
+    private static final Logger LOG = Logger.getLogger(UncaughtExceptionDialog.class.getName());
+
+    private final AtomicBoolean showing = new AtomicBoolean();
+
+    @Override
+    public void uncaughtException(Thread thread, Throwable fault) {
+        LOG.log(Level.SEVERE, fault, () -> "uncaught on thread " + thread.getName());
+        if (showing.compareAndSet(false, true)) {
+            EventQueue.invokeLater(() -> showFault(fault));
+        }
+    }
+
+    private void showFault(Throwable fault) {
+        try {
+            String sentence = TextWrap.wrap(Messages.get("uncaught.sentence", ErrorMessages.describe(fault)));
+            JOptionPane.showMessageDialog(null, sentence, Messages.get("uncaught.title"), JOptionPane.ERROR_MESSAGE);
+        } finally {
+            showing.set(false);
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package faultline.gui.dialog;
+
+import java.awt.Component;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.BorderFactory;
+import javax.swing.JTable;
+import javax.swing.JTextArea;
+import javax.swing.table.TableCellRenderer;
+
+/** Shows the texts of a table in as many lines as they need. */
+final class WrappedCellRenderer extends JTextArea implements TableCellRenderer {
+
+    private WrappedCellRenderer() {
+        setLineWrap(true);
+        setWrapStyleWord(true);
+        setBorder(BorderFactory.createEmptyBorder(5, 6, 5, 6));
+    }
+
+    /**
+     * Gives columns at least these widths, pixels, and what their headings need, and rows the heights that their texts
+     * need.
+     */
+    static void install(JTable table, List<Integer> least) {
+        List<Integer> widths = IntStream.range(0, least.size())
+                .mapToObj(column -> Math.max(least.get(column), headingWidth(table, column)))
+                .toList();
+        WrappedCellRenderer cells = new WrappedCellRenderer();
+        table.setDefaultRenderer(Object.class, cells);
+        for (int column = 0; column < widths.size(); column++) {
+            table.getColumnModel().getColumn(column).setPreferredWidth(widths.get(column));
+            table.getColumnModel().getColumn(column).setWidth(widths.get(column));
+        }
+        for (int row = 0; row < table.getRowCount(); row++) {
+            int height = 0;
+            for (int column = 0; column < widths.size(); column++) {
+                cells.setSize(widths.get(column), Short.MAX_VALUE);
+                cells.setText(String.valueOf(table.getValueAt(row, column)));
+                height = Math.max(height, cells.getPreferredSize().height);
+            }
+            table.setRowHeight(row, height);
+        }
+    }
+
+    /** How wide a column's heading is, pixels. */
+    private static int headingWidth(JTable table, int column) {
+        return table.getTableHeader()
+                .getDefaultRenderer()
+                .getTableCellRendererComponent(table, table.getColumnName(column), false, false, -1, column)
+                .getPreferredSize()
+                .width;
+    }
+
+    @Override
+    public Component getTableCellRendererComponent(
+            JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+        setText(String.valueOf(value));
+        setForeground(selected ? table.getSelectionForeground() : table.getForeground());
+        setBackground(selected ? table.getSelectionBackground() : table.getBackground());
+        return this;
+    }
+}

@@ -1,0 +1,131 @@
+package faultline.gui.document;
+
+import faultline.engine.Journal;
+import faultline.engine.SimulationSetup;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import faultline.world.Clearance;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.WorldSpec;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What a scenario becomes by what was done to its run. Obstacles, platform, and the sensors' range and cone are the
+ * scenario's, and a change of them is kept; switching a sensor and breaking it is what happens in one run, and is not.
+ */
+final class SetupEditor {
+
+    private final SimulationSetup base;
+    /**
+     * By id, empty where it was taken away: one that comes back, because that was undone, comes back to its place in
+     * the order.
+     */
+    private final Map<String, Optional<Obstacle>> obstacles = new LinkedHashMap<>();
+
+    private RobotSpec robot;
+
+    private SetupEditor(SimulationSetup base) {
+        this.base = base;
+        this.robot = base.robot();
+        base.world().obstacles().forEach(obstacle -> obstacles.put(obstacle.id(), Optional.of(obstacle)));
+    }
+
+    /**
+     * The setup after what was done to a run of it; whatever would leave the robot no room at its start is left as it
+     * was.
+     *
+     * @param journal what was done, and to which setup
+     * @return the setup to begin anew with
+     */
+    static SimulationSetup setupAfter(Journal journal) {
+        SetupEditor edited = new SetupEditor(journal.setup());
+        journal.entries().forEach(entry -> edited.apply(entry.command()));
+        edited.clearStartPose();
+        return edited.setup();
+    }
+
+    /** Whether a scenario holds all that was done to a run of it. */
+    static boolean coversAll(Journal journal) {
+        return journal.entries().stream().map(Journal.Entry::command).noneMatch(SetupEditor::isRunOnly);
+    }
+
+    private static boolean isRunOnly(Command command) {
+        return command instanceof Command.SwitchSensor
+                || command instanceof Command.InjectFault
+                || command instanceof Command.ClearFault
+                || command instanceof Command.ClearFaults;
+    }
+
+    private void apply(Command command) {
+        if (command instanceof Command.MoveObstacle move) {
+            obstacles.computeIfPresent(
+                    move.obstacle(), (id, obstacle) -> obstacle.map(moved -> moved.withPose(move.pose())));
+        } else if (command instanceof Command.PlaceObstacle put) {
+            obstacles.put(put.obstacle().id(), Optional.of(put.obstacle()));
+        } else if (command instanceof Command.RemoveObstacle remove) {
+            obstacles.replace(remove.obstacle(), Optional.empty());
+        } else if (command instanceof Command.SetPlatform platform) {
+            robot = robot.withPlatform(platform.length(), platform.width(), platform.speed());
+        } else if (command instanceof Command.ConfigureSensor tune) {
+            robot = robot.withSensor(withOriginalSwitch(tune.sensor()));
+        }
+    }
+
+    /** The switch stays as the scenario has it. */
+    private SensorSpec withOriginalSwitch(SensorSpec wanted) {
+        return wanted.withOn(robot.sensor(wanted.id()).map(SensorSpec::on).orElse(wanted.on()));
+    }
+
+    /** Takes back, one by one, what stands in the way at the start. */
+    private void clearStartPose() {
+        Optional<String> obstructing = findObstruction();
+        while (obstructing.isPresent() && revertChange(obstructing.get())) {
+            obstructing = findObstruction();
+        }
+    }
+
+    private Optional<String> findObstruction() {
+        return Clearance.findObstruction(world(), robot, base.start());
+    }
+
+    private boolean revertChange(String id) {
+        Optional<Obstacle> before = base.world().obstacles().stream()
+                .filter(obstacle -> obstacle.id().equals(id))
+                .findFirst();
+        if (obstacles.containsKey(id) && !before.equals(obstacles.get(id))) {
+            obstacles.put(id, before);
+            return true;
+        }
+        RobotSpec smaller =
+                robot.withPlatform(base.robot().length(), base.robot().width(), robot.speed());
+        boolean changed = !smaller.equals(robot);
+        robot = smaller;
+        return changed;
+    }
+
+    private WorldSpec world() {
+        WorldSpec world = base.world();
+        return new WorldSpec(
+                world.width(),
+                world.height(),
+                world.enclosed(),
+                world.maxMoving(),
+                obstacles.values().stream().flatMap(Optional::stream).toList());
+    }
+
+    private SimulationSetup setup() {
+        return new SimulationSetup(
+                world(),
+                robot,
+                base.start(),
+                base.controller(),
+                base.timeline(),
+                base.dt(),
+                base.seed(),
+                base.duration());
+    }
+}

@@ -1,0 +1,100 @@
+package faultline.gui.edit;
+
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/** The shapes of the palette: placed by a click in their usual size, or drawn from corner to corner. */
+public enum ShapePreset {
+    /** A rectangle. */
+    RECTANGLE(0.6, 0.4, false),
+    /** A rectangle with equal sides. */
+    SQUARE(0.4, 0.4, true),
+    /** A circle. */
+    CIRCLE(0.4, 0.4, true),
+    /** An ellipse. */
+    ELLIPSE(0.6, 0.4, false),
+    /** A triangle on its base. */
+    TRIANGLE(0.5, 0.45, false),
+    /** A regular hexagon. */
+    HEXAGON(0.5, 0.5, true),
+    /** Two bars at a right angle. */
+    ANGLE(0.6, 0.6, false);
+
+    private static final double MIN_SIZE = 0.02;
+    private static final double BAR_WIDTH = 0.4;
+
+    private final double width;
+    private final double height;
+    private final boolean regular;
+
+    ShapePreset(double width, double height, boolean regular) {
+        this.width = width;
+        this.height = height;
+        this.regular = regular;
+    }
+
+    /**
+     * An obstacle of the usual size.
+     *
+     * @param id its id
+     * @param middle where, metres
+     * @return the obstacle
+     */
+    public Obstacle createAt(String id, Vector2 middle) {
+        return create(id, middle, width, height);
+    }
+
+    /**
+     * An obstacle from one corner of its bounds to the opposite one; one of a regular shape takes the longer side for
+     * both.
+     *
+     * @param id its id
+     * @param from a corner, metres
+     * @param to the opposite corner, metres
+     * @return the obstacle, two centimetres wide and high at least
+     */
+    public Obstacle createBetween(String id, Vector2 from, Vector2 to) {
+        double across = Math.max(MIN_SIZE, Math.abs(to.x() - from.x()));
+        double up = Math.max(MIN_SIZE, Math.abs(to.y() - from.y()));
+        double w = regular ? Math.max(across, up) : across;
+        double h = regular ? Math.max(across, up) : up;
+        Vector2 middle = new Vector2(
+                from.x() + Math.copySign(w / 2, to.x() - from.x()), from.y() + Math.copySign(h / 2, to.y() - from.y()));
+        return create(id, middle, w, h);
+    }
+
+    private Obstacle create(String id, Vector2 middle, double w, double h) {
+        Vector2 place = Rounding.round(middle);
+        return new Obstacle(id, shape(Rounding.round(w), Rounding.round(h)), new Pose(place.x(), place.y(), 0));
+    }
+
+    private ObstacleShape shape(double w, double h) {
+        return switch (this) {
+            case RECTANGLE, SQUARE -> new ObstacleShape.Rectangle(w, h);
+            case CIRCLE -> new ObstacleShape.Circle(w / 2);
+            case ELLIPSE -> new ObstacleShape.Ellipse(w / 2, h / 2);
+            case TRIANGLE ->
+                polygon(List.of(new Vector2(-w / 2, -h / 2), new Vector2(w / 2, -h / 2), new Vector2(0, h / 2)));
+            case HEXAGON ->
+                polygon(IntStream.range(0, 6)
+                        .mapToObj(i -> Vector2.direction(i * Math.PI / 3).times(w / 2))
+                        .toList());
+            case ANGLE ->
+                polygon(List.of(
+                        new Vector2(-w / 2, -h / 2),
+                        new Vector2(w / 2, -h / 2),
+                        new Vector2(w / 2, (BAR_WIDTH - 0.5) * h),
+                        new Vector2((BAR_WIDTH - 0.5) * w, (BAR_WIDTH - 0.5) * h),
+                        new Vector2((BAR_WIDTH - 0.5) * w, h / 2),
+                        new Vector2(-w / 2, h / 2)));
+        };
+    }
+
+    private static ObstacleShape polygon(List<Vector2> points) {
+        return new ObstacleShape.Polygon(Rounding.round(points));
+    }
+}

@@ -1,0 +1,98 @@
+package faultline.gui.instrument;
+
+import faultline.gui.theme.Antialiasing;
+import faultline.gui.theme.Theme;
+import faultline.gui.theme.ThemeColours;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Stroke;
+import java.awt.geom.Arc2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+
+/**
+ * The headings of a spin seen from above, as on the canvas: the sector of t_D, its middle broken, the robot's heading
+ * as a needle.
+ */
+final class AlignmentDial {
+
+    private static final Stroke DASHED =
+            new BasicStroke(1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 4}, 0);
+    private static final int SECTOR_ALPHA = 60;
+    private static final double ARROWHEAD_SIZE = 9;
+
+    private final Graphics2D g;
+    private final Theme theme;
+    private final double x;
+    private final double y;
+    private final double radius;
+
+    AlignmentDial(Graphics2D g, Theme theme, double x, double y, double radius) {
+        this.g = g;
+        this.theme = theme;
+        this.x = x;
+        this.y = y;
+        this.radius = radius;
+    }
+
+    void paint(AlignmentTrace spin) {
+        paintCircle();
+        if (spin.isTimed()) {
+            paintSector(spin.headingAt(spin.f3()), spin.headingAt(spin.f4()));
+            paintRay(spin.headingAt(spin.f3()), theme.palette().contact(), DASHED);
+            paintRay(spin.headingAt(spin.f4()), theme.palette().contact(), DASHED);
+            paintRay(spin.predictedHeading(), theme.colours().accent(), DASHED);
+        }
+        paintNeedle(spin.headingNow());
+    }
+
+    private void paintCircle() {
+        g.setColor(theme.colours().border());
+        g.setStroke(new BasicStroke(1));
+        g.draw(new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
+        for (int i = 0; i < 12; i++) {
+            double angle = i * Math.PI / 6;
+            g.draw(new Line2D.Double(
+                    x + 0.9 * radius * Math.cos(angle),
+                    y - 0.9 * radius * Math.sin(angle),
+                    x + radius * Math.cos(angle),
+                    y - radius * Math.sin(angle)));
+        }
+    }
+
+    private void paintSector(double from, double to) {
+        g.setColor(ThemeColours.translucent(theme.colours().accent(), SECTOR_ALPHA));
+        g.fill(new Arc2D.Double(
+                x - radius,
+                y - radius,
+                2 * radius,
+                2 * radius,
+                Math.toDegrees(from),
+                Math.toDegrees(to - from),
+                Arc2D.PIE));
+    }
+
+    private void paintRay(double heading, Color colour, Stroke stroke) {
+        g.setColor(colour);
+        g.setStroke(stroke);
+        g.draw(new Line2D.Double(x, y, x + radius * Math.cos(heading), y - radius * Math.sin(heading)));
+    }
+
+    private void paintNeedle(double heading) {
+        paintRay(heading, theme.palette().robotOutline(), Antialiasing.roundStroke(2.5));
+        double dx = Math.cos(heading);
+        double dy = -Math.sin(heading);
+        Path2D head = new Path2D.Double();
+        head.moveTo(x + radius * dx, y + radius * dy);
+        head.lineTo(
+                x + (radius - ARROWHEAD_SIZE) * dx - ARROWHEAD_SIZE / 2 * dy,
+                y + (radius - ARROWHEAD_SIZE) * dy + ARROWHEAD_SIZE / 2 * dx);
+        head.lineTo(
+                x + (radius - ARROWHEAD_SIZE) * dx + ARROWHEAD_SIZE / 2 * dy,
+                y + (radius - ARROWHEAD_SIZE) * dy - ARROWHEAD_SIZE / 2 * dx);
+        head.closePath();
+        g.fill(head);
+    }
+}

@@ -1,0 +1,132 @@
+package faultline.gui.instrument;
+
+import faultline.engine.Frame;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Antialiasing;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.Font;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import javax.accessibility.AccessibleContext;
+import javax.swing.JComponent;
+
+/**
+ * The paper's eq. (4) at work: the newest spin past a wall, its frames F3 and F4, t_D and t_p, and how well the heading
+ * came out.
+ */
+public final class AlignmentView extends JComponent {
+
+    private static final Dimension MIN_SIZE = new Dimension(560, 150);
+    private static final int LEFT_MARGIN = 50;
+    private static final int TOP_MARGIN = 30;
+    private static final int BOTTOM_MARGIN = 34;
+    private static final int GAP = 24;
+    private static final int NUMBERS_WIDTH = 210;
+    private static final int VALUE_WIDTH = 140;
+    private static final int ROW_HEIGHT = 20;
+
+    private transient Optional<AlignmentTrace> trace = Optional.empty();
+
+    /** An instrument that shows nothing yet. */
+    public AlignmentView() {
+        setMinimumSize(MIN_SIZE);
+        setPreferredSize(MIN_SIZE);
+        setOpaque(true);
+        setToolTipText(Messages.get("spin.tip"));
+        getAccessibleContext().setAccessibleName(Messages.get("spin"));
+    }
+
+    /**
+     * Shows a newer frame.
+     *
+     * @param frame with the recording of its run
+     */
+    public void setFrame(Frame frame) {
+        assert EventQueue.isDispatchThread();
+        trace = AlignmentTrace.latest(frame);
+        String words = accessibleText();
+        if (!words.equals(getAccessibleContext().getAccessibleDescription())) {
+            getAccessibleContext().setAccessibleDescription(words);
+        }
+        repaint();
+    }
+
+    /** All numbers. */
+    private String accessibleText() {
+        return rows().stream().map(row -> row.name() + " " + row.value()).collect(Collectors.joining(", "));
+    }
+
+    List<AlignmentText.Row> rows() {
+        return trace.map(AlignmentText::rows).orElse(List.of());
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        graphics.setColor(Theme.current().palette().canvas());
+        graphics.fillRect(0, 0, getWidth(), getHeight());
+        double scale = TextSize.imageScale(getWidth(), getHeight(), MIN_SIZE);
+        Antialiasing.paint(graphics, g -> {
+            g.scale(scale, scale);
+            trace.ifPresentOrElse(
+                    shown -> paint(g, shown, getWidth() / scale, getHeight() / scale), () -> paintMessage(g));
+        });
+    }
+
+    private void paintMessage(Graphics2D g) {
+        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
+        g.setColor(Theme.currentColours().muted());
+        g.drawString(Messages.get("spin.none"), 16, 28);
+    }
+
+    private void paint(Graphics2D g, AlignmentTrace shown, double width, double height) {
+        double radius = Math.min(90, height / 2 - 16);
+        double numbers = width - NUMBERS_WIDTH;
+        double dial = numbers - GAP - radius;
+        Rectangle2D plot = new Rectangle2D.Double(
+                LEFT_MARGIN,
+                TOP_MARGIN,
+                Math.max(1, dial - radius - GAP - LEFT_MARGIN),
+                Math.max(1, height - TOP_MARGIN - BOTTOM_MARGIN));
+        new AlignmentChart(g, Theme.current(), shown, plot).paint();
+        new AlignmentDial(g, Theme.current(), dial, height / 2, radius).paint(shown);
+        paintNumbers(g, numbers, height);
+    }
+
+    private void paintNumbers(Graphics2D g, double x, double height) {
+        List<AlignmentText.Row> rows = rows();
+        double row = Math.min(ROW_HEIGHT, (height - 16) / rows.size());
+        for (int i = 0; i < rows.size(); i++) {
+            float y = (float) (height / 2 + (i + 0.75 - rows.size() / 2.0) * row);
+            boolean last = i == rows.size() - 1;
+            g.setFont(new Font(Font.SANS_SERIF, last ? Font.BOLD : Font.PLAIN, 12));
+            g.setColor(
+                    last
+                            ? Theme.currentColours().text()
+                            : Theme.currentColours().muted());
+            g.drawString(rows.get(i).name(), (float) x, y);
+            g.setColor(Theme.currentColours().text());
+            g.drawString(
+                    rows.get(i).value(),
+                    (float) (x
+                            + VALUE_WIDTH
+                            - g.getFontMetrics().stringWidth(rows.get(i).value())
+                            + 50),
+                    y);
+        }
+    }
+
+    @Override
+    public AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new AccessibleJComponent() {};
+        }
+        return accessibleContext;
+    }
+}

@@ -1,0 +1,101 @@
+package faultline.gui.instrument;
+
+import faultline.engine.recording.TraceLevel;
+import faultline.gui.theme.Theme;
+import java.awt.BasicStroke;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.RoundRectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** The values of a chart's lines at the moment under the mouse, as texts and as a plate on the chart. */
+final class ChartTooltip {
+
+    private static final int PADDING = 6;
+    private static final int ROW_HEIGHT = 15;
+    private static final int POINTER_DISTANCE = 10;
+
+    private final StripScale chart;
+    private final long bucket;
+
+    ChartTooltip(StripScale chart, double time) {
+        this.chart = chart;
+        this.bucket = chart.data().bucketAt(time);
+    }
+
+    boolean isEmpty() {
+        return bucket < 0;
+    }
+
+    /** The moment, then one line a curve. */
+    List<String> lines() {
+        List<String> lines = new ArrayList<>();
+        lines.add(format("t %.3f s", chart.data().timeOf(bucket)));
+        for (int i = chart.signal().lines().size() - 1; i >= 0; i--) {
+            ChartLine curve = chart.signal().lines().get(i);
+            lines.add(curve.name() + " " + valueText(curve));
+        }
+        return lines;
+    }
+
+    private String valueText(ChartLine curve) {
+        TraceLevel level = chart.data().level();
+        float low = level.min(curve.channel(), bucket);
+        float high = level.max(curve.channel(), bucket);
+        if (!Float.isFinite(low)) {
+            return "–";
+        }
+        String least = format("%.3f", low);
+        String most = format("%.3f", high);
+        return (least.equals(most) ? least : least + " … " + most) + " "
+                + chart.signal().unit();
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+
+    void paint(Graphics2D g, Theme theme) {
+        double x = chart.x(chart.data().timeOf(bucket));
+        g.setColor(theme.palette().muted());
+        g.setStroke(new BasicStroke(1));
+        g.draw(new Line2D.Double(x, chart.plot().getY(), x, chart.plot().getMaxY()));
+        chart.signal().lines().forEach(curve -> paintDot(g, theme, curve, x));
+        paintBackground(g, theme, x);
+    }
+
+    private void paintDot(Graphics2D g, Theme theme, ChartLine curve, double x) {
+        float value = chart.data().level().max(curve.channel(), bucket);
+        if (Float.isFinite(value)) {
+            g.setColor(curve.colour().apply(theme));
+            g.fill(new Ellipse2D.Double(x - 3, chart.y(value) - 3, 6, 6));
+        }
+    }
+
+    /** Beside the moment, on the side that has room. */
+    private void paintBackground(Graphics2D g, Theme theme, double x) {
+        FontMetrics metrics = g.getFontMetrics();
+        List<String> lines = lines();
+        double width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0) + 2 * PADDING;
+        double beside = x + POINTER_DISTANCE + width < chart.plot().getMaxX()
+                ? x + POINTER_DISTANCE
+                : x - POINTER_DISTANCE - width;
+        double left = Math.max(beside, chart.plot().getX());
+        Shape plate = new RoundRectangle2D.Double(
+                left, chart.plot().getY() + 4, width, lines.size() * ROW_HEIGHT + PADDING, 6, 6);
+        g.setColor(theme.palette().canvas());
+        g.fill(plate);
+        g.setColor(theme.colours().border());
+        g.draw(plate);
+        g.setColor(theme.palette().text());
+        for (int i = 0; i < lines.size(); i++) {
+            g.drawString(lines.get(i), (float) (left + PADDING), (float)
+                    (chart.plot().getY() + 4 + (i + 1) * ROW_HEIGHT - 1));
+        }
+    }
+}

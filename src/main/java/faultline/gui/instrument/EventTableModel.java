@@ -1,0 +1,134 @@
+package faultline.gui.instrument;
+
+import faultline.engine.recording.EventLog;
+import faultline.engine.recording.RunEvent;
+import faultline.gui.text.Messages;
+import java.util.Optional;
+import javax.swing.table.AbstractTableModel;
+
+/** The event log as rows: time, kind, and what happened. */
+final class EventTableModel extends AbstractTableModel {
+
+    /** The column of the kinds. */
+    static final int KIND_COLUMN = 1;
+
+    private static final String[] COLUMNS = {"events.time", "events.kind", "events.what"};
+
+    private transient EventLog log = EventLog.EMPTY;
+    /** The oldest event that has a row. */
+    private long firstEvent;
+
+    private transient Optional<RunEvent.Diverged> divergence = Optional.empty();
+
+    /** Shows, from now on, where the run became another than an earlier one, among the events of the run itself. */
+    void setDivergence(Optional<RunEvent.Diverged> newDivergence) {
+        if (newDivergence.equals(divergence)) {
+            return;
+        }
+        if (divergence.isPresent()) {
+            int row = divergenceRow();
+            divergence = Optional.empty();
+            fireTableRowsDeleted(row, row);
+        }
+        if (newDivergence.isPresent()) {
+            divergence = newDivergence;
+            fireTableRowsInserted(divergenceRow(), divergenceRow());
+        }
+    }
+
+    /** Shows a newer log; true where rows were added. */
+    boolean update(EventLog newest) {
+        EventLog before = log;
+        if (!isContinuation(before, newest)) {
+            log = newest;
+            firstEvent = newest.firstIndex();
+            fireTableDataChanged();
+            return true;
+        }
+        Optional<RunEvent.Diverged> marked = divergence;
+        if (marked.isPresent() && insertsBeforeDivergence(marked.get(), before, newest)) {
+            setDivergence(Optional.empty());
+        }
+        removeOldest(newest.firstIndex());
+        appendEvents(newest);
+        setDivergence(marked);
+        return newest.endIndex() > before.endIndex();
+    }
+
+    /** Whether a log is of the same run: another run's events are other objects. */
+    private static boolean isContinuation(EventLog before, EventLog newest) {
+        if (before.endIndex() > newest.endIndex() || before.firstIndex() > newest.firstIndex()) {
+            return false;
+        }
+        return before.endIndex() == before.firstIndex()
+                ? newest.firstIndex() == before.firstIndex()
+                : newest.firstIndex() < before.endIndex()
+                        && before.get(newest.firstIndex()) == newest.get(newest.firstIndex());
+    }
+
+    /** Whether events are new that happened before the divergence, which then no longer stands where it stood. */
+    private static boolean insertsBeforeDivergence(RunEvent.Diverged divergence, EventLog before, EventLog newest) {
+        return before.endIndex() < newest.endIndex()
+                && newest.get(before.endIndex()).tick() < divergence.tick();
+    }
+
+    /** The oldest events are forgotten, and the divergence is not. */
+    private void removeOldest(long newFirst) {
+        int forgotten = (int) (newFirst - firstEvent);
+        int marked = divergenceRow();
+        firstEvent = newFirst;
+        if (forgotten > marked) {
+            fireTableRowsDeleted(marked + 1, forgotten);
+        }
+        int above = Math.min(forgotten, marked);
+        if (above > 0) {
+            fireTableRowsDeleted(0, above - 1);
+        }
+    }
+
+    private void appendEvents(EventLog newest) {
+        int rows = getRowCount();
+        log = newest;
+        if (getRowCount() > rows) {
+            fireTableRowsInserted(rows, getRowCount() - 1);
+        }
+    }
+
+    RunEvent eventAt(int row) {
+        int extra = divergenceRow();
+        if (row == extra) {
+            return divergence.orElseThrow();
+        }
+        return log.get(firstEvent + (row < extra ? row : row - 1));
+    }
+
+    /** After all events of earlier ticks; beyond the last row where there is none. */
+    private int divergenceRow() {
+        return divergence
+                .map(event -> (int) (Math.max(firstEvent, log.firstIndexSince(event.tick())) - firstEvent))
+                .orElse(Integer.MAX_VALUE);
+    }
+
+    @Override
+    public int getRowCount() {
+        return (int) (log.endIndex() - firstEvent) + (divergence.isPresent() ? 1 : 0);
+    }
+
+    @Override
+    public int getColumnCount() {
+        return COLUMNS.length;
+    }
+
+    @Override
+    public String getColumnName(int column) {
+        return Messages.get(COLUMNS[column]);
+    }
+
+    @Override
+    public String getValueAt(int row, int column) {
+        RunEvent event = eventAt(row);
+        return column == 0
+                ? EventText.time(event)
+                : column == KIND_COLUMN ? EventText.kind(event) : EventText.sentence(event);
+    }
+}

@@ -1,0 +1,102 @@
+package faultline.gui.instrument;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+
+/**
+ * What mouse and keys do to a strip chart: the wheel zooms on the pointer, a drag or the arrows go through time, and
+ * pointing reads out.
+ */
+final class StripChartMouse extends MouseAdapter implements FocusListener {
+
+    private static final double ZOOM_FACTOR = 1.25;
+    private static final double PAN_STEP = 0.1;
+
+    private final StripView view;
+    private final Consumer<Boolean> freezeHandler;
+    private int dragX;
+
+    /** Acts on a view; to go through time, the chart is held by way of {@code hold}. */
+    StripChartMouse(StripView view, Consumer<Boolean> hold) {
+        this.view = view;
+        this.freezeHandler = hold;
+    }
+
+    void install() {
+        view.addMouseListener(this);
+        view.addMouseMotionListener(this);
+        view.addMouseWheelListener(this);
+        view.addFocusListener(this);
+        bindKey("LEFT", () -> panBy(-PAN_STEP));
+        bindKey("RIGHT", () -> panBy(PAN_STEP));
+        bindKey("UP", () -> zoom(1 / ZOOM_FACTOR, 1));
+        bindKey("DOWN", () -> zoom(ZOOM_FACTOR, 1));
+        bindKey("END", () -> freezeHandler.accept(false));
+    }
+
+    private void bindKey(String key, Runnable action) {
+        view.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(key), key);
+        view.getActionMap().put(key, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                action.run();
+            }
+        });
+    }
+
+    private void zoom(double factor, double share) {
+        view.setSpan(view.span().zoomed(factor, share));
+    }
+
+    private void panBy(double share) {
+        freezeHandler.accept(true);
+        view.setSpan(view.span().moved(share));
+    }
+
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent event) {
+        zoom(Math.pow(ZOOM_FACTOR, event.getPreciseWheelRotation()), view.shareAt(event.getX()));
+    }
+
+    @Override
+    public void mousePressed(MouseEvent event) {
+        view.requestFocusInWindow();
+        dragX = event.getX();
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent event) {
+        panBy(view.shareAt(dragX) - view.shareAt(event.getX()));
+        dragX = event.getX();
+        mouseMoved(event);
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent event) {
+        view.setPointer(OptionalDouble.of(event.getX()));
+    }
+
+    @Override
+    public void mouseExited(MouseEvent event) {
+        view.setPointer(OptionalDouble.empty());
+    }
+
+    @Override
+    public void focusGained(FocusEvent event) {
+        view.repaint();
+    }
+
+    @Override
+    public void focusLost(FocusEvent event) {
+        view.repaint();
+    }
+}

@@ -1,0 +1,60 @@
+package faultline.gui.panel;
+
+import faultline.gui.theme.Antialiasing;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
+import faultline.paint.surface.SensorColours;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.Rectangle2D;
+import javax.swing.JComponent;
+
+/** The number of a sensor on the colour of its cone, as on the canvas. */
+final class SensorBadge extends JComponent {
+
+    private static final int SIZE = 18;
+
+    private final int index;
+    private final int size = TextSize.scaled(SIZE);
+    private final Font font = TextSize.scaledFont(Font.BOLD, 11);
+
+    /** The swatch of a sensor by its place in the robot's order, from 0. */
+    SensorBadge(int index) {
+        this.index = index;
+        setPreferredSize(new Dimension(size, size));
+        setMinimumSize(getPreferredSize());
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        SensorColours colours = Theme.current().palette().sensorColours(index);
+        Antialiasing.paint(graphics, g -> {
+            Shape box = Antialiasing.roundedRectangle(0, 0, size, size);
+            g.setColor(colours.fill());
+            g.fill(box);
+            g.setColor(colours.outline());
+            g.setStroke(new BasicStroke(1));
+            g.draw(box);
+            paintIndex(g, isLight(colours.fill()) ? Color.BLACK : Color.WHITE);
+        });
+    }
+
+    private void paintIndex(Graphics2D g, Color colour) {
+        String number = Integer.toString(index + 1);
+        Rectangle2D bounds =
+                font.createGlyphVector(g.getFontRenderContext(), number).getVisualBounds();
+        g.setFont(font);
+        g.setColor(colour);
+        g.drawString(number, (float) (size / 2.0 - bounds.getCenterX()), (float) (size / 2.0 - bounds.getCenterY()));
+    }
+
+    /** Whether black stands out better than white, by the usual weights of red, green and blue. */
+    static boolean isLight(Color colour) {
+        return 0.299 * colour.getRed() + 0.587 * colour.getGreen() + 0.114 * colour.getBlue() > 125;
+    }
+}

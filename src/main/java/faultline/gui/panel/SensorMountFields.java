@@ -1,0 +1,106 @@
+package faultline.gui.panel;
+
+import faultline.geometry.Degrees;
+import faultline.geometry.Vector2;
+import faultline.gui.edit.CommandSink;
+import faultline.gui.text.Messages;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+
+/** How one sensor is mounted and how noisy it is: its bearing, its noise and its seat on the robot. */
+final class SensorMountFields {
+
+    private static final double MAX_BEARING = 360;
+    private static final double BEARING_STEP = 5;
+    private static final double MAX_OFFSET = 10;
+    private static final double OFFSET_STEP = 0.01;
+    private static final double MAX_NOISE = 1;
+    private static final double NOISE_STEP = 0.001;
+
+    private final OptimisticSensors optimisticSensors;
+    private final CommandSink editor;
+    private final NumberSpinner bearing = new NumberSpinner(
+            "0.##",
+            -MAX_BEARING,
+            MAX_BEARING,
+            BEARING_STEP,
+            degrees -> configureSensor(spec -> spec.withBearing(Degrees.toRadians(degrees))));
+    private final NumberSpinner noise = new NumberSpinner(
+            "0.000##", 0, MAX_NOISE, NOISE_STEP, metres -> configureSensor(spec -> spec.withNoise(metres)));
+    private final NumberSpinner forwardOffset = new NumberSpinner(
+            "0.00##",
+            -MAX_OFFSET,
+            MAX_OFFSET,
+            OFFSET_STEP,
+            metres -> configureSensor(spec -> spec.withMountPosition(
+                    new Vector2(metres, spec.mountPosition().y()))));
+    private final NumberSpinner leftOffset = new NumberSpinner(
+            "0.00##",
+            -MAX_OFFSET,
+            MAX_OFFSET,
+            OFFSET_STEP,
+            metres -> configureSensor(spec ->
+                    spec.withMountPosition(new Vector2(spec.mountPosition().x(), metres))));
+    private final CachedDegrees shownBearing = new CachedDegrees();
+    private Optional<String> sensor = Optional.empty();
+
+    SensorMountFields(OptimisticSensors echoes, CommandSink editor) {
+        this.optimisticSensors = echoes;
+        this.editor = editor;
+        fields().forEach(field -> field.withColumns(6).setEnabled(false));
+    }
+
+    private Stream<NumberSpinner> fields() {
+        return Stream.of(bearing, noise, forwardOffset, leftOffset);
+    }
+
+    /** Puts the fields into two rows of a grid of six columns. */
+    void addTo(JPanel grid, int row) {
+        add(grid, 0, row, "bearing", bearing, "°");
+        add(grid, 3, row, "noise", noise, "m");
+        add(grid, 0, row + 1, "ahead", forwardOffset, "m");
+        add(grid, 3, row + 1, "aside", leftOffset, "m");
+    }
+
+    private static void add(JPanel grid, int column, int row, String key, NumberSpinner field, String unit) {
+        JLabel label = new JLabel(Messages.get("mount." + key));
+        label.setLabelFor(field);
+        label.setToolTipText(Messages.get("mount." + key + ".tip"));
+        field.withName(Messages.get("mount." + key + ".tip"));
+        grid.add(label, FormConstraints.cell(column, row));
+        grid.add(field, FormConstraints.cell(column + 1, row));
+        grid.add(
+                new MutedLabel(unit),
+                column == 0 ? FormConstraints.fillCell(column + 2, row) : FormConstraints.cell(column + 2, row));
+    }
+
+    private void configureSensor(UnaryOperator<SensorSpec> change) {
+        sensor.ifPresent(id -> editor.send(
+                new Command.ConfigureSensor(optimisticSensors.request(change.apply(optimisticSensors.spec(id))))));
+    }
+
+    /** Goes over to another sensor, after taking what was being typed for the one before. */
+    void setSensor(Optional<String> chosen) {
+        if (!chosen.equals(sensor)) {
+            fields().forEach(NumberSpinner::commitPendingEdit);
+            sensor = chosen;
+            fields().forEach(field -> field.setEnabled(chosen.isPresent()));
+            update();
+        }
+    }
+
+    /** Shows how the sensor is now. */
+    void update() {
+        sensor.map(optimisticSensors::spec).ifPresent(spec -> {
+            bearing.setWorldValue(shownBearing.toDegrees(spec.bearing()));
+            noise.setWorldValue(spec.noise());
+            forwardOffset.setWorldValue(spec.mountPosition().x());
+            leftOffset.setWorldValue(spec.mountPosition().y());
+        });
+    }
+}

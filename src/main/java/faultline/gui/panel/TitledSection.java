@@ -1,0 +1,23 @@
+package faultline.gui.panel;
+
+import faultline.gui.theme.SeparatorBorder;
+import java.awt.BorderLayout;
+import java.awt.Font;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+
+/** A part of the control panel under a heading. */
+final class TitledSection extends JPanel {
+
+    TitledSection(String title, JComponent content) {
+        super(new BorderLayout());
+        JLabel heading = new JLabel(title);
+        heading.setFont(heading.getFont().deriveFont(Font.BOLD));
+        heading.setBorder(BorderFactory.createEmptyBorder(0, 0, 8, 0));
+        setBorder(SeparatorBorder.below(12, 14, 12));
+        add(heading, BorderLayout.NORTH);
+        add(content, BorderLayout.CENTER);
+    }
+}

@@ -1,0 +1,62 @@
+package faultline.gui.settings;
+
+import faultline.gui.settings.WindowPreferences.PreferenceStore;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The files that were open last, newest first. */
+public final class RecentFiles {
+
+    private static final String PREFERENCE_KEY = "recent";
+    private static final int MAX_FILES = 8;
+    /** As long as a text in the preferences may be. */
+    private static final int MAX_TEXT_LENGTH = 8192;
+
+    private final PreferenceStore store;
+
+    RecentFiles(PreferenceStore store) {
+        this.store = store;
+    }
+
+    /** The files, newest first; whether they are still there is found out when one is opened. */
+    public List<Path> files() {
+        return store.get(PREFERENCE_KEY).lines().flatMap(RecentFiles::parsePath).toList();
+    }
+
+    private static Stream<Path> parsePath(String line) {
+        try {
+            return line.isBlank() ? Stream.empty() : Stream.of(Path.of(line));
+        } catch (InvalidPathException damaged) {
+            return Stream.empty();
+        }
+    }
+
+    public void add(Path file) {
+        Path newest = file.toAbsolutePath().normalize();
+        store(Stream.concat(Stream.of(newest), files().stream().filter(other -> !other.equals(newest)))
+                .limit(MAX_FILES)
+                .toList());
+    }
+
+    public void remove(Path file) {
+        Path gone = file.toAbsolutePath().normalize();
+        store(files().stream().filter(other -> !other.equals(gone)).toList());
+    }
+
+    public void clear() {
+        store(List.of());
+    }
+
+    /** Keeps as many of the newest as the preferences have room for. */
+    private void store(List<Path> files) {
+        String lines = files.stream().map(Path::toString).collect(Collectors.joining("\n"));
+        if (lines.length() > MAX_TEXT_LENGTH) {
+            store(files.subList(0, files.size() - 1));
+        } else {
+            store.put(PREFERENCE_KEY, lines);
+        }
+    }
+}

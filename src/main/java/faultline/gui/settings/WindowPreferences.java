@@ -1,0 +1,230 @@
+package faultline.gui.settings;
+
+import faultline.gui.text.Language;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
+import java.awt.Rectangle;
+import java.util.Optional;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import java.util.prefs.Preferences;
+import java.util.stream.Stream;
+
+/**
+ * What is remembered of the window from one day to the next. Where the machine keeps no preferences, nothing is, and
+ * nothing else changes.
+ */
+public final class WindowPreferences {
+
+    /**
+     * The platform's own messages about preferences are of no use to a user; held here, or the level would be
+     * forgotten.
+     */
+    private static final Logger PREFERENCES_LOG = Logger.getLogger("java.util.prefs");
+
+    private static final String THEME = "theme";
+    private static final String BOUNDS = "bounds";
+    private static final String DIVIDER = "divider";
+    private static final String LANGUAGE = "language";
+    private static final String TEXT_SIZE = "textSize";
+    private static final String GALLERY = "gallery";
+    private static final String HIDDEN = "hidden";
+    private static final String SNAP_GRID = "snap.grid";
+    private static final String SNAP_ANGLE = "snap.angle";
+    private static final String DOCK = "dock";
+    private static final String CHART = "chart";
+    private static final String DOCK_HIDDEN = "dock.hidden";
+
+    private final PreferenceStore store;
+
+    /** Keeps texts by key. */
+    public interface PreferenceStore {
+        /** The text of a key, empty where there is none. */
+        String get(String key);
+
+        /** Keeps a text. */
+        void put(String key, String text);
+    }
+
+    public WindowPreferences(PreferenceStore store) {
+        this.store = store;
+    }
+
+    /**
+     * The memory of this user.
+     *
+     * @return the user's preferences, or nothing where there are none
+     */
+    public static WindowPreferences forCurrentUser() {
+        PREFERENCES_LOG.setLevel(Level.OFF);
+        try {
+            Preferences preferences = Preferences.userRoot().node("faultline/window");
+            return new WindowPreferences(new PreferenceStore() {
+                @Override
+                public String get(String key) {
+                    return preferences.get(key, "");
+                }
+
+                @Override
+                public void put(String key, String text) {
+                    preferences.put(key, text);
+                }
+            });
+        } catch (IllegalStateException | SecurityException unavailable) {
+            return nonPersistent();
+        }
+    }
+
+    /**
+     * A memory that forgets.
+     *
+     * @return remembers nothing
+     */
+    public static WindowPreferences nonPersistent() {
+        return new WindowPreferences(new PreferenceStore() {
+            @Override
+            public String get(String key) {
+                return "";
+            }
+
+            @Override
+            public void put(String key, String text) {
+                // Forgotten.
+            }
+        });
+    }
+
+    /**
+     * The theme that was chosen last.
+     *
+     * @return light where none was
+     */
+    public Theme theme() {
+        return store.get(THEME).equals(Theme.DARK.name()) ? Theme.DARK : Theme.LIGHT;
+    }
+
+    public void setTheme(Theme theme) {
+        store.put(THEME, theme.name());
+    }
+
+    /**
+     * The language that was chosen.
+     *
+     * @return English where none was
+     */
+    public Language language() {
+        return readEnum(LANGUAGE, Language.class, Language.ENGLISH);
+    }
+
+    public void setLanguage(Language language) {
+        store.put(LANGUAGE, language.name());
+    }
+
+    /**
+     * The size of texts that was chosen.
+     *
+     * @return normal where none was
+     */
+    public TextSize textSize() {
+        return readEnum(TEXT_SIZE, TextSize.class, TextSize.NORMAL);
+    }
+
+    public void setTextSize(TextSize size) {
+        store.put(TEXT_SIZE, size.name());
+    }
+
+    private <E extends Enum<E>> E readEnum(String key, Class<E> options, E otherwise) {
+        String name = store.get(key);
+        return Stream.of(options.getEnumConstants())
+                .filter(option -> option.name().equals(name))
+                .findFirst()
+                .orElse(otherwise);
+    }
+
+    /**
+     * Whether the examples show at start.
+     *
+     * @return true until the user has said no
+     */
+    public boolean isGalleryShownAtStart() {
+        return !store.get(GALLERY).equals(HIDDEN);
+    }
+
+    public void setGalleryShownAtStart(boolean shown) {
+        store.put(GALLERY, shown ? "" : HIDDEN);
+    }
+
+    /** Whether places snap to the grid. */
+    public boolean isGridSnapped() {
+        return Boolean.parseBoolean(store.get(SNAP_GRID));
+    }
+
+    /** Whether headings snap. */
+    public boolean isAngleSnapped() {
+        return Boolean.parseBoolean(store.get(SNAP_ANGLE));
+    }
+
+    public void setSnap(boolean grid, boolean angle) {
+        store.put(SNAP_GRID, Boolean.toString(grid));
+        store.put(SNAP_ANGLE, Boolean.toString(angle));
+    }
+
+    public RecentFiles recentFiles() {
+        return new RecentFiles(store);
+    }
+
+    /** Where the window was, empty where nobody knows. */
+    public Optional<Rectangle> bounds() {
+        String[] numbers = store.get(BOUNDS).split(" ");
+        try {
+            return numbers.length == 4
+                    ? Optional.of(new Rectangle(
+                            Integer.parseInt(numbers[0]),
+                            Integer.parseInt(numbers[1]),
+                            Integer.parseInt(numbers[2]),
+                            Integer.parseInt(numbers[3])))
+                    : Optional.empty();
+        } catch (NumberFormatException damaged) {
+            return Optional.empty();
+        }
+    }
+
+    public void setBounds(Rectangle bounds) {
+        store.put(BOUNDS, bounds.x + " " + bounds.y + " " + bounds.width + " " + bounds.height);
+    }
+
+    /** How wide the control panel was, pixels, empty where nobody knows. */
+    public Optional<Integer> panelWidth() {
+        return readPixels(DIVIDER);
+    }
+
+    public void setPanelWidth(int width) {
+        store.put(DIVIDER, Integer.toString(width));
+    }
+
+    /** How high the instruments were, pixels, empty where nobody knows. */
+    public Optional<Integer> dockHeight() {
+        return readPixels(DOCK);
+    }
+
+    /** How wide the strip chart was, pixels, empty where nobody knows. */
+    public Optional<Integer> chartWidth() {
+        return readPixels(CHART);
+    }
+
+    /** Whether the instruments show. */
+    public boolean isDockShown() {
+        return !Boolean.parseBoolean(store.get(DOCK_HIDDEN));
+    }
+
+    public void setDock(boolean shown, int height, int chartWidth) {
+        store.put(DOCK_HIDDEN, Boolean.toString(!shown));
+        store.put(DOCK, Integer.toString(height));
+        store.put(CHART, Integer.toString(chartWidth));
+    }
+
+    private Optional<Integer> readPixels(String key) {
+        String text = store.get(key);
+        return text.matches("\\d{1,5}") ? Optional.of(Integer.valueOf(text)) : Optional.empty();
+    }
+}

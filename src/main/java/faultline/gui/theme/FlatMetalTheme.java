@@ -1,0 +1,128 @@
+package faultline.gui.theme;
+
+import java.awt.Color;
+import java.awt.Font;
+import javax.swing.plaf.ColorUIResource;
+import javax.swing.plaf.FontUIResource;
+import javax.swing.plaf.metal.DefaultMetalTheme;
+
+/** Our colours and our one font in the places where Metal looks for its own. */
+final class FlatMetalTheme extends DefaultMetalTheme {
+
+    private final FontUIResource font = font();
+
+    private final ThemeColours colours;
+
+    FlatMetalTheme(ThemeColours colours) {
+        this.colours = colours;
+    }
+
+    /** Our font at the installed size. */
+    static FontUIResource font() {
+        return new FontUIResource(Font.SANS_SERIF, Font.PLAIN, TextSize.scaled(13));
+    }
+
+    private static ColorUIResource resource(Color colour) {
+        return new ColorUIResource(colour);
+    }
+
+    @Override
+    public String getName() {
+        return "Faultline";
+    }
+
+    @Override
+    protected ColorUIResource getPrimary1() {
+        return resource(colours.accent());
+    }
+
+    @Override
+    protected ColorUIResource getPrimary2() {
+        return resource(colours.accent());
+    }
+
+    @Override
+    protected ColorUIResource getPrimary3() {
+        return resource(colours.accent());
+    }
+
+    @Override
+    protected ColorUIResource getSecondary1() {
+        return resource(colours.border());
+    }
+
+    @Override
+    protected ColorUIResource getSecondary2() {
+        return resource(colours.line());
+    }
+
+    @Override
+    protected ColorUIResource getSecondary3() {
+        return resource(colours.background());
+    }
+
+    @Override
+    protected ColorUIResource getBlack() {
+        return resource(colours.text());
+    }
+
+    @Override
+    protected ColorUIResource getWhite() {
+        return resource(colours.field());
+    }
+
+    @Override
+    public ColorUIResource getHighlightedTextColor() {
+        return resource(colours.onAccent());
+    }
+
+    @Override
+    public ColorUIResource getTextHighlightColor() {
+        return resource(colours.accent());
+    }
+
+    @Override
+    public ColorUIResource getInactiveControlTextColor() {
+        return resource(colours.muted());
+    }
+
+    @Override
+    public ColorUIResource getMenuDisabledForeground() {
+        return resource(colours.muted());
+    }
+
+    @Override
+    public ColorUIResource getSystemTextColor() {
+        return resource(colours.text());
+    }
+
+    @Override
+    public FontUIResource getControlTextFont() {
+        return font;
+    }
+
+    @Override
+    public FontUIResource getMenuTextFont() {
+        return font;
+    }
+
+    @Override
+    public FontUIResource getSystemTextFont() {
+        return font;
+    }
+
+    @Override
+    public FontUIResource getUserTextFont() {
+        return font;
+    }
+
+    @Override
+    public FontUIResource getWindowTitleFont() {
+        return font;
+    }
+
+    @Override
+    public FontUIResource getSubTextFont() {
+        return font;
+    }
+}

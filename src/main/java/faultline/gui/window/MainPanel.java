@@ -1,0 +1,148 @@
+package faultline.gui.window;
+
+import faultline.engine.Frame;
+import faultline.engine.recording.RunEvent;
+import faultline.engine.session.Session;
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.SpeedScale;
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.edit.CommandSink;
+import faultline.gui.instrument.InstrumentDock;
+import faultline.gui.instrument.PositionedSplitPane;
+import faultline.gui.panel.ControlPanel;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
+import faultline.paint.scene.ReferenceOverlay;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.util.Optional;
+import java.util.function.LongConsumer;
+import javax.swing.BoundedRangeModel;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+
+/**
+ * All of the window below its menu bar: tool bar, canvas, instruments, control panel and status bar. Needs no display.
+ */
+final class MainPanel extends JPanel {
+
+    /** What canvas and instruments need at the normal size of texts, pixels. */
+    private static final int MIN_STAGE_WIDTH = 300;
+    /** What the canvas and its time line keep where the window is low, pixels. */
+    private static final int MIN_STAGE_HEIGHT = 220;
+    /** The share of the height that the instruments may have at first. */
+    private static final double MAX_DOCK_SHARE = 0.45;
+
+    private final SimulationCanvas canvas;
+    private final ControlPanel controlPanel;
+    private final StatusBar statusBar = new StatusBar();
+    private final InstrumentDock instruments;
+    private final TimeBar timeBar;
+    private final PositionedSplitPane dockSplit;
+    private final PositionedSplitPane panelSplit;
+    private int dockHeight;
+    private transient Optional<Frame> shownFrame = Optional.empty();
+
+    /**
+     * Shows nothing yet.
+     *
+     * @param canvas the canvas
+     * @param editor where the control panel's changes go
+     * @param actions of the window
+     * @param speed positions of {@link SpeedScale}
+     * @param jump given the tick of an event that the user wants to go to
+     */
+    MainPanel(
+            SimulationCanvas canvas,
+            CommandSink editor,
+            ActionRegistry actions,
+            BoundedRangeModel speed,
+            LongConsumer jump) {
+        super(new BorderLayout());
+        this.canvas = canvas;
+        controlPanel = new ControlPanel(editor, actions.get("path"));
+        instruments = new InstrumentDock(jump);
+        dockHeight = instruments.getPreferredSize().height;
+        timeBar = new TimeBar(jump, canvas::setFrame);
+        JPanel stage = new JPanel(new BorderLayout());
+        stage.add(canvas, BorderLayout.CENTER);
+        stage.add(timeBar, BorderLayout.SOUTH);
+        stage.setMinimumSize(new Dimension(0, MIN_STAGE_HEIGHT));
+        dockSplit = new PositionedSplitPane(JSplitPane.VERTICAL_SPLIT, stage, instruments, 1);
+        setDockHeight(dockHeight);
+        dockSplit.setMinimumSize(new Dimension(TextSize.scaled(MIN_STAGE_WIDTH), 0));
+        panelSplit = new PositionedSplitPane(JSplitPane.HORIZONTAL_SPLIT, dockSplit, controlPanel, 1);
+        setPanelWidth(controlPanel.defaultWidth());
+        add(new ToolBar(actions, speed), BorderLayout.NORTH);
+        add(new ObstaclePalette(actions), BorderLayout.LINE_START);
+        add(panelSplit, BorderLayout.CENTER);
+        add(statusBar, BorderLayout.SOUTH);
+        canvas.tools().addNoteListener(statusBar::showNote);
+        canvas.tools().addSensorListener(controlPanel::selectSensor);
+        controlPanel.addSelectionListener(canvas.tools()::selectSensor);
+        canvas.addCursorListener(statusBar::showCursor);
+        canvas.addCameraListener(camera -> statusBar.showScale(camera.scale()));
+        canvas.setPalette(Theme.current().palette());
+    }
+
+    /** Shows how the run is; the picture is painted anew only where there is a new one. */
+    void setFrame(Frame frame, Session.Status now) {
+        assert EventQueue.isDispatchThread();
+        if (!timeBar.isAdjusting() && (shownFrame.isEmpty() || shownFrame.get() != frame)) {
+            shownFrame = Optional.of(frame);
+            canvas.setFrame(frame);
+        }
+        if (instruments.isVisible()) {
+            instruments.setFrame(frame);
+        }
+        controlPanel.setSnapshot(frame.snapshot());
+        statusBar.setFrame(frame, now);
+    }
+
+    /** Shows, from now on, an earlier run beside this one, and where the two first differ. */
+    void setReferenceRun(Optional<ReferenceOverlay> ghost, Optional<RunEvent.Diverged> divergence) {
+        canvas.setReferenceOverlay(ghost);
+        timeBar.setDivergence(divergence);
+        instruments.setDivergence(divergence);
+    }
+
+    TimeBar timeBar() {
+        return timeBar;
+    }
+
+    InstrumentDock instruments() {
+        return instruments;
+    }
+
+    /** Makes the control panel so wide, pixels, as far as the canvas and the instruments can spare it. */
+    void setPanelWidth(int width) {
+        panelSplit.place(size -> size - Math.min(width, size - TextSize.scaled(MIN_STAGE_WIDTH)));
+    }
+
+    /** How high the instruments are, or were before they were hidden, pixels. */
+    int dockHeight() {
+        return instruments.isVisible() && instruments.getHeight() > 0 ? instruments.getHeight() : dockHeight;
+    }
+
+    /** Makes the instruments so high, pixels. */
+    void setDockHeight(int height) {
+        dockHeight = height;
+        dockSplit.place(size -> size - Math.min(height, (int) (MAX_DOCK_SHARE * size)));
+    }
+
+    /** Shows or hides the instruments. */
+    void setDockShown(boolean shown) {
+        dockHeight = dockHeight();
+        instruments.setVisible(shown);
+        setDockHeight(dockHeight);
+    }
+
+    ControlPanel controlPanel() {
+        return controlPanel;
+    }
+
+    StatusBar statusBar() {
+        return statusBar;
+    }
+}

@@ -1,0 +1,324 @@
+package faultline.gui.window;
+
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.EditActions;
+import faultline.gui.action.Keystrokes;
+import faultline.gui.action.ObstacleActions;
+import faultline.gui.action.PreferenceActions;
+import faultline.gui.action.RunActions;
+import faultline.gui.action.SensorActions;
+import faultline.gui.action.SpeedScale;
+import faultline.gui.action.ThemeAction;
+import faultline.gui.action.UiAction;
+import faultline.gui.action.ViewActions;
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.dialog.AppIcon;
+import faultline.gui.dialog.Dialogs;
+import faultline.gui.dialog.FileController;
+import faultline.gui.dialog.ProgressDialogs;
+import faultline.gui.dialog.SpeedDialog;
+import faultline.gui.document.Autosave;
+import faultline.gui.document.ComparisonController;
+import faultline.gui.document.FileWatch;
+import faultline.gui.document.RecoveryPrompt;
+import faultline.gui.document.RecoveryStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.TaskKind;
+import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
+import faultline.gui.edit.StartPoseEdit;
+import faultline.gui.edit.UndoController;
+import faultline.gui.export.ExportController;
+import faultline.gui.gallery.Gallery;
+import faultline.gui.settings.WindowPreferences;
+import faultline.gui.text.Messages;
+import java.awt.EventQueue;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.swing.BoundedRangeModel;
+import javax.swing.DefaultBoundedRangeModel;
+import javax.swing.JFrame;
+import javax.swing.JPopupMenu;
+import javax.swing.Timer;
+import javax.swing.WindowConstants;
+
+/** The window. A timer asks the bench for the newest frame some sixty times a second; nothing is pushed at it. */
+public final class MainWindow extends JFrame {
+
+    private static final int POLL_MILLIS = 16;
+
+    private final transient Workspace workspace = new Workspace(new WorkspaceEvents());
+    private final transient RunController runController = new RunController(workspace);
+    private final transient UndoController undoController =
+            new UndoController(runController::send, this::updateEditActions);
+    private final transient EditActions editActions = new EditActions(undoController);
+    private final transient ActionRegistry actionRegistry = new ActionRegistry();
+    private final transient Dialogs dialogs = new Dialogs(this);
+    private final transient FileController fileController =
+            new FileController(this, workspace, this::commitPendingEdit);
+    private final SimulationCanvas canvas = new SimulationCanvas(undoController);
+    private final transient ExportController exportController = new ExportController(
+            this, workspace, canvas, fileController::chooseExportFile, file -> showSavedNote("saved", file));
+    private final transient RunActions runActions;
+    private final transient WindowPreferences preferences;
+    private final MainPanel mainPanel;
+    private final transient WindowBounds windowBounds;
+    private final transient ComparisonActions comparisonActions;
+    private final transient FileWatch fileWatch;
+    private final transient ProgressDialogs progressDialogs = new ProgressDialogs(this, workspace::cancelTask);
+    private final transient ReplayNotifier replayNotifier =
+            new ReplayNotifier(runController.navigator(), this::showNote);
+    private final Timer poll = new Timer(POLL_MILLIS, event -> poll());
+
+    /**
+     * A window without a scenario, not yet shown.
+     *
+     * @param memory where it was, and keeps where it is
+     */
+    public MainWindow(WindowPreferences memory) {
+        assert EventQueue.isDispatchThread();
+        this.preferences = memory;
+        BoundedRangeModel speed =
+                new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
+        runActions = new RunActions(runController, speed);
+        addActions();
+        mainPanel = new MainPanel(canvas, undoController, actionRegistry, speed, runController.navigator()::seek);
+        comparisonActions =
+                new ComparisonActions(new ComparisonController(workspace, runController.navigator()), mainPanel);
+        comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
+        setJMenuBar(Menus.createMenuBar(actionRegistry));
+        getJMenuBar().getMenu(0).insert(new RecentMenu(memory.recentFiles(), fileController::open), 1);
+        setContentPane(mainPanel);
+        setIconImages(AppIcon.images());
+        setTransferHandler(new FileDropHandler(fileController::open));
+        setTitle(fileController.documentTitle());
+        windowBounds = new WindowBounds(this, mainPanel, memory);
+        windowBounds.restore();
+        installCloseHandler();
+        installCanvasListeners();
+        fileWatch = new FileWatch(
+                workspace, fileController::onFileChangedOnDisk, bad -> showNote(Dialogs.unreadableFileText(bad)));
+        undoController.setListener(new EditNotifier(runController, actionRegistry, this::showNote));
+        poll.start();
+    }
+
+    private void addActions() {
+        fileController.addTo(actionRegistry, this::quit);
+        actionRegistry.add(UiAction.of("examples", this::showExamples)
+                .withAccelerator(Keystrokes.menuShiftShortcut(KeyEvent.VK_O)));
+        editActions.addTo(actionRegistry);
+        editActions.bindTo(getRootPane());
+        new ObstacleActions(
+                        canvas.tools(),
+                        undoController,
+                        this::showNote,
+                        now -> SpeedDialog.showDialog(this, now),
+                        preferences)
+                .addTo(actionRegistry);
+        new SensorActions(workspace, runController, undoController).addTo(actionRegistry);
+        exportController.actions().forEach(actionRegistry::add);
+        ViewActions.addTo(actionRegistry, canvas);
+        ViewActions.bindTo(getRootPane(), actionRegistry);
+        actionRegistry.add(UiAction.toggle("instruments", preferences.isDockShown(), this::setDockShown)
+                .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_I)));
+        runActions.addTo(actionRegistry, this::toggleSensor);
+        dialogs.addTo(actionRegistry);
+        new PreferenceActions(this, preferences).addTo(actionRegistry);
+        actionRegistry.add(new ThemeAction(this, canvas, preferences).action());
+    }
+
+    private boolean commitPendingEdit() {
+        return mainPanel.controlPanel().commitPendingEdit();
+    }
+
+    private void showNote(String sentence) {
+        mainPanel.statusBar().showNote(sentence);
+    }
+
+    private void showSavedNote(String key, Path file) {
+        showNote(Messages.get(key, String.valueOf(file.getFileName())));
+    }
+
+    /** What the canvas asks for. */
+    private void installCanvasListeners() {
+        JPopupMenu popup = Menus.createCanvasPopup(actionRegistry);
+        canvas.tools().addMenuListener(at -> popup.show(canvas, at.x, at.y));
+        canvas.tools().addStartListener(pose -> workspace.scenario().ifPresent(open -> {
+            undoController.addEdit(new StartPoseEdit(open.setup().start(), pose, runController::restartAt));
+            runController.restartAt(pose);
+        }));
+    }
+
+    private void updateEditActions() {
+        editActions.update();
+    }
+
+    private void setDockShown(boolean shown) {
+        mainPanel.setDockShown(shown);
+    }
+
+    private void toggleSensor(int index) {
+        mainPanel.controlPanel().toggleSensor(index);
+    }
+
+    private void installCloseHandler() {
+        setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent event) {
+                quit();
+            }
+
+            @Override
+            public void windowOpened(WindowEvent event) {
+                windowBounds.onWindowOpened();
+                canvas.requestFocusInWindow();
+            }
+        });
+    }
+
+    private void quit() {
+        fileController.runIfChangesHandled(() -> {
+            windowBounds.save();
+            dispose();
+        });
+    }
+
+    /** Ends the run with the window. */
+    @Override
+    public void dispose() {
+        poll.stop();
+        fileWatch.close();
+        workspace.close();
+        super.dispose();
+    }
+
+    /**
+     * Opens a scenario file, soon.
+     *
+     * @param file the file
+     */
+    public void open(Path file) {
+        fileController.openWithoutAsking(file);
+    }
+
+    /**
+     * Opens a scenario that ships with the program, soon.
+     *
+     * @param name its file's name
+     */
+    public void openShipped(String name) {
+        fileController.openShippedWithoutAsking(name);
+    }
+
+    /**
+     * Tells once that a frame has been painted.
+     *
+     * @param listener told on the event dispatch thread
+     */
+    public void onFirstPaint(Runnable listener) {
+        canvas.runAfterNextPaint(listener);
+    }
+
+    /** Shows the examples that ship with the program, in front of the window. */
+    public void showExamples() {
+        if (!Dialogs.bringToFront(this, Gallery.class)) {
+            new Gallery(
+                            this,
+                            fileController::openShipped,
+                            preferences.isGalleryShownAtStart(),
+                            preferences::setGalleryShownAtStart)
+                    .setVisible(true);
+        }
+    }
+
+    /**
+     * Keeps unsaved edits from now on where a crash cannot reach them, and offers those that an earlier crash has left,
+     * soon.
+     *
+     * @param recovery where
+     * @param otherwise done where no crash has left any
+     */
+    public void enableRecovery(RecoveryStore recovery, Runnable otherwise) {
+        Autosave autosave = new Autosave(workspace, recovery);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent event) {
+                autosave.close();
+            }
+        });
+        RecoveryPrompt.offerRecovery(recovery, fileController::offerRecovery, otherwise);
+    }
+
+    private void poll() {
+        progressDialogs.update(workspace.taskProgress());
+        // In this order: where the status says that time is held, the frame is the one that it is held at.
+        runController.status().ifPresent(status -> runController.frame().ifPresent(frame -> {
+            mainPanel.setFrame(frame, status);
+            undoController.runAdvanced(frame.snapshot().tick());
+            replayNotifier.update(frame);
+            comparisonActions.update(frame);
+            workspace.scenario().ifPresent(open -> mainPanel
+                    .timeBar()
+                    .setFrame(
+                            frame,
+                            runController.navigator().furthestTick(),
+                            open.setup().dt()));
+            runActions.update(status);
+        }));
+    }
+
+    /** What the bench tells. */
+    private final class WorkspaceEvents implements WorkspaceListener {
+        @Override
+        public void scenarioOpened() {
+            undoController.clear();
+            exportController.scenarioOpened();
+            workspace.file().ifPresent(preferences.recentFiles()::add);
+        }
+
+        @Override
+        public void scenarioRestarted() {
+            undoController.runRestarted();
+        }
+
+        @Override
+        public void runRepositioned(long tick) {
+            undoController.runRepositioned(tick);
+        }
+
+        @Override
+        public void scenarioSaved(Path file, boolean whole) {
+            undoController.endEdit();
+            preferences.recentFiles().add(file);
+            showSavedNote(whole ? "saved" : "saved.inPart", file);
+        }
+
+        @Override
+        public void journalSaved(Path file) {
+            showSavedNote("saved", file);
+        }
+
+        @Override
+        public void sessionStarted() {
+            mainPanel.statusBar().reset();
+            replayNotifier.reset();
+        }
+
+        @Override
+        public void titleChanged() {
+            setTitle(fileController.documentTitle());
+        }
+
+        @Override
+        public void taskFailed(TaskKind what, Path file, Throwable why) {
+            if (what == TaskKind.OPEN && Files.notExists(file)) {
+                preferences.recentFiles().remove(file);
+            }
+            dialogs.showFailure(what, file, why);
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package faultline.gui.window;
+
+import faultline.engine.Frame;
+import faultline.gui.document.RunNavigator;
+import faultline.gui.text.Messages;
+import java.util.Locale;
+import java.util.OptionalLong;
+import java.util.function.Consumer;
+
+/** Tells the user that a saved run is open, and when its replay has come to its end. */
+final class ReplayNotifier {
+
+    private final RunNavigator runNavigator;
+    private final Consumer<String> notifier;
+    private boolean announced;
+    private boolean ended;
+
+    ReplayNotifier(RunNavigator travel, Consumer<String> told) {
+        this.runNavigator = travel;
+        this.notifier = told;
+    }
+
+    /** A session has begun. */
+    void reset() {
+        announced = false;
+        ended = false;
+    }
+
+    /** Shows where the run is. */
+    void update(Frame frame) {
+        OptionalLong end = runNavigator.replayEnd();
+        if (end.isPresent()) {
+            update(frame.snapshot().tick(), end.getAsLong(), frame.snapshot().time());
+        }
+    }
+
+    private void update(long tick, long end, double time) {
+        if (tick == end && !ended) {
+            notifier.accept(Messages.get("replay.ended", String.format(Locale.ROOT, "%.2f", time)));
+        } else if (tick == 0 && !announced) {
+            notifier.accept(Messages.get("replay.begun"));
+        }
+        announced = true;
+        ended = tick == end;
+    }
+}

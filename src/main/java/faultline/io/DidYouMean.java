@@ -1,0 +1,70 @@
+package faultline.io;
+
+import java.util.Collection;
+import java.util.Locale;
+import java.util.Optional;
+
+/** Guesses which of the known names a misspelt one was meant to be. */
+public final class DidYouMean {
+
+    private static final int MAX_LENGTH = 60;
+
+    private DidYouMean() {}
+
+    /**
+     * A question to put behind a complaint.
+     *
+     * @param given the name that is not known
+     * @param known the names that are
+     * @return {@code ; did you mean "left"?}, empty where nothing is near
+     */
+    public static String hint(String given, Collection<String> known) {
+        return nearest(given, known)
+                .map(name -> "; did you mean " + MessageText.quoted(name) + "?")
+                .orElse("");
+    }
+
+    /**
+     * The known name nearest to another, upper and lower case alike.
+     *
+     * @param given any text
+     * @param known the names to choose from; of equally near ones the first wins
+     * @return empty where it would take more than one change in three letters, or a single one in a shorter name
+     */
+    public static Optional<String> nearest(String given, Collection<String> known) {
+        if (given.length() > MAX_LENGTH) {
+            return Optional.empty();
+        }
+        String lower = given.toLowerCase(Locale.ROOT);
+        int least = Math.max(1, given.length() / 3) + 1;
+        Optional<String> best = Optional.empty();
+        for (String name : known) {
+            int changes = editDistance(lower, name.toLowerCase(Locale.ROOT));
+            if (changes < least) {
+                least = changes;
+                best = Optional.of(name);
+            }
+        }
+        return best;
+    }
+
+    /**
+     * How many letters must be put in, left out, exchanged or swapped with their neighbour: optimal string alignment.
+     */
+    static int editDistance(String a, String b) {
+        int[][] cost = new int[a.length() + 1][b.length() + 1];
+        for (int i = 0; i <= a.length(); i++) {
+            for (int j = 0; j <= b.length(); j++) {
+                cost[i][j] = i == 0 || j == 0 ? i + j : minCost(a, b, i, j, cost);
+            }
+        }
+        return cost[a.length()][b.length()];
+    }
+
+    private static int minCost(String a, String b, int i, int j, int[][] cost) {
+        int exchange = cost[i - 1][j - 1] + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
+        int best = Math.min(exchange, Math.min(cost[i - 1][j], cost[i][j - 1]) + 1);
+        boolean swapped = i > 1 && j > 1 && a.charAt(i - 1) == b.charAt(j - 2) && a.charAt(i - 2) == b.charAt(j - 1);
+        return swapped ? Math.min(best, cost[i - 2][j - 2] + 1) : best;
+    }
+}

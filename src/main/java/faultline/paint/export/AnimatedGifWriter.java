@@ -1,0 +1,165 @@
+package faultline.paint.export;
+
+import faultline.paint.surface.Palette;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferByte;
+import java.awt.image.IndexColorModel;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.Optional;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriter;
+import javax.imageio.metadata.IIOInvalidTreeException;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.ImageOutputStream;
+
+/**
+ * Writes an animated GIF that goes round for ever. After the first picture only the part that has changed is written.
+ * One thread.
+ */
+public final class AnimatedGifWriter implements AutoCloseable {
+
+    private static final String METADATA_FORMAT = "javax_imageio_gif_image_1.0";
+    private static final byte[] LOOP_FOREVER = {1, 0, 0};
+
+    private final ImageWriter writer =
+            ImageIO.getImageWritersByFormatName("gif").next();
+    private final ImageOutputStream stream;
+    private final Palette palette;
+    private final int delay;
+    private Optional<ColourQuantizer> quantizer = Optional.empty();
+    private Optional<BufferedImage> previousFrame = Optional.empty();
+
+    /**
+     * A film without pictures.
+     *
+     * @param out where the file goes; not closed
+     * @param palette whose colours must come out right
+     * @param delay how long each picture stays, hundredths of a second, positive
+     * @throws IOException if it cannot be written
+     */
+    public AnimatedGifWriter(OutputStream out, Palette palette, int delay) throws IOException {
+        this.palette = palette;
+        this.delay = delay;
+        stream = ImageIO.createImageOutputStream(out);
+        writer.setOutput(stream);
+        writer.prepareWriteSequence(null);
+    }
+
+    /**
+     * Adds a picture.
+     *
+     * @param picture as large as the first one
+     * @throws IOException if it cannot be written
+     */
+    public void addFrame(BufferedImage picture) throws IOException {
+        if (quantizer.isEmpty()) {
+            quantizer = Optional.of(ColourQuantizer.of(palette, picture));
+        }
+        BufferedImage few = quantizer.get().quantize(picture);
+        Rectangle part = previousFrame
+                .map(before -> changedArea(before, few))
+                .orElse(new Rectangle(few.getWidth(), few.getHeight()));
+        IIOMetadata details = frameMetadata(few, part);
+        writer.writeToSequence(new IIOImage(copyArea(few, part), null, details), null);
+        previousFrame = Optional.of(few);
+    }
+
+    /**
+     * The smallest rectangle outside of which two pictures agree; a pixel where they agree everywhere, because a part
+     * must not be empty.
+     */
+    static Rectangle changedArea(BufferedImage before, BufferedImage after) {
+        byte[] old = ((DataBufferByte) before.getRaster().getDataBuffer()).getData();
+        byte[] now = ((DataBufferByte) after.getRaster().getDataBuffer()).getData();
+        int width = after.getWidth();
+        int left = width;
+        int right = -1;
+        int top = -1;
+        int bottom = -1;
+        for (int i = 0; i < now.length; i++) {
+            if (old[i] != now[i]) {
+                left = Math.min(left, i % width);
+                right = Math.max(right, i % width);
+                top = top < 0 ? i / width : top;
+                bottom = i / width;
+            }
+        }
+        return right < 0 ? new Rectangle(1, 1) : new Rectangle(left, top, right - left + 1, bottom - top + 1);
+    }
+
+    /** A part of a picture with pixels of its own: the writer would take those of a view from the wrong place. */
+    private static BufferedImage copyArea(BufferedImage picture, Rectangle part) {
+        BufferedImage cut = new BufferedImage(
+                part.width, part.height, picture.getType(), (IndexColorModel) picture.getColorModel());
+        cut.setData(picture.getSubimage(part.x, part.y, part.width, part.height).getData());
+        return cut;
+    }
+
+    private IIOMetadata frameMetadata(BufferedImage picture, Rectangle part) throws IIOInvalidTreeException {
+        IIOMetadata details = writer.getDefaultImageMetadata(new ImageTypeSpecifier(picture), null);
+        IIOMetadataNode root = new IIOMetadataNode(METADATA_FORMAT);
+        root.appendChild(node(
+                "ImageDescriptor",
+                "imageLeftPosition",
+                Integer.toString(part.x),
+                "imageTopPosition",
+                Integer.toString(part.y),
+                "imageWidth",
+                Integer.toString(part.width),
+                "imageHeight",
+                Integer.toString(part.height),
+                "interlaceFlag",
+                "FALSE"));
+        root.appendChild(node(
+                "GraphicControlExtension",
+                "disposalMethod",
+                "doNotDispose",
+                "userInputFlag",
+                "FALSE",
+                "transparentColorFlag",
+                "FALSE",
+                "delayTime",
+                Integer.toString(delay),
+                "transparentColorIndex",
+                "0"));
+        if (previousFrame.isEmpty()) {
+            root.appendChild(loopExtension());
+        }
+        details.mergeTree(METADATA_FORMAT, root);
+        return details;
+    }
+
+    private static IIOMetadataNode loopExtension() {
+        IIOMetadataNode extension =
+                node("ApplicationExtension", "applicationID", "NETSCAPE", "authenticationCode", "2.0");
+        extension.setUserObject(LOOP_FOREVER.clone());
+        IIOMetadataNode extensions = new IIOMetadataNode("ApplicationExtensions");
+        extensions.appendChild(extension);
+        return extensions;
+    }
+
+    private static IIOMetadataNode node(String name, String... attributes) {
+        IIOMetadataNode node = new IIOMetadataNode(name);
+        for (int i = 0; i < attributes.length; i += 2) {
+            node.setAttribute(attributes[i], attributes[i + 1]);
+        }
+        return node;
+    }
+
+    /** Ends the file; what it goes to stays open. */
+    @Override
+    public void close() throws IOException {
+        try (stream) {
+            if (previousFrame.isPresent()) {
+                writer.endWriteSequence();
+            }
+        } finally {
+            writer.dispose();
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package faultline.paint.export;
+
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
+import java.awt.print.PageFormat;
+import java.awt.print.Printable;
+
+/**
+ * A picture on one page of paper, as large as it fits, in its middle.
+ *
+ * @param request what to print
+ */
+public record PrintablePage(RenderRequest request) implements Printable {
+
+    @Override
+    public int print(Graphics graphics, PageFormat format, int page) {
+        if (page > 0) {
+            return NO_SUCH_PAGE;
+        }
+        Graphics2D own = (Graphics2D) graphics.create();
+        try {
+            own.transform(pageTransform(format));
+            own.clipRect(0, 0, request.camera().width(), request.camera().height());
+            request.paint(own);
+        } finally {
+            own.dispose();
+        }
+        return PAGE_EXISTS;
+    }
+
+    private AffineTransform pageTransform(PageFormat format) {
+        double width = request.camera().width();
+        double height = request.camera().height();
+        double scale = Math.min(format.getImageableWidth() / width, format.getImageableHeight() / height);
+        AffineTransform placed = AffineTransform.getTranslateInstance(
+                format.getImageableX() + (format.getImageableWidth() - width * scale) / 2,
+                format.getImageableY() + (format.getImageableHeight() - height * scale) / 2);
+        placed.scale(scale, scale);
+        return placed;
+    }
+}

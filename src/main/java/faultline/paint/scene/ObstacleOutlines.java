@@ -1,0 +1,113 @@
+package faultline.paint.scene;
+
+import faultline.geometry.Pose;
+import faultline.geometry.RigidMotion;
+import faultline.geometry.Vector2;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.geom.RectangularShape;
+import java.util.Collection;
+import java.util.List;
+
+/** Obstacles as shapes of {@link java.awt.geom}, in metres. */
+public final class ObstacleOutlines {
+
+    private ObstacleOutlines() {}
+
+    /**
+     * A shape in its own frame.
+     *
+     * @param shape the shape
+     * @return its outline; open for a wall, closed for all others
+     */
+    public static Shape localShape(ObstacleShape shape) {
+        if (shape instanceof ObstacleShape.Rectangle rectangle) {
+            return centred(new Rectangle2D.Double(), rectangle.width(), rectangle.height());
+        }
+        if (shape instanceof ObstacleShape.Circle circle) {
+            return centred(new Ellipse2D.Double(), 2 * circle.radius(), 2 * circle.radius());
+        }
+        if (shape instanceof ObstacleShape.Ellipse ellipse) {
+            return centred(new Ellipse2D.Double(), 2 * ellipse.rx(), 2 * ellipse.ry());
+        }
+        if (shape instanceof ObstacleShape.Polygon polygon) {
+            Path2D path = polyline(polygon.points());
+            path.closePath();
+            return path;
+        }
+        return polyline(((ObstacleShape.Wall) shape).points());
+    }
+
+    private static Shape centred(RectangularShape shape, double width, double height) {
+        shape.setFrame(-width / 2, -height / 2, width, height);
+        return shape;
+    }
+
+    /** An open path; even-odd, as the world fills polygons. */
+    static Path2D polyline(List<Vector2> points) {
+        Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD, points.size() + 1);
+        path.moveTo(points.get(0).x(), points.get(0).y());
+        for (Vector2 point : points.subList(1, points.size())) {
+            path.lineTo(point.x(), point.y());
+        }
+        return path;
+    }
+
+    /**
+     * An obstacle where it stands.
+     *
+     * @param obstacle the obstacle
+     * @return its outline in the world
+     */
+    public static Shape worldShape(Obstacle obstacle) {
+        return RigidMotion.poseTransform(obstacle.pose()).createTransformedShape(localShape(obstacle.shape()));
+    }
+
+    /**
+     * The middle of an obstacle, which it is turned about by hand. The origin of a polygon's frame may lie far outside
+     * of it.
+     *
+     * @param obstacle the obstacle
+     * @return metres, in the world
+     */
+    public static Vector2 centre(Obstacle obstacle) {
+        return obstacle.pose().toParent(localCentre(obstacle));
+    }
+
+    /**
+     * The common middle of obstacles, which they are turned about together: the mean of their middles, because that
+     * stays where it is when they turn.
+     *
+     * @param obstacles the obstacles, at least one
+     * @return metres, in the world
+     */
+    public static Vector2 centre(Collection<Obstacle> obstacles) {
+        return obstacles.stream()
+                .map(ObstacleOutlines::centre)
+                .reduce(Vector2.ZERO, Vector2::plus)
+                .times(1.0 / obstacles.size());
+    }
+
+    private static Vector2 localCentre(Obstacle obstacle) {
+        Rectangle2D bounds = localShape(obstacle.shape()).getBounds2D();
+        return new Vector2(bounds.getCenterX(), bounds.getCenterY());
+    }
+
+    /**
+     * The pose of an obstacle turned about a point, eq. (1).
+     *
+     * @param obstacle the obstacle as it stands
+     * @param about the point, metres, in the world
+     * @param turn radians, counter-clockwise
+     * @return the pose after the turn
+     */
+    public static Pose rotatedPose(Obstacle obstacle, Vector2 about, double turn) {
+        Pose pose = obstacle.pose();
+        Vector2 origin = RigidMotion.apply(RigidMotion.rotationAbout(about, turn), pose.position());
+        return new Pose(origin.x(), origin.y(), pose.heading() + turn);
+    }
+}

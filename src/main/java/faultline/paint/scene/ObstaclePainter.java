@@ -1,0 +1,85 @@
+package faultline.paint.scene;
+
+import faultline.geometry.RigidMotion;
+import faultline.paint.surface.Camera;
+import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Palette;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Shape;
+import java.awt.Stroke;
+import java.awt.font.FontRenderContext;
+import java.awt.geom.Rectangle2D;
+import java.util.Optional;
+
+/**
+ * Paints one obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour and with
+ * a heavier outline, a glossy one with a bright line along its edge.
+ */
+final class ObstaclePainter {
+
+    private static final Stroke STATIC_STROKE = DrawContext.solidStroke(1.4);
+    private static final Stroke MOVING_STROKE = DrawContext.solidStroke(2);
+    /** A wall has no thickness in the world; this much makes it seen. */
+    private static final Stroke WALL_STROKE = DrawContext.solidStroke(4);
+
+    private static final Stroke SPECULAR_STROKE = DrawContext.solidStroke(5);
+    private static final Stroke HIGHLIGHT_STROKE = DrawContext.solidStroke(2);
+    private static final int MOVING_ALPHA = 120;
+    /** An obstacle smaller than this on the screen would be hidden by its name, pixels. */
+    private static final double MIN_SIZE_FOR_NAME = 30;
+
+    private static final double NAME_GAP = 10;
+    /** How far a name may reach beyond an obstacle's upper or lower end, pixels. */
+    private static final double NAME_HEIGHT = 24;
+    /** How far an outline, its halo or a mark of selection may reach beyond an obstacle, pixels. */
+    private static final double OUTLINE_MARGIN = 4;
+
+    private static final FontRenderContext FONT_CONTEXT = new FontRenderContext(null, true, true);
+
+    private ObstaclePainter() {}
+
+    static void paint(DrawContext brush, Obstacle obstacle) {
+        Palette palette = brush.palette();
+        boolean moves = obstacle.motion().isPresent();
+        Color outline = moves ? palette.movingOutline() : palette.obstacleOutline();
+        Shape shape = brush.toScreen(
+                ObstacleOutlines.localShape(obstacle.shape()), RigidMotion.poseTransform(obstacle.pose()));
+        if (obstacle.shape() instanceof ObstacleShape.Wall) {
+            brush.draw(shape, outline, WALL_STROKE);
+        } else {
+            brush.fill(shape, moves ? Palette.withAlpha(palette.moving(), MOVING_ALPHA) : palette.obstacle());
+            brush.draw(shape, outline, moves ? MOVING_STROKE : STATIC_STROKE);
+        }
+        if (obstacle.isSpecular()) {
+            brush.draw(shape, outline, SPECULAR_STROKE);
+            brush.draw(shape, palette.canvas(), HIGHLIGHT_STROKE);
+        }
+    }
+
+    /** Where the outline, and the name if there is a font for it, leave marks, pixels. */
+    static Rectangle2D paintedBounds(Camera camera, Obstacle obstacle, Optional<Font> names) {
+        Rectangle2D bounds = camera.transform()
+                .createTransformedShape(ObstacleOutlines.worldShape(obstacle))
+                .getBounds2D();
+        double halfName = names.map(font ->
+                        font.getStringBounds(obstacle.id(), FONT_CONTEXT).getWidth() / 2)
+                .orElse(0.0);
+        double across = Math.max(bounds.getWidth() / 2, halfName) + OUTLINE_MARGIN;
+        double up = bounds.getHeight() / 2
+                + names.map(font -> NAME_HEIGHT * font.getSize2D() / DrawContext.DEFAULT_FONT.getSize2D())
+                        .orElse(OUTLINE_MARGIN);
+        return new Rectangle2D.Double(bounds.getCenterX() - across, bounds.getCenterY() - up, 2 * across, 2 * up);
+    }
+
+    /** Paints the name in the middle of an obstacle, or above one that it would hide. */
+    static void paintName(DrawContext brush, Obstacle obstacle) {
+        Rectangle2D bounds =
+                brush.toScreen(ObstacleOutlines.worldShape(obstacle)).getBounds2D();
+        boolean hides = Math.max(bounds.getWidth(), bounds.getHeight()) < MIN_SIZE_FOR_NAME;
+        double y = hides ? bounds.getMinY() - brush.scaleToFont(NAME_GAP) : bounds.getCenterY();
+        brush.drawLabel(obstacle.id(), bounds.getCenterX(), y, brush.palette().text());
+    }
+}

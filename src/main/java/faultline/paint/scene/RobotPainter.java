@@ -1,0 +1,80 @@
+package faultline.paint.scene;
+
+import faultline.geometry.Pose;
+import faultline.geometry.RigidMotion;
+import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Palette;
+import faultline.robot.RobotSpec;
+import java.awt.Shape;
+import java.awt.Stroke;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Path2D;
+import java.awt.geom.RoundRectangle2D;
+import java.util.List;
+
+/**
+ * Paints the robot from above: a body between four wheels, an arrow ahead and a bar along its front. All of it lies
+ * within the platform's rectangle, which is what collides.
+ */
+final class RobotPainter {
+
+    private static final Stroke OUTLINE_STROKE = DrawContext.solidStroke(1.4);
+
+    private RobotPainter() {}
+
+    static void paint(DrawContext brush, RobotSpec robot, Pose pose) {
+        AffineTransform frame = RigidMotion.poseTransform(pose);
+        Palette palette = brush.palette();
+        for (Shape wheel : wheels(robot)) {
+            brush.fill(brush.toScreen(wheel, frame), palette.robotOutline());
+        }
+        Shape body = brush.toScreen(body(robot), frame);
+        brush.fill(body, palette.robot());
+        brush.fill(brush.toScreen(front(robot), frame), palette.robotOutline());
+        brush.fill(brush.toScreen(arrow(robot), frame), palette.robotOutline());
+        brush.draw(body, palette.robotOutline(), OUTLINE_STROKE);
+    }
+
+    private static Shape body(RobotSpec robot) {
+        double side = robot.width() - 2 * wheelWidth(robot) * 0.7;
+        double corner = Math.min(robot.length(), side) * 0.3;
+        return new RoundRectangle2D.Double(-robot.length() / 2, -side / 2, robot.length(), side, corner, corner);
+    }
+
+    private static double wheelWidth(RobotSpec robot) {
+        return robot.width() * 0.16;
+    }
+
+    private static List<Shape> wheels(RobotSpec robot) {
+        double ahead = robot.length() * 0.27;
+        double aside = (robot.width() - wheelWidth(robot)) / 2;
+        return List.of(
+                wheel(robot, ahead, aside),
+                wheel(robot, ahead, -aside),
+                wheel(robot, -ahead, aside),
+                wheel(robot, -ahead, -aside));
+    }
+
+    private static Shape wheel(RobotSpec robot, double x, double y) {
+        double length = robot.length() * 0.3;
+        double width = wheelWidth(robot);
+        return new RoundRectangle2D.Double(x - length / 2, y - width / 2, length, width, width * 0.7, width * 0.7);
+    }
+
+    private static Shape front(RobotSpec robot) {
+        double thickness = robot.length() * 0.06;
+        double side = robot.width() * 0.5;
+        return new RoundRectangle2D.Double(
+                robot.length() / 2 - 1.7 * thickness, -side / 2, thickness, side, thickness, thickness);
+    }
+
+    private static Shape arrow(RobotSpec robot) {
+        Path2D arrow = new Path2D.Double();
+        arrow.moveTo(robot.length() * 0.34, 0);
+        arrow.lineTo(robot.length() * 0.10, robot.width() * 0.17);
+        arrow.lineTo(robot.length() * 0.15, 0);
+        arrow.lineTo(robot.length() * 0.10, -robot.width() * 0.17);
+        arrow.closePath();
+        return arrow;
+    }
+}

@@ -1,0 +1,51 @@
+package faultline.paint.scene;
+
+import faultline.paint.surface.Camera;
+import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Palette;
+import java.awt.Color;
+import java.awt.Shape;
+import java.awt.geom.Path2D;
+
+/** Paints a bar of a round length in the lower right corner. */
+final class ScaleBarPainter {
+
+    /** The bar is at least this long and less than two and a half times, pixels. */
+    private static final double MIN_LENGTH = 60;
+
+    private static final double MARGIN_RIGHT = 24;
+    private static final double MARGIN_BOTTOM = 15;
+    private static final double TICK_HEIGHT = 4;
+    private static final double NAME_GAP = 8;
+
+    private ScaleBarPainter() {}
+
+    static void paint(DrawContext brush) {
+        Camera camera = brush.camera();
+        double metres = NiceSteps.atLeast(MIN_LENGTH / camera.scale());
+        double length = metres * camera.scale();
+        double right = Math.floor(camera.width() - MARGIN_RIGHT) + 0.5;
+        double y = Math.floor(camera.height() - MARGIN_BOTTOM) + 0.5;
+        Shape bar = barShape(right - length, right, y);
+        Color halo = Palette.withAlpha(brush.palette().canvas(), 200);
+        brush.draw(bar, halo, DrawContext.solidStroke(5));
+        brush.draw(bar, brush.palette().text(), DrawContext.solidStroke(1.5));
+        String name = NiceSteps.format(metres);
+        brush.drawLabel(
+                name,
+                right - length - NAME_GAP - brush.measureText(name).getWidth() / 2,
+                y,
+                brush.palette().text());
+    }
+
+    private static Shape barShape(double left, double right, double y) {
+        Path2D bar = new Path2D.Double();
+        bar.moveTo(left, y - TICK_HEIGHT);
+        bar.lineTo(left, y + TICK_HEIGHT);
+        bar.moveTo(left, y);
+        bar.lineTo(right, y);
+        bar.moveTo(right, y - TICK_HEIGHT);
+        bar.lineTo(right, y + TICK_HEIGHT);
+        return bar;
+    }
+}

@@ -1,0 +1,57 @@
+package faultline.paint.scene;
+
+import faultline.geometry.Sector;
+import faultline.geometry.Vector2;
+import faultline.paint.surface.Camera;
+import java.awt.Shape;
+import java.awt.geom.Arc2D;
+import java.awt.geom.Line2D;
+
+/**
+ * A sensor's cone in the picture.
+ *
+ * @param apex pixels
+ * @param startAngle the bearing of the edge on the right, degrees, counter-clockwise as seen, as {@link Arc2D} has them
+ * @param extent the full angle, degrees
+ * @param radius pixels
+ * @param scale pixels per metre
+ */
+record ScreenSector(Vector2 apex, double startAngle, double extent, double radius, double scale) {
+
+    static ScreenSector of(Camera camera, Sector sector) {
+        double half = Math.toDegrees(Math.atan2(sector.sinHalf(), sector.cosHalf()));
+        double bearing = Math.toDegrees(sector.axis().angle());
+        return new ScreenSector(
+                camera.toScreen(sector.apex()),
+                bearing - half,
+                2 * half,
+                sector.range() * camera.scale(),
+                camera.scale());
+    }
+
+    /** The whole cone. */
+    Shape outline() {
+        return arc(radius, Arc2D.PIE);
+    }
+
+    /** The arc at a distance from the apex, metres. */
+    Shape arcAt(double metres) {
+        return arc(metres * scale, Arc2D.OPEN);
+    }
+
+    private Shape arc(double r, int type) {
+        return new Arc2D.Double(apex.x() - r, apex.y() - r, 2 * r, 2 * r, startAngle, extent, type);
+    }
+
+    /** A straight line from the apex to the arc; share 0 is the edge on the right, 1 the one on the left. */
+    Shape ray(double share) {
+        Vector2 end = pointAt(share, radius);
+        return new Line2D.Double(apex.x(), apex.y(), end.x(), end.y());
+    }
+
+    /** The place at a share of the angle and a distance from the apex, pixels. */
+    Vector2 pointAt(double share, double distance) {
+        double bearing = Math.toRadians(startAngle + share * extent);
+        return new Vector2(apex.x() + distance * Math.cos(bearing), apex.y() - distance * Math.sin(bearing));
+    }
+}

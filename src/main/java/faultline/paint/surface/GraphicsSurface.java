@@ -1,0 +1,86 @@
+package faultline.paint.surface;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.GraphicsDevice;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.Stroke;
+import java.awt.font.FontRenderContext;
+import java.awt.geom.AffineTransform;
+
+/**
+ * Pixels, or a printer's page.
+ *
+ * @param graphics whose user space is the picture; its rendering hints are set
+ */
+record GraphicsSurface(Graphics2D graphics) implements Surface {
+
+    GraphicsSurface {
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        // Pure strokes: normalised ones jump by half a pixel while they move.
+        graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    }
+
+    @Override
+    public void fill(Shape shape, Color colour) {
+        graphics.setColor(colour);
+        if (shape instanceof Rectangle) {
+            fillPixels(shape);
+        } else {
+            graphics.fill(shape);
+        }
+    }
+
+    /** Whole pixels have no edges to smooth, and filling them as they are is several times faster. */
+    private void fillPixels(Shape pixels) {
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
+        graphics.fill(pixels);
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    }
+
+    @Override
+    public void draw(Shape shape, Color colour, Stroke stroke) {
+        graphics.setColor(colour);
+        graphics.setStroke(stroke);
+        graphics.draw(shape);
+    }
+
+    @Override
+    public void drawText(String text, double x, double y, Color colour, Font font) {
+        graphics.setFont(font);
+        graphics.setColor(colour);
+        graphics.drawString(text, (float) x, (float) y);
+    }
+
+    @Override
+    public void drawHaloedText(String text, double x, double y, Color colour, Color halo, Font font) {
+        AffineTransform place = graphics.getTransform();
+        boolean upright =
+                (place.getType() & ~(AffineTransform.TYPE_TRANSLATION | AffineTransform.TYPE_UNIFORM_SCALE)) == 0;
+        if (upright && isImageTarget()) {
+            LabelSprite.of(text, font, colour, halo, place.getScaleX()).paint(graphics, x, y);
+        } else {
+            drawOutlinedText(text, x, y, colour, halo, font);
+        }
+    }
+
+    /** A screen may be slow to take images, and a printer is finer than any. */
+    private boolean isImageTarget() {
+        return graphics.getDeviceConfiguration().getDevice().getType() == GraphicsDevice.TYPE_IMAGE_BUFFER;
+    }
+
+    private void drawOutlinedText(String text, double x, double y, Color colour, Color halo, Font font) {
+        Shape outline = font.createGlyphVector(fontRenderContext(), text).getOutline((float) x, (float) y);
+        draw(outline, halo, DrawContext.HALO_STROKE);
+        fill(outline, colour);
+    }
+
+    @Override
+    public FontRenderContext fontRenderContext() {
+        return graphics.getFontRenderContext();
+    }
+}

@@ -1,0 +1,122 @@
+package faultline.paint.surface;
+
+import java.awt.Color;
+import java.util.List;
+
+/**
+ * The colours of a scene. Lines and rings that carry meaning stand out from the canvas at 3:1 at least and text at
+ * 4.5:1, by the WCAG's contrast ratio; fills may be paler, because an outline carries them. No meaning hangs on colour
+ * alone.
+ *
+ * @param dark whether the canvas is dark
+ * @param canvas the ground that all is painted on
+ * @param grid minor grid lines
+ * @param gridMajor major grid lines
+ * @param text labels
+ * @param muted what is off or of less weight
+ * @param accent the selection
+ * @param obstacle fill of static obstacles
+ * @param obstacleOutline outline of static obstacles, and walls
+ * @param moving fill of moving obstacles
+ * @param movingOutline outline and way-points of moving obstacles
+ * @param robot the robot's body
+ * @param robotOutline the robot's outline, wheels and arrow
+ * @param path where the robot has been
+ * @param contact intersection points, contacts and the first collision
+ * @param reference an earlier run
+ * @param sensors the colours of the sensors in the robot's order, after Okabe and Ito; further sensors begin again
+ */
+public record Palette(
+        boolean dark,
+        Color canvas,
+        Color grid,
+        Color gridMajor,
+        Color text,
+        Color muted,
+        Color accent,
+        Color obstacle,
+        Color obstacleOutline,
+        Color moving,
+        Color movingOutline,
+        Color robot,
+        Color robotOutline,
+        Color path,
+        Color contact,
+        Color reference,
+        List<SensorColours> sensors) {
+
+    /** For light windows, and for pictures on paper. */
+    public static final Palette LIGHT = new Palette(
+            false,
+            new Color(0xFBFCFD),
+            new Color(0xEEF1F4),
+            new Color(0xDDE2E8),
+            new Color(0x1F2430),
+            new Color(0x5F6B7A),
+            new Color(0x0B6BCB),
+            new Color(0xB8C0CB),
+            new Color(0x5A6676),
+            new Color(0xE69F00),
+            new Color(0x8A5F00),
+            new Color(0x56B4E9),
+            new Color(0x0B4F79),
+            new Color(0x009E73),
+            new Color(0xD55E00),
+            new Color(0x7A4FA3),
+            List.of(
+                    SensorColours.of(0xE69F00, 0xAF7900),
+                    SensorColours.of(0x56B4E9, 0x438CB6),
+                    SensorColours.of(0x009E73, 0x00956C),
+                    SensorColours.of(0xF0E442, 0x8B8426),
+                    SensorColours.of(0x0072B2, 0x0072B2),
+                    SensorColours.of(0xD55E00, 0xD55E00),
+                    SensorColours.of(0xCC79A7, 0xB86D96),
+                    SensorColours.of(0x4A5261, 0x4A5261)));
+
+    /** For dark windows. */
+    public static final Palette DARK = new Palette(
+            true,
+            new Color(0x15181C),
+            new Color(0x20242A),
+            new Color(0x2C323A),
+            new Color(0xE4E7EB),
+            new Color(0x98A2B3),
+            new Color(0x4C9BE8),
+            new Color(0x5B6472),
+            new Color(0xA9B4C2),
+            new Color(0xC98B2B),
+            new Color(0xF2C36B),
+            new Color(0x3FA7D6),
+            new Color(0xCDEBFA),
+            new Color(0x2BC48A),
+            new Color(0xFF6B5E),
+            new Color(0xC3A5EC),
+            List.of(
+                    SensorColours.of(0xE69F00, 0xE69F00),
+                    SensorColours.of(0x56B4E9, 0x56B4E9),
+                    SensorColours.of(0x009E73, 0x009E73),
+                    SensorColours.of(0xF0E442, 0xF0E442),
+                    SensorColours.of(0x0072B2, 0x0A78B5),
+                    SensorColours.of(0xD55E00, 0xD55E00),
+                    SensorColours.of(0xCC79A7, 0xCC79A7),
+                    SensorColours.of(0xD3D9E2, 0xD3D9E2)));
+
+    public Palette {
+        sensors = List.copyOf(sensors);
+    }
+
+    /**
+     * The colours of a sensor.
+     *
+     * @param index its place in the robot's order, from 0
+     * @return the colours
+     */
+    public SensorColours sensorColours(int index) {
+        return sensors.get(index % sensors.size());
+    }
+
+    /** A colour made translucent; alpha from 0, invisible, to 255, opaque. */
+    public static Color withAlpha(Color colour, int alpha) {
+        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);
+    }
+}

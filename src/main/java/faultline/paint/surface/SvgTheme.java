@@ -1,0 +1,91 @@
+package faultline.paint.surface;
+
+import java.awt.Color;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/** On what ground a picture that was drawn in the light theme's colours is to stand. */
+public enum SvgTheme {
+    /** On white. */
+    LIGHT,
+    /** On a dark ground. */
+    DARK,
+    /** On white on paper, and on screens of readers who want no dark ones; on a dark ground for those who do. */
+    ADAPTIVE;
+
+    private static final Pattern COLOUR = Pattern.compile("(fill|stroke)=\"(#[0-9a-f]{6})\"");
+    private static final Map<String, String> DARK_COLOURS = colourPairs();
+
+    /** Each colour of the light theme with the one that stands for the same in the dark one. */
+    private static Map<String, String> colourPairs() {
+        Map<String, String> pairs = new LinkedHashMap<>();
+        addPairs(pairs, ChartStyle.LIGHT.series(), ChartStyle.DARK.series());
+        addPairs(pairs, ChartStyle.LIGHT.classes(), ChartStyle.DARK.classes());
+        addPairs(pairs, otherColours(ChartStyle.LIGHT), otherColours(ChartStyle.DARK));
+        return pairs;
+    }
+
+    private static void addPairs(Map<String, String> pairs, List<Color> light, List<Color> dark) {
+        for (int i = 0; i < light.size(); i++) {
+            pairs.putIfAbsent(SvgFormat.toHex(light.get(i)), SvgFormat.toHex(dark.get(i)));
+        }
+    }
+
+    private static List<Color> otherColours(ChartStyle theme) {
+        return List.of(
+                theme.grid(),
+                theme.palette().canvas(),
+                theme.palette().grid(),
+                theme.palette().gridMajor(),
+                theme.palette().text(),
+                theme.palette().muted(),
+                theme.palette().accent(),
+                theme.palette().obstacle(),
+                theme.palette().obstacleOutline(),
+                theme.palette().moving(),
+                theme.palette().movingOutline(),
+                theme.palette().robot(),
+                theme.palette().robotOutline(),
+                theme.palette().path(),
+                theme.palette().contact());
+    }
+
+    /** A picture in the light theme's colours, given this appearance: the text of an SVG file. */
+    String apply(String svg) {
+        return switch (this) {
+            case LIGHT -> svg;
+            case DARK -> COLOUR.matcher(svg).replaceAll(use -> use.group(1) + "=\"" + darkColour(use.group(2)) + "\"");
+            case ADAPTIVE -> svg.replaceFirst("\n", "\n" + styleSheet(svg));
+        };
+    }
+
+    /** The rules that exchange the colours of a picture for dark ones where a reader wants it so. */
+    private static String styleSheet(String svg) {
+        return COLOUR.matcher(svg)
+                .results()
+                .map(MatchResult::group)
+                .distinct()
+                .sorted()
+                .map(SvgTheme::rule)
+                .collect(Collectors.joining(
+                        "", "<style>@media screen and (prefers-color-scheme: dark) {\n", "}</style>\n"));
+    }
+
+    private static String rule(String use) {
+        String attribute = use.substring(0, use.indexOf('='));
+        String colour = use.substring(use.indexOf('#'), use.length() - 1);
+        return "[" + use + "] {" + attribute + ": " + darkColour(colour) + "}\n";
+    }
+
+    private static String darkColour(String colour) {
+        String dark = DARK_COLOURS.get(colour);
+        if (dark == null) {
+            throw new IllegalStateException(colour + " is no colour of the light theme");
+        }
+        return dark;
+    }
+}

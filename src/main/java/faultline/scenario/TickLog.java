@@ -1,0 +1,65 @@
+package faultline.scenario;
+
+import faultline.engine.Simulation;
+import faultline.engine.TickObserver;
+import faultline.geometry.Pose;
+import faultline.io.DidYouMean;
+import faultline.io.MessageText;
+import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Remembers every tick of a run: some 200 bytes each with eight sensors. */
+final class TickLog implements TickObserver {
+
+    /**
+     * One tick.
+     *
+     * @param pose the robot's
+     * @param state the controller's
+     * @param readings true and reported in turn, encoded as in {@link Reading}
+     */
+    private record Entry(Pose pose, String state, double[] readings) {}
+
+    private final List<Entry> entries = new ArrayList<>();
+    private List<String> sensors = List.of();
+
+    @Override
+    public void observe(Simulation simulation) {
+        if (entries.isEmpty()) {
+            sensors = simulation.robot().sensors().stream().map(SensorSpec::id).toList();
+        }
+        double[] readings = new double[2 * sensors.size()];
+        for (int i = 0; i < sensors.size(); i++) {
+            readings[2 * i] = simulation.trueReading(i);
+            readings[2 * i + 1] = simulation.reportedReading(i);
+        }
+        entries.add(new Entry(simulation.pose(), simulation.telemetry().state(), readings));
+    }
+
+    Pose pose(int tick) {
+        return entries.get(tick).pose;
+    }
+
+    String state(int tick) {
+        return entries.get(tick).state;
+    }
+
+    Reading trueReading(int tick, String sensor) {
+        return new Reading(entries.get(tick).readings[2 * sensorIndex(sensor)]);
+    }
+
+    Reading reportedReading(int tick, String sensor) {
+        return new Reading(entries.get(tick).readings[2 * sensorIndex(sensor) + 1]);
+    }
+
+    private int sensorIndex(String sensor) {
+        int index = sensors.indexOf(sensor);
+        if (index < 0) {
+            throw new IllegalArgumentException("the robot has no sensor " + MessageText.quoted(sensor) + ", only "
+                    + MessageText.joinNames(sensors) + DidYouMean.hint(sensor, sensors));
+        }
+        return index;
+    }
+}

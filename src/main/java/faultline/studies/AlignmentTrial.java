@@ -1,0 +1,135 @@
+package faultline.studies;
+
+import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.FollowerState;
+import faultline.control.Telemetry;
+import faultline.control.TimingRule;
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Angles;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * One trial of eq. (4) in the whole simulator: the robot drives to a wall, spins, times the wall, turns back, and hands
+ * over to FOLLOW. The wall in question lies on y = {@link #WALL_Y}; parallel to it, with the wall on the left, is
+ * heading 0. Five ticks a control period: between two looks the robot moves as smoothly as a real one.
+ *
+ * @param setup what is run
+ * @param handOver which alignment counts: 1 for the first
+ */
+record AlignmentTrial(SimulationSetup setup, int handOver) {
+
+    /** Where the wall in question lies in all files of the studies, metres. */
+    static final double WALL_Y = 10;
+
+    /** The file that the trials start from. */
+    static final SimulationSetup BASE =
+            StudyScenarios.load("studies/eq4-wall.xml").setup();
+
+    /**
+     * What came of a trial.
+     *
+     * @param headingError how far the robot is turned from parallel at the first FOLLOW tick, radians, positive towards
+     *     the wall
+     * @param position where it stands then
+     * @param tD the time between F3 and F4, seconds
+     */
+    record TrialResult(double headingError, Vector2 position, double tD) {}
+
+    /** The file's robot, with sensors of a range and cone, a spin rate and motors of a time constant. */
+    static RobotSpec robot(double range, double cone, double rate, double tau) {
+        RobotSpec usual = BASE.robot();
+        List<SensorSpec> sensors = usual.sensors().stream()
+                .map(sensor -> sensor.withRange(range).withCone(cone))
+                .toList();
+        MotorSpec motor =
+                new MotorSpec(tau, usual.motor().speedConstant(), usual.motor().maxVoltage());
+        return new RobotSpec(usual.length(), usual.width(), usual.track(), usual.speed(), rate, motor, sensors);
+    }
+
+    /** The file's robot and control before its long wall. */
+    static AlignmentTrial standard(TimingRule timing, int variant) {
+        SimulationSetup before = WallScenes.endless(BASE, controllerSpec(BASE).distance(), variant);
+        return new AlignmentTrial(before.withSeed(variant + 1L), 1).withTiming(timing);
+    }
+
+    private static WallFollowing controllerSpec(SimulationSetup setup) {
+        return (WallFollowing) setup.controller();
+    }
+
+    private AlignmentTrial withControl(double distance, double period, TimingRule timing) {
+        return new AlignmentTrial(
+                SetupVariations.with(
+                        setup, new WallFollowing(distance, controllerSpec(setup).side(), period, timing)),
+                handOver);
+    }
+
+    private AlignmentTrial withTiming(TimingRule timing) {
+        return withControl(controllerSpec(setup).distance(), period(), timing);
+    }
+
+    AlignmentTrial withRobot(RobotSpec robot) {
+        return new AlignmentTrial(SetupVariations.with(setup, robot), handOver);
+    }
+
+    /** The same robot, control and seed elsewhere. */
+    AlignmentTrial withSetup(SimulationSetup place) {
+        SimulationSetup there = SetupVariations.with(SetupVariations.with(place, setup.robot()), setup.controller());
+        return new AlignmentTrial(there.withSeed(setup.seed()), handOver);
+    }
+
+    AlignmentTrial withDistance(double distance) {
+        return withControl(distance, period(), timing());
+    }
+
+    AlignmentTrial withPeriod(double period) {
+        return withControl(controllerSpec(setup).distance(), period, timing());
+    }
+
+    AlignmentTrial withHandOver(int newHandOver) {
+        return new AlignmentTrial(setup, newHandOver);
+    }
+
+    RobotSpec robot() {
+        return setup.robot();
+    }
+
+    /** The period of its control, seconds. */
+    double period() {
+        return controllerSpec(setup).period();
+    }
+
+    /** Which moments are F3 and F4. */
+    TimingRule timing() {
+        return controllerSpec(setup).timingRule();
+    }
+
+    /** Runs the trial; empty where the robot never hands over. */
+    Optional<TrialResult> run() {
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            int handOvers = 0;
+            String before = "";
+            while (simulation.time() < setup.duration()
+                    && simulation.collision().isEmpty()) {
+                simulation.tick();
+                Telemetry now = simulation.telemetry();
+                if (now.state().equals(FollowerState.FOLLOW.name())
+                        && before.equals(FollowerState.ALIGN.name())
+                        && ++handOvers == handOver) {
+                    Pose pose = simulation.pose();
+                    return Optional.of(
+                            new TrialResult(Angles.normalize(pose.heading()), pose.position(), now.tF4() - now.tF3()));
+                }
+                before = now.state();
+            }
+            return Optional.empty();
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package faultline.studies;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.gui.action.UiAction;
+import faultline.gui.panel.ControlPanel;
+import faultline.gui.theme.Theme;
+import faultline.paint.surface.SvgTheme;
+import faultline.world.Snapshot;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.lang.reflect.InvocationTargetException;
+
+/** Fig. 1: the control panel as it stands beside a run, painted without a display. */
+final class ControlPanelFigure implements Figure {
+
+    private static final String SCENARIO = "every-fault.xml";
+    private static final double SECONDS = 46;
+    private static final int SCALE = 2;
+
+    @Override
+    public void write(FigureFolder folder) throws IOException {
+        folder.writePng(
+                "fig1-panel",
+                renderOnEdt(runScenario(), folder.appearance() == SvgTheme.DARK ? Theme.DARK : Theme.LIGHT));
+    }
+
+    private static Snapshot runScenario() {
+        try (Simulation simulation =
+                new Simulation(StudyScenarios.load(SCENARIO).setup(), ControllerMode.DIRECT)) {
+            while (simulation.time() < SECONDS) {
+                simulation.tick();
+            }
+            return simulation.snapshot();
+        }
+    }
+
+    private static BufferedImage renderOnEdt(Snapshot world, Theme theme) throws IOException {
+        BufferedImage[] painted = new BufferedImage[1];
+        try {
+            EventQueue.invokeAndWait(() -> painted[0] = render(world, theme));
+            return painted[0];
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IOException("the control panel was not painted", e);
+        } catch (InvocationTargetException e) {
+            throw new IllegalStateException(e.getCause());
+        }
+    }
+
+    private static BufferedImage render(Snapshot world, Theme theme) {
+        theme.install();
+        ControlPanel panel = new ControlPanel(command -> {}, UiAction.toggle("path", true, on -> {}));
+        panel.setSnapshot(world);
+        panel.addNotify();
+        Dimension size = panel.getPreferredSize();
+        panel.setSize(size);
+        panel.validate();
+        BufferedImage image = new BufferedImage(SCALE * size.width, SCALE * size.height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        graphics.scale(SCALE, SCALE);
+        panel.printAll(graphics);
+        graphics.dispose();
+        panel.removeNotify();
+        return image;
+    }
+}

@@ -1,0 +1,117 @@
+package faultline.studies;
+
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
+import faultline.geometry.Sector;
+import faultline.geometry.Vector2;
+import faultline.paint.scene.PlanView;
+import faultline.paint.surface.LineStyle;
+import faultline.paint.surface.PixelRectangle;
+import faultline.paint.surface.TextStyle.Anchor;
+import faultline.sensor.SensorSpec;
+import java.awt.geom.Rectangle2D;
+import java.io.IOException;
+import java.util.List;
+
+/**
+ * Fig. 6: corners of three angles, each with two sensors and with either third one, to one scale, and what it comes to
+ * in numbers. The cones that look ahead are shown where the robot stops for the second wall.
+ */
+final class CornerPlans implements Figure {
+
+    private static final List<Double> ANGLES = List.of(45.0, 90.0, 135.0);
+    private static final List<CornerRun.SensorSelection> ROWS = List.of(
+            CornerRun.SensorSelection.TWO, CornerRun.SensorSelection.FRONT_RIGHT, CornerRun.SensorSelection.FRONT_LEFT);
+    private static final Vector2 CORNER = new Vector2(AlignmentTrial.WALL_Y, AlignmentTrial.WALL_Y);
+    private static final double FIRST_WALL = 1.2;
+    private static final double SECOND_WALL = 1.5;
+    private static final double LENGTH_BEFORE = 0.6;
+    private static final int COLUMN_WIDTH = 260;
+    private static final int ROW_HEIGHT = 218;
+    private static final PixelRectangle VIEW_AREA = new PixelRectangle(12, 40, COLUMN_WIDTH - 24, 142);
+
+    @Override
+    public void write(FigureFolder folder) throws IOException {
+        FigureCanvas sheet = new FigureCanvas(ANGLES.size() * COLUMN_WIDTH, ROWS.size() * ROW_HEIGHT + 22);
+        for (int column = 0; column < ANGLES.size(); column++) {
+            for (int row = 0; row < ROWS.size(); row++) {
+                draw(sheet, ANGLES.get(column), ROWS.get(row), COLUMN_WIDTH * column, ROW_HEIGHT * row);
+            }
+        }
+        plan(sheet, ANGLES.get(0), 0, ROW_HEIGHT * (ROWS.size() - 1))
+                .drawScaleBar(0.5, ANGLES.size() * COLUMN_WIDTH - VIEW_AREA.x() - 24, ROW_HEIGHT - 20);
+        folder.writeSvg("fig6-corners", sheet.drawing());
+    }
+
+    private static void draw(
+            FigureCanvas sheet, double degrees, CornerRun.SensorSelection sensors, double x, double y) {
+        RunTrace journey = CornerRun.run(degrees, sensors);
+        PlanView plan = plan(sheet, degrees, x, y);
+        plan.drawLine(
+                List.of(CORNER.plus(firstWall(degrees)), CORNER, CORNER.plus(new Vector2(SECOND_WALL, 0))),
+                LineStyle.solid(FigureCanvas.THEME.palette().obstacleOutline(), 3));
+        List<Pose> shown = shownPoses(journey);
+        Pose stop = journey.poses().get(secondWallTick(journey));
+        journey.setup().robot().sensors().stream()
+                .filter(sensor -> sensor.on() && !sensor.id().equals("left"))
+                .forEach(sensor -> plan.drawCone(nearCone(stop, sensor), 1));
+        plan.drawLine(shown.stream().map(Pose::position).toList(), FigureCanvas.PATH_LINE);
+        plan.drawRobot(journey.setup().robot(), shown.get(0), 0.4);
+        plan.drawRobot(journey.setup().robot(), shown.get(shown.size() - 1), 1);
+        sheet.addText(
+                FigureNumbers.format(degrees, 0) + "\u00b0, " + sensors.title(),
+                x + COLUMN_WIDTH / 2.0,
+                y + 18,
+                FigureCanvas.TEXT_STYLE.withBold().withAnchor(Anchor.MIDDLE));
+        sheet.addLines(
+                List.of(FigureNumbers.format(250 + CornerRun.distanceError(journey), 0)
+                        + " mm from the wall when aligned"),
+                x + COLUMN_WIDTH / 2.0,
+                y + ROW_HEIGHT - 18);
+    }
+
+    /** Every plan has the same size, that of the most obtuse corner's, so that all have one scale. */
+    private static PlanView plan(FigureCanvas sheet, double degrees, double x, double y) {
+        double width = SECOND_WALL + FIRST_WALL / StrictMath.sqrt(2);
+        double left = CORNER.x() + (Math.min(0, firstWall(degrees).x()) + SECOND_WALL - width) / 2;
+        return sheet.addPlan(
+                new PixelRectangle(x + VIEW_AREA.x(), y + VIEW_AREA.y(), VIEW_AREA.width(), VIEW_AREA.height()),
+                new Rectangle2D.Double(left, CORNER.y() - FIRST_WALL, width, FIRST_WALL));
+    }
+
+    private static Vector2 firstWall(double degrees) {
+        return Vector2.direction(-Degrees.toRadians(degrees)).times(FIRST_WALL);
+    }
+
+    /** The near half of a cone: all of it would cover its neighbours. */
+    private static Sector nearCone(Pose at, SensorSpec sensor) {
+        return Sector.of(
+                at.toParent(sensor.mountPosition()),
+                at.heading() + sensor.bearing(),
+                sensor.cone(),
+                sensor.range() / 2);
+    }
+
+    /** The tick at which the second wall is met: the spin that ends in the second hand-over begins. */
+    private static int secondWallTick(RunTrace journey) {
+        return journey.states().subList(0, journey.handOvers().get(1)).lastIndexOf("FOLLOW") + 1;
+    }
+
+    /** From shortly before the corner to where the second wall has been followed for a while. */
+    private static List<Pose> shownPoses(RunTrace journey) {
+        int stop = secondWallTick(journey);
+        int from = journey.states().indexOf("FOLLOW");
+        while (journey.poses()
+                        .get(from)
+                        .position()
+                        .distanceTo(journey.poses().get(stop).position())
+                > LENGTH_BEFORE) {
+            from++;
+        }
+        int to = stop;
+        while (journey.poses().get(to).x() < CORNER.x() + SECOND_WALL - 0.2) {
+            to++;
+        }
+        return journey.poses().subList(from, to);
+    }
+}

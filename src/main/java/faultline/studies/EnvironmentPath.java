@@ -1,0 +1,65 @@
+package faultline.studies;
+
+import faultline.geometry.Vector2;
+import faultline.paint.scene.PlanView;
+import faultline.paint.surface.PixelRectangle;
+import faultline.world.Collision;
+import faultline.world.WorldSpec;
+import java.awt.geom.Rectangle2D;
+import java.io.IOException;
+
+/**
+ * Fig. 5: the path of the robot in an environment.
+ *
+ * @param name of the file
+ * @param scenario that is run
+ * @param bounds the part that is shown, metres
+ */
+record EnvironmentPath(String name, String scenario, Rectangle2D bounds) implements Figure {
+
+    private static final int WIDTH = 560;
+    private static final double MARGIN = 16;
+    private static final double FOOTER = 46;
+
+    @Override
+    public void write(FigureFolder folder) throws IOException {
+        RunTrace journey = RunTrace.simulate(StudyScenarios.load(scenario).setup());
+        double scale = (WIDTH - 2 * MARGIN) / bounds.getWidth();
+        double height = scale * bounds.getHeight();
+        FigureCanvas sheet = new FigureCanvas(WIDTH, (int) Math.ceil(height + 2 * MARGIN + FOOTER));
+        PlanView plan = sheet.addPlan(new PixelRectangle(MARGIN, MARGIN, WIDTH - 2 * MARGIN, height), bounds);
+        WorldSpec world = journey.setup().world();
+        if (world.enclosed()) {
+            plan.drawEnclosure(world.width(), world.height());
+        }
+        world.obstacles().forEach(plan::drawObstacle);
+        plan.drawLine(journey.path(), FigureCanvas.PATH_LINE);
+        plan.drawRobot(journey.setup().robot(), journey.setup().start(), 0.4);
+        plan.drawRobot(journey.setup().robot(), journey.lastPose(), 1);
+        journey.result().collision().ifPresent(collision -> plan.drawCircle(collision.point(), 7));
+        plan.drawLabel(
+                "start",
+                journey.setup().start().position().plus(new Vector2(0.1, -0.3)),
+                0,
+                0,
+                FigureCanvas.SMALL_TEXT);
+        plan.drawScaleBar(bounds.getWidth() > 5 ? 1 : 0.5, WIDTH - 2 * MARGIN, height + 40);
+        sheet.addText(captionOf(journey), MARGIN, height + MARGIN + 40, FigureCanvas.TEXT_STYLE);
+        folder.writeSvg(name, sheet.drawing());
+    }
+
+    private static String captionOf(RunTrace journey) {
+        return journey.result()
+                .collision()
+                .map(EnvironmentPath::collisionText)
+                .orElseGet(() -> FigureNumbers.format(journey.result().simulatedSeconds(), 0)
+                        + " s; coverage of the wall "
+                        + FigureNumbers.format(100 * journey.result().coverage().orElse(0), 1) + " %; distance error "
+                        + FigureNumbers.format(
+                                1000 * journey.result().distanceRms().orElse(Double.NaN), 2) + " mm RMS");
+    }
+
+    private static String collisionText(Collision collision) {
+        return "runs into the " + collision.obstacle() + " after " + FigureNumbers.format(collision.time(), 2) + " s";
+    }
+}

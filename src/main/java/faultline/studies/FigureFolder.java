@@ -1,0 +1,53 @@
+package faultline.studies;
+
+import faultline.io.AtomicFile;
+import faultline.paint.surface.SvgDrawing;
+import faultline.paint.surface.SvgTheme;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+
+/**
+ * Where figures go.
+ *
+ * @param path an existing folder
+ * @param appearance of the pictures
+ */
+record FigureFolder(Path path, SvgTheme appearance) {
+
+    /** The folder of a path, made where it is not there. */
+    static FigureFolder create(Path path, SvgTheme appearance) throws IOException {
+        return new FigureFolder(Files.createDirectories(path), appearance);
+    }
+
+    /** Writes a picture. */
+    void writeSvg(String name, SvgDrawing drawing) throws IOException {
+        write(name + ".svg", drawing.toSvg(appearance));
+    }
+
+    /** Writes a table. */
+    void writeCsv(String name, CsvTable table) throws IOException {
+        write(name + ".csv", table.toCsv());
+    }
+
+    /**
+     * Writes pixels. What letters look like hangs on the machine's fonts, so these files may differ from one machine to
+     * another.
+     */
+    void writePng(String name, BufferedImage image) throws IOException {
+        try (AtomicFile file = AtomicFile.create(path.resolve(name + ".png"))) {
+            ImageIO.write(image, "png", file.stream());
+            file.commit();
+        }
+    }
+
+    private void write(String name, String text) throws IOException {
+        try (AtomicFile file = AtomicFile.create(path.resolve(name))) {
+            file.stream().write(text.getBytes(StandardCharsets.UTF_8));
+            file.commit();
+        }
+    }
+}

@@ -1,0 +1,111 @@
+package faultline.studies;
+
+import faultline.paint.surface.SvgTheme;
+import java.awt.geom.Rectangle2D;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+
+/** All figures and studies, and how they are made: on every core, each by itself. */
+public final class Figures {
+
+    private Figures() {}
+
+    /** Told how far the work is. */
+    @FunctionalInterface
+    public interface FigureListener {
+
+        /**
+         * Called on the caller's thread when a figure is done.
+         *
+         * @param done how many figures are
+         * @param all how many there are to be
+         */
+        void figureWritten(int done, int all);
+    }
+
+    static List<Figure> allFigures() {
+        List<Figure> figures = new ArrayList<>();
+        // The longest first, so that no core waits for it in the end.
+        figures.add(new NoiseWhileFollowing());
+        figures.add(new ControlPanelFigure());
+        figures.add(new DriveMotions());
+        figures.add(new PoseAndReferenceFrames());
+        figures.add(new WallPositioning());
+        figures.add(new EnvironmentPath("fig5-indoor", "office.xml", new Rectangle2D.Double(-0.1, -0.1, 8.2, 6.2)));
+        figures.add(new EnvironmentPath("fig5-outdoor", "yard.xml", new Rectangle2D.Double(0.5, 0.8, 10.5, 7.4)));
+        figures.add(new CornerPlans());
+        figures.add(new CornerAngleSweep());
+        figures.add(new StateDiagramFigure());
+        figures.addAll(EquationFour.sweeps());
+        figures.add(new OtherSensorFaults());
+        figures.add(new GainsMap());
+        figures.add(new StepResponse());
+        figures.add(new SpecularMap());
+        figures.add(new ThinObjects());
+        figures.add(
+                new EnvironmentPath("rules-glass", "glass-partition.xml", new Rectangle2D.Double(1.9, 0.5, 3, 2.8)));
+        figures.add(new EnvironmentPath("rules-mirror", "mirror.xml", new Rectangle2D.Double(1.9, 0.5, 3, 2.8)));
+        figures.add(new EnvironmentPath(
+                "rules-table-leg", "pole-and-table-leg.xml", new Rectangle2D.Double(-0.1, -0.1, 6.2, 4.2)));
+        figures.add(new EnvironmentPath("rules-cable", "cable.xml", new Rectangle2D.Double(-0.1, -0.1, 6.2, 4.2)));
+        figures.add(
+                new EnvironmentPath("rules-noise", "noisy-sensors.xml", new Rectangle2D.Double(-0.1, -0.1, 6.2, 4.2)));
+        return figures;
+    }
+
+    /**
+     * Makes all figures.
+     *
+     * @param path the folder; made where it is not there
+     * @param appearance of the pictures
+     * @param progress told of each figure
+     * @throws IOException if a file cannot be written
+     */
+    public static void writeAll(Path path, SvgTheme appearance, FigureListener progress) throws IOException {
+        writeAll(FigureFolder.create(path, appearance), allFigures(), progress);
+    }
+
+    static void writeAll(FigureFolder folder, List<Figure> figures, FigureListener progress) throws IOException {
+        ExecutorService workers =
+                Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
+        try {
+            List<Future<?>> futures = new ArrayList<>();
+            figures.forEach(figure -> futures.add(workers.submit(() -> writeAll(figure, folder))));
+            for (int i = 0; i < futures.size(); i++) {
+                await(futures.get(i));
+                progress.figureWritten(i + 1, futures.size());
+            }
+        } finally {
+            workers.shutdownNow();
+        }
+    }
+
+    private static void writeAll(Figure figure, FigureFolder folder) {
+        try {
+            figure.write(folder);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static void await(Future<?> future) throws IOException {
+        try {
+            future.get();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IOException("the figures were interrupted", e);
+        } catch (ExecutionException e) {
+            if (e.getCause() instanceof UncheckedIOException unwritten) {
+                throw unwritten.getCause();
+            }
+            throw new IllegalStateException(e.getCause());
+        }
+    }
+}

@@ -1,0 +1,80 @@
+package faultline.studies;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
+import faultline.geometry.Vector2;
+import faultline.paint.chart.Axis;
+import faultline.paint.chart.Chart;
+import faultline.paint.chart.Series;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.DoubleStream;
+
+/** Noise: what it does to following, in the room of a shipped scenario. */
+final class NoiseWhileFollowing implements Figure {
+
+    private static final String SCENARIO = "noisy-sensors.xml";
+    private static final int STEPS = 13;
+    private static final int SEEDS = 12;
+
+    @Override
+    public void write(FigureFolder folder) throws IOException {
+        CsvTable table = new CsvTable("noise_mm", "seed", "distance_rms_mm", "coverage", "collided");
+        List<Vector2> errors = new ArrayList<>();
+        for (int millimetres = 0; millimetres < STEPS; millimetres++) {
+            for (int seed = 1; seed <= SEEDS; seed++) {
+                RunResult result = HeadlessRun.run(
+                        withNoise(millimetres / 1000.0).withSeed(seed), ControllerMode.DIRECT, List.of());
+                double rms = 1000 * result.distanceRms().orElse(Double.NaN);
+                table.addRow(
+                        millimetres,
+                        seed,
+                        rms,
+                        result.coverage().orElse(Double.NaN),
+                        result.collision().isPresent());
+                errors.add(new Vector2(millimetres, rms));
+            }
+        }
+        Axis y = Axis.covering(
+                "distance error, RMS (mm)",
+                DoubleStream.concat(DoubleStream.of(0), errors.stream().mapToDouble(Vector2::y)));
+        Chart chart = new Chart(
+                "Following with noisy sensors",
+                Axis.linear("standard deviation of the noise (mm)", 0, STEPS - 1),
+                y,
+                List.of(
+                        new Series.Line("half of the noise", List.of(Vector2.ZERO, new Vector2(STEPS, STEPS / 2.0)), 1),
+                        new Series.Points("runs", errors, 0)));
+        folder.writeCsv("noise-following", table);
+        folder.writeSvg("noise-following", FigureCanvas.drawChart(chart, 480, 360));
+    }
+
+    private static SimulationSetup withNoise(double deviation) {
+        SimulationSetup setup = StudyScenarios.load(SCENARIO).setup();
+        RobotSpec robot = setup.robot();
+        for (SensorSpec sensor : robot.sensors()) {
+            robot = robot.withSensor(new SensorSpec(
+                    sensor.id(),
+                    sensor.mountPosition(),
+                    sensor.bearing(),
+                    sensor.range(),
+                    sensor.cone(),
+                    sensor.on(),
+                    deviation));
+        }
+        return new SimulationSetup(
+                setup.world(),
+                robot,
+                setup.start(),
+                setup.controller(),
+                setup.timeline(),
+                setup.dt(),
+                setup.seed(),
+                setup.duration());
+    }
+}

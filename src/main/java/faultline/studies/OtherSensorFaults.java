@@ -1,0 +1,94 @@
+package faultline.studies;
+
+import faultline.control.Telemetry;
+import faultline.control.TimingRule;
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.sensor.FaultKind;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import java.io.IOException;
+import java.util.List;
+import java.util.OptionalDouble;
+
+/**
+ * The paper's claim that t_D does not depend on other sensors: every other sensor failed in every way, once from the
+ * moment that the spin begins, and once from the start of the run, when the robot may come to stand elsewhere.
+ */
+final class OtherSensorFaults implements Figure {
+
+    @Override
+    public void write(FigureFolder folder) throws IOException {
+        CsvTable table = new CsvTable(
+                "timing",
+                "failed_sensor",
+                "fault",
+                "t_D_s",
+                "same_bits",
+                "t_D_s_failed_from_the_start",
+                "same_bits_from_the_start");
+        for (TimingRule timing : TimingRule.values()) {
+            AlignmentTrial trial = AlignmentTrial.standard(timing, 0);
+            double sound = measureTD(trial.setup()).orElseThrow();
+            table.addRow(timing.fileName(), "none", "none", sound, true, sound, true);
+            trial.robot().sensors().stream()
+                    .filter(sensor -> !sensor.id().equals("left"))
+                    .forEach(sensor -> addRows(table, trial, sound, sensor));
+        }
+        folder.writeCsv("eq4-other-sensors", table);
+    }
+
+    private static void addRows(CsvTable table, AlignmentTrial trial, double sound, SensorSpec sensor) {
+        double spin = alignmentStart(trial.setup());
+        for (FaultKind kind : FaultKind.values()) {
+            Command fault = new Command.InjectFault(sensor.id(), kind.createFault(kind.defaultValue()));
+            OptionalDouble late = measureTD(withFault(trial.setup(), spin, fault));
+            OptionalDouble early = measureTD(withFault(trial.setup(), 0, fault));
+            table.addRow(
+                    trial.timing().fileName(),
+                    sensor.id(),
+                    kind.fileName(),
+                    late.orElse(Double.NaN),
+                    isSame(late, sound),
+                    early.orElse(Double.NaN),
+                    isSame(early, sound));
+        }
+    }
+
+    private static boolean isSame(OptionalDouble value, double sound) {
+        return value.isPresent() && Double.doubleToLongBits(value.getAsDouble()) == Double.doubleToLongBits(sound);
+    }
+
+    private static SimulationSetup withFault(SimulationSetup setup, double at, Command fault) {
+        return new SimulationSetup(
+                setup.world(),
+                setup.robot(),
+                setup.start(),
+                setup.controller(),
+                List.of(new SimulationSetup.TimedCommand(at, fault)),
+                setup.dt(),
+                setup.seed(),
+                setup.duration());
+    }
+
+    private static double alignmentStart(SimulationSetup setup) {
+        RunTrace journey = RunTrace.simulate(setup.withDuration(10));
+        return journey.states().indexOf("TURN") * setup.dt();
+    }
+
+    /** The time between F3 and F4 when ALIGN hands over; empty where it never does. */
+    private static OptionalDouble measureTD(SimulationSetup setup) {
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            while (simulation.time() < setup.duration()
+                    && simulation.collision().isEmpty()) {
+                simulation.tick();
+                Telemetry now = simulation.telemetry();
+                if (now.state().equals("FOLLOW")) {
+                    return OptionalDouble.of(now.tF4() - now.tF3());
+                }
+            }
+            return OptionalDouble.empty();
+        }
+    }
+}

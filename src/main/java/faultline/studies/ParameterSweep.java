@@ -1,0 +1,136 @@
+package faultline.studies;
+
+import faultline.control.TimingRule;
+import faultline.geometry.Vector2;
+import faultline.paint.chart.Axis;
+import faultline.paint.chart.Chart;
+import faultline.paint.chart.Series;
+import faultline.paint.surface.SvgDrawing;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
+
+/**
+ * The heading error of eq. (4) against one quantity, all others as usual: every trial as a point, theory as a line
+ * through them, for both timings.
+ *
+ * @param name of the files
+ * @param title of the chart
+ * @param label of the quantity, with its unit
+ * @param values of the quantity as the chart shows them, ascending
+ * @param variants how many trials there are at each value
+ * @param trialFactory makes a trial
+ */
+record ParameterSweep(
+        String name, String title, String label, List<Double> values, int variants, TrialFactory trialFactory)
+        implements Figure {
+
+    private static final int WIDTH = 480;
+    private static final int HEIGHT = 360;
+
+    /** Makes the trial at a value of the quantity. */
+    interface TrialFactory {
+        AlignmentTrial create(double value, TimingRule timing, int variant);
+    }
+
+    private record TrialPoint(
+            double value, TimingRule timing, int variant, AlignmentTrial.TrialResult outcome, AlignmentTheory theory) {
+        double error() {
+            return StrictMath.toDegrees(outcome.headingError());
+        }
+
+        Vector2 measured() {
+            return new Vector2(value, error());
+        }
+
+        Vector2 expected(double spreads) {
+            return new Vector2(value, StrictMath.toDegrees(theory.headingError() + spreads * theory.spread()));
+        }
+    }
+
+    @Override
+    public void write(FigureFolder folder) throws IOException {
+        List<TrialPoint> points = new ArrayList<>();
+        for (TimingRule timing : TimingRule.values()) {
+            for (double value : values) {
+                for (int variant = 0; variant < variants; variant++) {
+                    measure(value, timing, variant).ifPresent(points::add);
+                }
+            }
+        }
+        folder.writeCsv(name, createTable(points));
+        folder.writeSvg(name, createFigure(points));
+    }
+
+    private Optional<TrialPoint> measure(double value, TimingRule timing, int variant) {
+        AlignmentTrial trial = trialFactory.create(value, timing, variant);
+        return trial.run()
+                .map(outcome ->
+                        new TrialPoint(value, timing, variant, outcome, AlignmentTheory.of(trial, outcome.position())));
+    }
+
+    private CsvTable createTable(List<TrialPoint> points) {
+        CsvTable table = new CsvTable(
+                name.replace('-', '_'), "timing", "trial", "error_deg", "theory_deg", "t_D_s", "distance_m");
+        for (TrialPoint point : points) {
+            table.addRow(
+                    point.value(),
+                    point.timing().fileName(),
+                    point.variant(),
+                    point.error(),
+                    point.expected(0).y(),
+                    point.outcome().tD(),
+                    AlignmentTrial.WALL_Y - point.outcome().position().y());
+        }
+        return table;
+    }
+
+    private SvgDrawing createFigure(List<TrialPoint> points) {
+        List<TrialPoint> letter = points.stream()
+                .filter(point -> point.timing() == TimingRule.RANGE)
+                .toList();
+        List<TrialPoint> equal = points.stream()
+                .filter(point -> point.timing() == TimingRule.EQUAL_READINGS)
+                .toList();
+        List<Series> marks = List.of(
+                new Series.Band("\u00b1 \u03c9T/2", means(letter, 1), means(letter, -1), 1),
+                new Series.Line("theory, to the letter", means(letter, 0), 1),
+                new Series.Points(
+                        "to the letter",
+                        letter.stream().map(TrialPoint::measured).toList(),
+                        1),
+                new Series.Line("theory, equal readings", means(equal, 0), 0),
+                new Series.Points(
+                        "equal readings",
+                        equal.stream().map(TrialPoint::measured).toList(),
+                        0));
+        DoubleStream errors = DoubleStream.concat(
+                DoubleStream.of(0.5, -1),
+                points.stream()
+                        .flatMapToDouble(point -> DoubleStream.of(
+                                point.error(),
+                                point.expected(1).y(),
+                                point.expected(-1).y())));
+        Chart chart = new Chart(
+                title,
+                Axis.covering(label, values.stream().mapToDouble(value -> value)),
+                Axis.covering("heading error (degrees)", errors),
+                marks);
+        return FigureCanvas.drawChart(chart, WIDTH, HEIGHT);
+    }
+
+    /** The theory at each value: the mean over its trials. */
+    private List<Vector2> means(List<TrialPoint> points, double spreads) {
+        List<Vector2> means = new ArrayList<>();
+        for (double value : values) {
+            points.stream()
+                    .filter(point -> point.value() == value)
+                    .mapToDouble(point -> point.expected(spreads).y())
+                    .average()
+                    .ifPresent(mean -> means.add(new Vector2(value, mean)));
+        }
+        return means;
+    }
+}

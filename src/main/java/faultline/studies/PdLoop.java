@@ -1,0 +1,75 @@
+package faultline.studies;
+
+import faultline.control.PdGains;
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.world.World;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The PD law and the motors beside a long straight wall, and nothing else: distance and heading are known, a decision
+ * acts at the next tick.
+ *
+ * @param gains of the law
+ * @param distanceError how much too far from the wall the robot starts, metres
+ * @param heading that it starts at, radians towards the wall
+ */
+record PdLoop(PdGains gains, double distanceError, double heading) {
+
+    private static final SimulationSetup BASE =
+            StudyScenarios.load("studies/pd-law.xml").setup();
+    static final double TICK = BASE.dt();
+    static final double SPEED = BASE.robot().speed();
+
+    /** What became of the loop, from the best to the worst. */
+    enum LoopResponse {
+        SETTLES,
+        SLOW,
+        OSCILLATES,
+        COLLIDES
+    }
+
+    private static final double SECONDS = 12;
+    private static final double SETTLED_ERROR = 0.001;
+    private static final double SETTLED_WINDOW = 2;
+    private static final double MIN_SPEED_SHARE = 0.3;
+
+    /** The distance errors tick by tick, metres; they end where the robot touches the wall. */
+    List<Double> errors() {
+        RobotSpec robot = BASE.robot();
+        double line = BASE.start().y();
+        World world = new World(
+                BASE.world(), robot, new Pose(BASE.start().x(), line - distanceError, heading), TICK, BASE.seed());
+        List<Double> errors = new ArrayList<>();
+        double volts = robot.motor().voltageFor(SPEED);
+        double half = 0;
+        while (errors.size() * TICK < SECONDS && world.collision().isEmpty()) {
+            double error = line - world.pose().y();
+            errors.add(error);
+            double rate = gains.proportionalTerm(error)
+                    + gains.derivativeTerm(-SPEED * StrictMath.sin(world.pose().heading()));
+            world.move(volts - half, volts + half);
+            double share = Math.max(MIN_SPEED_SHARE, Math.min(1, robot.turnRate() / Math.abs(rate)));
+            double held = Math.max(-robot.turnRate(), Math.min(robot.turnRate(), rate));
+            volts = robot.motor().voltageFor(share * SPEED);
+            half = robot.motor().voltageFor(held * robot.track() / 2);
+        }
+        return errors;
+    }
+
+    LoopResponse response() {
+        List<Double> errors = errors();
+        if ((errors.size() + 1) * TICK < SECONDS) {
+            return LoopResponse.COLLIDES;
+        }
+        List<Double> late = errors.subList((int) ((SECONDS - SETTLED_WINDOW) / TICK), errors.size());
+        double most = late.stream().mapToDouble(error -> error).max().orElseThrow();
+        double least = late.stream().mapToDouble(error -> error).min().orElseThrow();
+        if (Math.max(most, -least) < SETTLED_ERROR) {
+            return LoopResponse.SETTLES;
+        }
+        return least > 0 || most < 0 ? LoopResponse.SLOW : LoopResponse.OSCILLATES;
+    }
+}

@@ -1,0 +1,55 @@
+package faultline.studies;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/**
+ * A run and every pose of it.
+ *
+ * @param setup what was run
+ * @param poses tick by tick, from tick 0
+ * @param states tick by tick
+ * @param distances tick by tick: what the left sensor truly has before it, metres; infinite for nothing
+ * @param result what it came to
+ */
+record RunTrace(
+        SimulationSetup setup, List<Pose> poses, List<String> states, List<Double> distances, RunResult result) {
+
+    static RunTrace simulate(SimulationSetup setup) {
+        List<Pose> poses = new ArrayList<>();
+        List<String> states = new ArrayList<>();
+        List<Double> distances = new ArrayList<>();
+        int left = setup.robot().indexOf("left");
+        RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of((Simulation simulation) -> {
+            poses.add(simulation.pose());
+            states.add(simulation.telemetry().state());
+            distances.add(simulation.trueReading(left));
+        }));
+        return new RunTrace(setup, poses, states, distances, result);
+    }
+
+    List<Vector2> path() {
+        return poses.stream().map(Pose::position).toList();
+    }
+
+    /** The ticks at which ALIGN has handed over to FOLLOW. */
+    List<Integer> handOvers() {
+        return IntStream.range(1, states.size())
+                .filter(tick -> states.get(tick).equals("FOLLOW")
+                        && states.get(tick - 1).equals("ALIGN"))
+                .boxed()
+                .toList();
+    }
+
+    Pose lastPose() {
+        return poses.get(poses.size() - 1);
+    }
+}

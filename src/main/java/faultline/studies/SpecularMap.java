@@ -1,0 +1,75 @@
+package faultline.studies;
+
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.paint.chart.Axis;
+import faultline.paint.chart.Chart;
+import faultline.paint.chart.Series;
+import faultline.sensor.SensorSpec;
+import faultline.world.Obstacle;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Specular reflection: which glossy walls, met at which slant, the robot finds in time. */
+final class SpecularMap implements Figure {
+
+    private static final int COLUMNS = 32;
+    private static final int ROWS = 15;
+    private static final Axis SLANT = Axis.linear("angle of approach from the wall's normal (degrees)", -64, 64);
+    private static final Axis SPECULAR = Axis.linear("greatest angle of incidence sent back (degrees)", 0, 30);
+    private static final List<String> OUTCOME_NAMES = List.of("aligned with it", "neither", "runs into it");
+    private static final SimulationSetup BASE =
+            StudyScenarios.load("studies/glossy-wall.xml").setup();
+
+    @Override
+    public void write(FigureFolder folder) throws IOException {
+        CsvTable table = new CsvTable("slant_deg", "specular_deg", "outcome");
+        List<List<Integer>> rows = new ArrayList<>();
+        for (int row = 0; row < ROWS; row++) {
+            List<Integer> outcomes = new ArrayList<>();
+            for (int column = 0; column < COLUMNS; column++) {
+                double slant = SLANT.valueAt((column + 0.5) / COLUMNS);
+                double specular = SPECULAR.valueAt((row + 0.5) / ROWS);
+                outcomes.add(outcome(slant, specular));
+                table.addRow(slant, specular, OUTCOME_NAMES.get(outcomes.get(column)));
+            }
+            rows.add(outcomes);
+        }
+        List<Series> marks = List.of(
+                new Series.Cells(OUTCOME_NAMES, rows),
+                visibleBoundary("front sensor sees it", 0, 1),
+                visibleBoundary("a corner sensor sees it", 45, 0),
+                visibleBoundary("", -45, 0));
+        folder.writeCsv("specular-map", table);
+        folder.writeSvg(
+                "specular-map", FigureCanvas.drawChart(new Chart("Glossy walls", SLANT, SPECULAR, marks), 520, 420));
+    }
+
+    /** Where a sensor of a bearing sees the wall: its cone reaches to within the angle of the normal. */
+    private static Series visibleBoundary(String name, double bearing, int style) {
+        double half = StrictMath.toDegrees(SensorSpec.DEFAULT_CONE) / 2;
+        return new Series.Line(
+                name,
+                List.of(
+                        new Vector2(bearing - half - 90, 90),
+                        new Vector2(bearing - half, 0),
+                        new Vector2(bearing + half, 0),
+                        new Vector2(bearing + half + 90, 90)),
+                style);
+    }
+
+    private static int outcome(double slant, double specular) {
+        Obstacle wall = SetupVariations.findObstacle(BASE, "wall");
+        Pose start = new Pose(BASE.start().x(), BASE.start().y(), StrictMath.PI / 2 + Degrees.toRadians(slant));
+        Obstacle glossy =
+                new Obstacle(wall.id(), wall.shape(), wall.pose(), wall.motion(), Degrees.toRadians(specular));
+        RunTrace journey = RunTrace.simulate(SetupVariations.with(BASE, glossy).withStart(start));
+        if (journey.result().collision().isPresent()) {
+            return 2;
+        }
+        return Math.abs(StrictMath.sin(journey.lastPose().heading())) < StrictMath.sin(Degrees.toRadians(2)) ? 0 : 1;
+    }
+}

@@ -1,0 +1,18 @@
+package faultline.studies;
+
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+
+/** The scenarios that ship with the program, which cannot be bad files. */
+final class StudyScenarios {
+
+    private StudyScenarios() {}
+
+    static Scenario load(String name) {
+        try {
+            return Scenario.loadShipped(name);
+        } catch (ScenarioException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

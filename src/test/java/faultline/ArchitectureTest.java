@@ -1,0 +1,95 @@
+package faultline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Keeps the floors of the house, decision 0001, and shows on seeded faults that the rules can fail. */
+class ArchitectureTest {
+
+    private static final Path ROOT = Path.of("src/main/java/faultline");
+
+    @Test
+    void everySourceFileObeysTheRulesOfItsPackage() throws IOException {
+        List<String> complaints = new ArrayList<>();
+        for (Path file : sources()) {
+            complaints.addAll(ArchitectureRules.violations(
+                    ROOT.relativize(file).toString().replace('\\', '/'), Files.readString(file)));
+        }
+        assertEquals(List.of(), complaints);
+    }
+
+    @Test
+    void everyPackageHasADescription() throws IOException {
+        List<Path> silent = sources().stream()
+                .map(Path::getParent)
+                .distinct()
+                .filter(folder -> Files.notExists(folder.resolve("package-info.java")))
+                .toList();
+        assertEquals(List.of(), silent);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            world/World.java         | import faultline.engine.Setup;          | may not know of faultline.engine
+            world/sub/Deep.java      | import faultline.engine.Setup;          | may not know of faultline.engine
+            geometry/Vec.java        | faultline.world.World w = null;         | may not know of faultline.world
+            control/Controller.java  | import faultline.world.World;           | may not know of faultline.world
+            sensor/Cone.java         | import static faultline.robot.Body.of;  | may not know of faultline.robot
+            gui/Window.java          | import faultline.app.Main;              | may not know of faultline.app
+            robot/Body.java          | import faultline.util.Strings;          | may not know of faultline.util
+            util/Strings.java        | class Strings {}                        | stands on no floor
+            Loose.java               | class Loose {}                          | stands on no floor
+            paint/Painter.java       | import javax.swing.JComponent;          | may not use javax.swing
+            engine/Session.java      | import java.awt.event.ActionEvent;      | may not use java.awt.event
+            engine/Simulation.java   | long t = System.nanoTime();             | may not use System.nanoTime
+            control/Follower.java    | Thread.sleep(1);                        | may not use Thread.sleep
+            world/World.java         | double s = Math.sin(x);                 | may not use Math.sin
+            robot/Drive.java         | import static java.lang.Math.sin;       | may not use import static java.lang.Math
+            sensor/Dice.java         | import java.util.Random;                | may not use Random
+            engine/Clock.java        | double u = Math.random();               | may not use Math.random
+            """)
+    void aViolationIsReported(String path, String line, String complaint) {
+        assertEquals(List.of(path + " " + complaint), ArchitectureRules.violations(path, line));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            engine/Simulation.java   | import faultline.world.World;
+            control/Controller.java  | import faultline.robot.RobotSpec;
+            world/World.java         | double s = StrictMath.sin(x) + Math.sqrt(x);
+            world/World.java         | // import faultline.engine.Setup;
+            world/World.java         | /** See {@link faultline.engine.Setup}. */
+            scenario/Names.java      | String s = "see faultline.app.Main // no comment";
+            engine/WorldLoop.java    | long t = System.nanoTime();
+            gui/Window.java          | import javax.swing.JFrame;
+            """)
+    void allowedCodePasses(String path, String line) {
+        assertEquals(List.of(), ArchitectureRules.violations(path, line));
+    }
+
+    private static List<Path> sources() throws IOException {
+        try (Stream<Path> files = Files.walk(ROOT)) {
+            List<Path> sources = files.filter(file -> file.toString().endsWith(".java"))
+                    .sorted()
+                    .toList();
+            assertTrue(sources.size() > 50, "the sources are not where this test looks: " + ROOT.toAbsolutePath());
+            return sources;
+        }
+    }
+}

@@ -1,0 +1,81 @@
+package faultline.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import faultline.control.Controller;
+import faultline.control.Decision;
+import faultline.control.Observation;
+import faultline.control.Telemetry;
+import faultline.robot.RobotSpec;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** The hand-over between world and controller: same contract, whatever the thread. */
+@Timeout(value = 1, unit = TimeUnit.MINUTES)
+class ControllerHostTest {
+
+    private static final Observation AT_TICK_7 = new Observation(7, 0.01, RobotSpec.DEFAULT, new double[8]);
+
+    @ParameterizedTest
+    @EnumSource(ControllerMode.class)
+    void theDecisionOnTheObservationComesBack(ControllerMode mode) {
+        Decision decision = new Decision(1, 2, Telemetry.ofState("TEST"));
+        try (ControllerHost link = ControllerHost.create(observation -> decision, mode)) {
+            link.submit(AT_TICK_7);
+            assertEquals(decision, link.await());
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(ControllerMode.class)
+    void aControllerThatThrowsEndsTheRunWithASentence(ControllerMode mode) {
+        Controller broken = observation -> {
+            throw new IllegalStateException("no wheels");
+        };
+        try (ControllerHost link = ControllerHost.create(broken, mode)) {
+            link.submit(AT_TICK_7);
+            RunFailedException failure = assertThrows(RunFailedException.class, link::await);
+            assertEquals(
+                    "the controller broke at tick 7: java.lang.IllegalStateException: no wheels", failure.getMessage());
+        }
+    }
+
+    @Test
+    void aControllerThatDoesNotAnswerEndsTheRunAndNothingIsPutInItsPlace() {
+        CountDownLatch never = new CountDownLatch(1);
+        Controller silent = observation -> {
+            try {
+                never.await();
+            } catch (InterruptedException ended) {
+                Thread.currentThread().interrupt();
+            }
+            return new Decision(0, 0, Telemetry.ofState("LATE"));
+        };
+        try (ControllerHost link = new ThreadedHost(silent, 0.05)) {
+            link.submit(AT_TICK_7);
+            RunFailedException failure = assertThrows(RunFailedException.class, link::await);
+            assertEquals("the controller has not answered for 0.05 s at tick 7", failure.getMessage());
+        }
+    }
+
+    @Test
+    void itsOwnThreadIsNotTheSimulationThread() {
+        AtomicReference<Thread> thread = new AtomicReference<>();
+        Controller nosy = observation -> {
+            thread.set(Thread.currentThread());
+            return new Decision(0, 0, Telemetry.ofState("TEST"));
+        };
+        try (ControllerHost link = ControllerHost.create(nosy, ControllerMode.OWN_THREAD)) {
+            link.submit(AT_TICK_7);
+            link.await();
+            assertNotEquals(Thread.currentThread(), thread.get());
+        }
+    }
+}

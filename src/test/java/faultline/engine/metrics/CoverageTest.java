@@ -1,0 +1,131 @@
+package faultline.engine.metrics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WorldSpec;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * A square room of 4 m with a table of 1 m in its middle; the way along the walls at 0.35 m is a square from 0.35 to
+ * 3.65.
+ */
+class CoverageTest {
+
+    private static final double WANTED = 0.35;
+    private static final List<Vector2> LAP = square(WANTED);
+
+    private final Coverage coverage = new Coverage(
+            new WallReference(new WorldSpec(
+                    4,
+                    4,
+                    true,
+                    3,
+                    List.of(new Obstacle("table", new ObstacleShape.Rectangle(1, 1), new Pose(2, 2, 0))))),
+            WANTED);
+
+    /** The corners of a square about the middle of the room, so far in from the walls, the first one twice. */
+    private static List<Vector2> square(double in) {
+        return List.of(
+                new Vector2(in, in),
+                new Vector2(4 - in, in),
+                new Vector2(4 - in, 4 - in),
+                new Vector2(in, 4 - in),
+                new Vector2(in, in));
+    }
+
+    /** Visits points every 5 mm along a way. */
+    private void visit(List<Vector2> way) {
+        visit(coverage, way);
+    }
+
+    private static void visit(Coverage coverage, List<Vector2> way) {
+        for (int i = 1; i < way.size(); i++) {
+            Vector2 from = way.get(i - 1);
+            Vector2 all = way.get(i).minus(from);
+            for (double done = 0; done <= all.length(); done += 0.005) {
+                coverage.visit(from.plus(all.times(done / all.length())));
+            }
+        }
+    }
+
+    private double share() {
+        return coverage.share().orElse(-1);
+    }
+
+    @Test
+    void aLapIsAll() {
+        visit(LAP);
+        assertEquals(1, share());
+    }
+
+    @Test
+    void laterLapsAddNothing() {
+        visit(LAP);
+        visit(LAP);
+        assertEquals(1, share());
+    }
+
+    @Test
+    void halfALapIsHalf() {
+        visit(LAP.subList(0, 3));
+        assertEquals(0.5, share(), 0.015, "two sides of four, and 5 cm round the corner at either end");
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.31, 0.39})
+    void fourCentimetresOffIsStillThere(double distance) {
+        visit(square(distance));
+        assertEquals(1, share(), 0.01, "but for the very corners, which are farther off across");
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.29, 0.41})
+    void sixCentimetresOffIsNotThere(double distance) {
+        visit(List.of(new Vector2(1, distance), new Vector2(3, distance)));
+        assertTrue(coverage.share().isEmpty());
+    }
+
+    @Test
+    void nothingPassedIsNoShare() {
+        assertTrue(coverage.share().isEmpty());
+    }
+
+    @Test
+    void aRobotThatFollowsTheTableIsJudgedByTheTable() {
+        visit(square(1.5 - WANTED));
+        assertEquals(1, share());
+    }
+
+    @Test
+    void ofTwoWallsTheOneOfWhichMoreWasPassedWasFollowed() {
+        visit(List.of(new Vector2(1.5, 1.15), new Vector2(2.5, 1.15)));
+        visit(LAP.subList(0, 2));
+        assertEquals(0.25, share(), 0.015, "one side of the room, not one side of the table");
+    }
+
+    @Test
+    void partsThatNoRobotReachesDoNotCount() {
+        Obstacle slot = new Obstacle(
+                "slot", new ObstacleShape.Wall(List.of(new Vector2(0, 3.6), new Vector2(3, 3.6))), Pose.ORIGIN);
+        Coverage cramped = new Coverage(new WallReference(new WorldSpec(4, 4, true, 3, List.of(slot))), WANTED);
+        List<Vector2> belowTheSlot = List.of(
+                new Vector2(0.35, 0.35),
+                new Vector2(3.65, 0.35),
+                new Vector2(3.65, 3.65),
+                new Vector2(3.35, 3.65),
+                new Vector2(3.25, 3.35),
+                new Vector2(3, 3.25),
+                new Vector2(0.35, 3.25),
+                new Vector2(0.35, 0.35));
+        visit(cramped, belowTheSlot);
+        assertEquals(1, cramped.share().orElse(-1), "though 3 m of wall lie behind the slot, 0.4 m wide");
+    }
+}

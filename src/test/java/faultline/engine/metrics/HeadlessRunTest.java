@@ -1,0 +1,59 @@
+package faultline.engine.metrics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerMode;
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import faultline.world.WorldSpec;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** A run without a window: what it observes, and what it tells afterwards. */
+class HeadlessRunTest {
+
+    private static SimulationSetup setup(SimulationSetup.TimedCommand... timeline) {
+        WorldSpec world = new WorldSpec(4, 3, true, 3, List.of());
+        return new SimulationSetup(
+                world,
+                RobotSpec.DEFAULT,
+                new Pose(2, 1.5, 0),
+                new ControllerSpec.None(),
+                List.of(timeline),
+                0.25,
+                7,
+                1);
+    }
+
+    @Test
+    void observersSeeTickZeroAndEveryTickAfterIt() {
+        List<Long> ticks = new ArrayList<>();
+        RunResult result =
+                HeadlessRun.run(setup(), ControllerMode.DIRECT, List.of(simulation -> ticks.add(simulation.ticks())));
+        assertEquals(List.of(0L, 1L, 2L, 3L, 4L), ticks);
+        assertEquals(4, result.ticks());
+        assertEquals(1, result.simulatedSeconds());
+        assertEquals(7, result.seed());
+    }
+
+    @Test
+    void refusedTimelineCommandsAreReported() {
+        SimulationSetup.TimedCommand impossible =
+                new SimulationSetup.TimedCommand(0.5, new Command.ClearFault("left", new Fault.Dead()));
+        RunResult result = HeadlessRun.run(setup(impossible), ControllerMode.DIRECT, List.of());
+        assertEquals(List.of("at 0.5 s: left has no such fault"), result.refusals());
+    }
+
+    @Test
+    void aControllerThatFollowsNoWallHasNeitherCoverageNorDistanceError() {
+        RunResult result = HeadlessRun.run(setup(), ControllerMode.DIRECT, List.of());
+        assertTrue(result.coverage().isEmpty());
+        assertTrue(result.distanceRms().isEmpty());
+    }
+}

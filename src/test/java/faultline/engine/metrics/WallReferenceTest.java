@@ -1,0 +1,113 @@
+package faultline.engine.metrics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
+import faultline.world.WorldSpec;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+/** A square room of 4 m, to be followed with the centre 0.35 m from the wall, and things in it. */
+class WallReferenceTest {
+
+    private static final double WANTED = 0.35;
+    private static final double MARGIN = 0.5;
+
+    private static WallReference room(Obstacle... obstacles) {
+        return new WallReference(new WorldSpec(4, 4, true, 3, List.of(obstacles)));
+    }
+
+    private static Obstacle inTheMiddle(ObstacleShape shape) {
+        return new Obstacle("thing", shape, new Pose(2, 2, 0));
+    }
+
+    @Test
+    void anErrorIsHowMuchTooFarTheWallIs() {
+        assertEquals(0.05, room().straightWallError(new Vector2(1, 0.4), WANTED, MARGIN), 1e-12);
+        assertEquals(-0.05, room().straightWallError(new Vector2(3.7, 2), WANTED, MARGIN), 1e-12);
+    }
+
+    @Test
+    void nearACornerThereIsNoError() {
+        assertTrue(Double.isNaN(room().straightWallError(new Vector2(0.49, 0.3), WANTED, MARGIN)));
+        assertEquals(-0.05, room().straightWallError(new Vector2(0.51, 0.3), WANTED, MARGIN), 1e-12);
+    }
+
+    @Test
+    void inTheOpenThereIsNoError() {
+        assertEquals(0.35, room().straightWallError(new Vector2(2, 0.7), WANTED, MARGIN), 1e-12);
+        assertTrue(
+                Double.isNaN(room().straightWallError(new Vector2(2, 0.71), WANTED, MARGIN)),
+                "more than twice the wanted distance");
+    }
+
+    @Test
+    void besideACurvedObstacleThereIsNoError() {
+        assertTrue(Double.isNaN(room(inTheMiddle(new ObstacleShape.Circle(0.5)))
+                .straightWallError(new Vector2(2, 1.2), WANTED, MARGIN)));
+    }
+
+    @Test
+    void inASquareRoomTheCornersCannotBePassed() {
+        double inside = room().samples(WANTED, 0.01).stream()
+                .filter(place -> outsideBox(place.position(), 2) == 0)
+                .mapToDouble(WallReference.Sample::wallLength)
+                .sum();
+        assertEquals(4 * 3.3, inside, 0.05, "0.35 m less at either end of each side");
+    }
+
+    @Test
+    void everySampleIsAtTheDistanceFromItsWallAndNoNearerToAnyOther() {
+        for (WallReference.Sample place :
+                room(inTheMiddle(new ObstacleShape.Rectangle(0.6, 0.6))).samples(WANTED, 0.01)) {
+            Vector2 at = place.position();
+            double enclosure = outsideBox(at, 2) > 0
+                    ? outsideBox(at, 2)
+                    : Math.min(2 - Math.abs(at.x() - 2), 2 - Math.abs(at.y() - 2));
+            assertEquals(WANTED, Math.min(enclosure, outsideBox(at, 0.3)), 1e-6);
+        }
+    }
+
+    /** How far a point is outside a square about the middle, metres; 0 inside. */
+    private static double outsideBox(Vector2 at, double half) {
+        return Math.hypot(Math.max(0, Math.abs(at.x() - 2) - half), Math.max(0, Math.abs(at.y() - 2) - half));
+    }
+
+    @Test
+    void aRoundObstacleCanBePassedAllAround() {
+        double around = room(inTheMiddle(new ObstacleShape.Circle(0.5))).samples(WANTED, 0.01).stream()
+                .filter(place -> place.position().distanceTo(new Vector2(2, 2)) < 0.9)
+                .mapToDouble(WallReference.Sample::wallLength)
+                .sum();
+        assertEquals(Math.PI, around, 0.001, "its circumference");
+    }
+
+    @Test
+    void aThinPartitionHasTwoSidesAndTwoEndsWithoutLength() {
+        Obstacle partition = inTheMiddle(new ObstacleShape.Wall(List.of(new Vector2(0, -0.5), new Vector2(0, 0.5))));
+        List<WallReference.Sample> around = room(partition).samples(WANTED, 0.01).stream()
+                .filter(place -> place.position().distanceTo(new Vector2(2, 2)) < 0.9)
+                .toList();
+        assertEquals(
+                2, around.stream().mapToDouble(WallReference.Sample::wallLength).sum(), 1e-9);
+        assertTrue(
+                around.stream()
+                        .anyMatch(place ->
+                                place.wallLength() == 0 && place.position().y() > 2.84),
+                "places above its upper end");
+    }
+
+    @Test
+    void aMovingObstacleIsNoWall() {
+        WaypointPath motion = new WaypointPath(0.1, true, List.of(new Vector2(1, 1)));
+        Obstacle visitor =
+                new Obstacle("visitor", new ObstacleShape.Circle(0.3), new Pose(2, 2, 0), Optional.of(motion));
+        assertEquals(room().samples(WANTED, 0.01), room(visitor).samples(WANTED, 0.01));
+    }
+}

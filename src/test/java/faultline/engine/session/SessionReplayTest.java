@@ -1,0 +1,196 @@
+package faultline.engine.session;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.Frame;
+import faultline.engine.Journal;
+import faultline.engine.Recording;
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WorldSpec;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/**
+ * Going back in a run by running it again: the same bits at every tick, and what was done later is done again unless
+ * something else is.
+ */
+@Timeout(value = 2, unit = TimeUnit.MINUTES)
+class SessionReplayTest {
+
+    private static final Obstacle POLE = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(3, 2, 0));
+    private static final SimulationSetup ROOM = new SimulationSetup(
+            new WorldSpec(4, 3, true, 3, List.of(POLE)),
+            RobotSpec.DEFAULT,
+            new Pose(0.6, 0.6, 0.3),
+            ControllerSpec.WallFollowing.DEFAULT,
+            List.of(new SimulationSetup.TimedCommand(1, new Command.SwitchSensor("rear", false))),
+            0.01,
+            7,
+            60);
+
+    /** What was done to a run of a thousand ticks. */
+    private static final Journal JOURNAL = new Journal(
+            ROOM,
+            List.of(
+                    new Journal.Entry(1, new Command.SetPlatform(0.25, 0.2, 0.25)),
+                    new Journal.Entry(400, new Command.InjectFault("left", new Fault.Bias(0.05))),
+                    new Journal.Entry(400, new Command.MoveObstacle("pole", new Pose(2.5, 1, 0))),
+                    new Journal.Entry(700, new Command.ClearFaults("left"))),
+            1000);
+
+    private static final ReferenceRun ORIGINAL = ReferenceRun.replay(JOURNAL);
+
+    private static Frame stepTo(Session session, long tick) {
+        while (session.frame().snapshot().tick() < tick) {
+            long before = session.frame().snapshot().tick();
+            session.step();
+            while (session.frame().snapshot().tick() == before) {
+                LockSupport.parkNanos(10_000);
+            }
+        }
+        return session.frame();
+    }
+
+    @Test
+    void atEveryTickTheReplayedSessionHasTheBitsOfTheOriginal() {
+        for (long tick : new long[] {0, 1, 399, 400, 401, 699, 700, 1000}) {
+            try (Session session = Session.replay(JOURNAL, tick, onward -> true)) {
+                assertEquals(tick, session.frame().snapshot().tick());
+                assertEquals(ORIGINAL.hashTrace().hashAt(tick), session.frame().trajectoryHash(), "at tick " + tick);
+                assertFalse(session.status().running());
+            }
+        }
+    }
+
+    @Test
+    void steppingOnDoesAgainWhatWasDone() {
+        try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
+            assertEquals(ORIGINAL.hashTrace().hashAt(420), stepTo(session, 420).trajectoryHash());
+        }
+    }
+
+    @Test
+    void aNewCommandMakesItAnotherRun() throws Exception {
+        try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
+            session.send(new Command.SwitchSensor("front", false));
+            stepTo(session, 420);
+            assertEquals(
+                    List.of(JOURNAL.entries().get(0), new Journal.Entry(399, new Command.SwitchSensor("front", false))),
+                    session.fullJournal().get().entries());
+            assertEquals(420, session.fullJournal().get().ticks());
+        }
+    }
+
+    @Test
+    void aRefusedCommandLeavesTheReplayAsItIs() throws Exception {
+        try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
+            session.send(new Command.RemoveObstacle("ghost"));
+            assertEquals(JOURNAL, session.fullJournal().get());
+            assertEquals(ORIGINAL.hashTrace().hashAt(420), stepTo(session, 420).trajectoryHash());
+        }
+    }
+
+    @Test
+    void theFullJournalAlsoHoldsWhatIsStillToCome() throws Exception {
+        try (Session session = Session.replay(JOURNAL, 399, onward -> true)) {
+            assertEquals(
+                    new Journal(ROOM, JOURNAL.entries().subList(0, 1), 399),
+                    session.journal().get());
+            assertEquals(JOURNAL, session.fullJournal().get());
+            stepTo(session, 400);
+            assertEquals(3, session.journal().get().entries().size());
+            assertEquals(JOURNAL, session.fullJournal().get());
+        }
+    }
+
+    @Test
+    void steppingBackTwiceLosesNothing() throws Exception {
+        try (Session once = Session.replay(JOURNAL, 999, onward -> true);
+                Session twice = Session.replay(once.fullJournal().get(), 398, onward -> true)) {
+            assertEquals(ORIGINAL.hashTrace().hashAt(398), twice.frame().trajectoryHash());
+            assertEquals(JOURNAL, twice.fullJournal().get());
+        }
+    }
+
+    @Test
+    void theReplayIsRecordedToo() {
+        try (Session session = Session.replay(JOURNAL, 1000, onward -> true)) {
+            Recording recording = session.frame().recording();
+            assertEquals(1001, recording.trace().tickCount());
+            assertEquals(
+                    400,
+                    recording
+                            .events()
+                            .get(recording.events().firstIndexSince(400))
+                            .tick());
+            assertEquals(
+                    500,
+                    recording.keyframes().frameAt(500).orElseThrow().snapshot().tick());
+        }
+    }
+
+    @Test
+    void aReferenceRunKnowsWhereTheRobotWas() {
+        assertEquals(1000, ORIGINAL.lastTick());
+        assertEquals(ROOM.start(), ORIGINAL.pose(0));
+        try (Session session = Session.replay(JOURNAL, 600, onward -> true)) {
+            assertEquals(session.frame().snapshot().pose(), ORIGINAL.pose(600));
+        }
+        assertEquals(ORIGINAL.pose(1000), ORIGINAL.pose(5000), "it stays at the end");
+        assertTrue(ORIGINAL.path().size() > 100);
+    }
+
+    @Test
+    void twoRunsDivergeAtTheFirstTickThatDiffersByABit() {
+        // A bias on a sensor that looks at the followed wall shows in its reading in the very tick of the command.
+        Journal without = new Journal(ROOM, JOURNAL.entries().subList(0, 1), 1000);
+        assertEquals(
+                OptionalLong.of(400),
+                ORIGINAL.hashTrace()
+                        .firstDifference(ReferenceRun.replay(without).hashTrace(), 0));
+        assertEquals(
+                OptionalLong.empty(),
+                ORIGINAL.hashTrace()
+                        .firstDifference(ReferenceRun.replay(JOURNAL).hashTrace(), 0));
+        assertEquals(
+                OptionalLong.empty(),
+                ORIGINAL.hashTrace()
+                        .firstDifference(
+                                ReferenceRun.replay(new Journal(
+                                                ROOM, JOURNAL.entries().subList(0, 1), 399))
+                                        .hashTrace(),
+                                0));
+        assertNotEquals(
+                ORIGINAL.hashTrace().hashAt(400),
+                ReferenceRun.replay(without).hashTrace().hashAt(400));
+    }
+
+    @Test
+    void aReferenceRunCanBeCancelled() {
+        List<Long> asked = new ArrayList<>();
+        assertThrows(
+                CancellationException.class,
+                () -> ReferenceRun.replay(JOURNAL, tick -> {
+                    asked.add(tick);
+                    return tick < 3;
+                }));
+        assertEquals(List.of(0L, 1L, 2L, 3L), asked);
+    }
+}

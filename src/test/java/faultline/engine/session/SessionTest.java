@@ -1,0 +1,156 @@
+package faultline.engine.session;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.Journal;
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WorldSpec;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** A session's orders, commands and frames, from a thread that is not its own. */
+@Timeout(value = 1, unit = TimeUnit.MINUTES)
+class SessionTest {
+
+    private static final Obstacle POLE = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(3, 3, 0));
+
+    private Session session;
+
+    @BeforeEach
+    void aPausedSession() {
+        WorldSpec world = new WorldSpec(6, 4, true, 3, List.of(POLE));
+        session = Session.start(new SimulationSetup(
+                world,
+                RobotSpec.DEFAULT,
+                new Pose(1, 1, 0),
+                ControllerSpec.WallFollowing.DEFAULT,
+                List.of(),
+                0.01,
+                1,
+                10));
+    }
+
+    @AfterEach
+    void close() {
+        session.close();
+    }
+
+    /** Waits for a condition that another thread brings about; the test's time limit is the deadline. */
+    private static void await(BooleanSupplier condition) {
+        while (!condition.getAsBoolean()) {
+            LockSupport.parkNanos(100_000);
+        }
+    }
+
+    private long tick() {
+        return session.frame().snapshot().tick();
+    }
+
+    @Test
+    void itStartsPausedWithAFrameOfTickZero() {
+        assertEquals(0, tick());
+        assertFalse(session.status().running());
+        assertEquals(8, session.frame().snapshot().sensors().size());
+    }
+
+    @Test
+    void aStepMakesOneTickAndPauses() {
+        session.step();
+        session.step();
+        await(() -> tick() == 2);
+        assertFalse(session.status().running());
+    }
+
+    @Test
+    void whilePausedACommandShowsAtOnceAndTimeStands() {
+        session.send(new Command.MoveObstacle("pole", new Pose(1.525, 1, 0)));
+        await(() -> session.frame().snapshot().obstacles().get(0).pose().x() == 1.525);
+        // Seat of the front sensor at 1.125, near side of the pole at 1.425.
+        assertEquals(0.3, session.frame().snapshot().sensors().get(0).truth().encoded(), 1e-12);
+        assertEquals(0, tick());
+    }
+
+    @Test
+    void aRefusedCommandIsCountedAndExplainedAndNotJournaled() throws Exception {
+        session.send(new Command.RemoveObstacle("ghost"));
+        await(() -> session.status().refusals() == 1);
+        assertEquals(
+                "there is no obstacle ghost", session.status().lastRefusal().orElseThrow());
+        assertTrue(session.journal().get().entries().isEmpty());
+    }
+
+    @Test
+    void commandsGivenWhilePausedAreJournaledWithTheComingTick() throws Exception {
+        session.step();
+        session.send(new Command.SwitchSensor("left", false));
+        assertEquals(
+                List.of(new Journal.Entry(2, new Command.SwitchSensor("left", false))),
+                session.journal().get().entries());
+    }
+
+    @Test
+    void atFullSpeedItIsFasterThanRealTimeAndPausingStopsIt() {
+        session.setSpeed(Double.POSITIVE_INFINITY);
+        session.resume();
+        await(() -> session.status().achievedSpeed() > 2);
+        session.pause();
+        await(() -> !session.status().running());
+        await(() -> session.frame() == session.frame());
+        long held = tick();
+        session.step();
+        await(() -> tick() == held + 1);
+    }
+
+    @Test
+    void aSpeedThatIsNotPositiveIsRefusedAtOnce() {
+        assertThrows(IllegalArgumentException.class, () -> session.setSpeed(0));
+        assertThrows(IllegalArgumentException.class, () -> session.setSpeed(Double.NaN));
+    }
+
+    @Test
+    void aClosedSessionStillCompletesEarlierRequests() throws Exception {
+        session.step();
+        var journal = session.journal();
+        session.close();
+        assertEquals(1, journal.get().ticks());
+    }
+
+    @Test
+    void inverseCommandsComeWithTheResultsAndAreJournaledLikeThem() throws Exception {
+        Pose elsewhere = new Pose(4, 3, 0);
+        CompletableFuture<List<Session.CommandResult>> told = new CompletableFuture<>();
+        session.send(
+                List.of(new Command.MoveObstacle("pole", elsewhere), new Command.RemoveObstacle("sofa")),
+                told::complete);
+        List<Session.CommandResult> outcomes = told.get();
+        assertEquals(
+                List.of(new Command.MoveObstacle("pole", POLE.pose())),
+                outcomes.get(0).inverse());
+        assertTrue(outcomes.get(0).refusal().isEmpty());
+        assertEquals(List.of(), outcomes.get(1).inverse());
+        assertTrue(outcomes.get(1).refusal().isPresent());
+        session.send(outcomes.get(0).inverse(), ignored -> {});
+        assertEquals(
+                List.of(new Command.MoveObstacle("pole", elsewhere), new Command.MoveObstacle("pole", POLE.pose())),
+                session.journal().get().entries().stream()
+                        .map(Journal.Entry::command)
+                        .toList());
+        await(() -> session.status().refusals() == 1);
+    }
+}

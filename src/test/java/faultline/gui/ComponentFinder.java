@@ -1,0 +1,41 @@
+package faultline.gui;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.util.stream.Stream;
+import javax.swing.JMenu;
+
+/** Finds components in a window by what they are and what they are called for readers of the screen. */
+public final class ComponentFinder {
+
+    private ComponentFinder() {}
+
+    /** A component and everything inside it, menus included, parents first. */
+    public static Stream<Component> tree(Component root) {
+        Stream<Component> inside =
+                root instanceof Container container ? Stream.of(container.getComponents()) : Stream.empty();
+        Stream<Component> items = root instanceof JMenu menu ? Stream.of(menu.getMenuComponents()) : Stream.empty();
+        return Stream.concat(Stream.of(root), Stream.concat(inside, items).flatMap(ComponentFinder::tree));
+    }
+
+    /** All components of a class. */
+    public static <T> Stream<T> findAll(Component root, Class<T> type) {
+        return tree(root).filter(type::isInstance).map(type::cast);
+    }
+
+    /** The component of a class and an accessible name. */
+    public static <T extends Component> T find(Component root, Class<T> type, String name) {
+        return findAll(root, type)
+                .filter(component -> name.equals(accessibleName(component)))
+                .findFirst()
+                .orElseThrow(() -> new AssertionError("there is no " + type.getSimpleName() + " called " + name));
+    }
+
+    /** What a component is called for readers of the screen; empty where it has no name. */
+    public static String accessibleName(Component component) {
+        String name = component.getAccessibleContext() == null
+                ? null
+                : component.getAccessibleContext().getAccessibleName();
+        return name == null ? "" : name;
+    }
+}

@@ -1,0 +1,83 @@
+package faultline.gui.canvas;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+
+import faultline.engine.SampleFrames;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.paint.surface.Camera;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.awt.Point;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Hands that are not steady, or press more than one button. No display is needed. */
+class CanvasMouseTest {
+
+    private final List<Command> sent = new ArrayList<>();
+    private final List<Point> menus = new ArrayList<>();
+    private final SimulationCanvas canvas = callOnEdt(() -> {
+        SimulationCanvas made = new SimulationCanvas(sent::add);
+        made.setSize(600, 440);
+        made.setFrame(SampleFrames.frameOf(
+                new Pose(1, 1, 0), new Obstacle("box", new ObstacleShape.Rectangle(0.8, 0.5), new Pose(4, 2, 0))));
+        made.tools().addMenuListener(menus::add);
+        return made;
+    });
+
+    @Test
+    void aClickWithASmallMovementDeselectsAndLeavesTheViewUnchanged() {
+        runOnEdt(() -> canvas.tools().select(List.of("box")));
+        Camera fitted = callOnEdt(canvas::camera);
+        Vector2 ground = screen(new Vector2(2, 3));
+        mouse(MouseEvent.MOUSE_PRESSED, ground, MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, ground.plus(new Vector2(1, 1)), MouseEvent.NOBUTTON);
+        mouse(MouseEvent.MOUSE_RELEASED, ground.plus(new Vector2(1, 1)), MouseEvent.BUTTON1);
+        assertEquals(List.of(), callOnEdt(canvas.tools()::selected));
+        assertEquals(fitted, callOnEdt(canvas::camera));
+        runOnEdt(() -> canvas.setSize(500, 440));
+        assertNotEquals(
+                fitted.scale(), callOnEdt(() -> canvas.camera().scale()), "the world is still fitted into the canvas");
+    }
+
+    @Test
+    void aPanGoesAsFarAsTheMouse() {
+        Vector2 ground = screen(new Vector2(2, 3));
+        mouse(MouseEvent.MOUSE_PRESSED, ground, MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, ground.plus(new Vector2(1, 0)), MouseEvent.NOBUTTON);
+        mouse(MouseEvent.MOUSE_DRAGGED, ground.plus(new Vector2(30, 10)), MouseEvent.NOBUTTON);
+        assertEquals(0, screen(new Vector2(2, 3)).distanceTo(ground.plus(new Vector2(30, 10))), 1e-9);
+    }
+
+    @Test
+    void anotherButtonDoesNotEndADrag() {
+        Vector2 box = screen(new Vector2(4, 2));
+        mouse(MouseEvent.MOUSE_PRESSED, box, MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_PRESSED, box, MouseEvent.BUTTON3);
+        mouse(MouseEvent.MOUSE_RELEASED, box, MouseEvent.BUTTON3);
+        assertEquals(List.of(), menus);
+        mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(20, 0)), MouseEvent.NOBUTTON);
+        assertEquals(1, callOnEdt(sent::size), "the drag goes on");
+        mouse(MouseEvent.MOUSE_RELEASED, box.plus(new Vector2(20, 0)), MouseEvent.BUTTON1);
+        mouse(MouseEvent.MOUSE_DRAGGED, box.plus(new Vector2(40, 0)), MouseEvent.NOBUTTON);
+        assertEquals(1, callOnEdt(sent::size), "and is over");
+    }
+
+    private Vector2 screen(Vector2 world) {
+        return callOnEdt(() -> canvas.camera().toScreen(world));
+    }
+
+    private void mouse(int type, Vector2 at, int button) {
+        int held = type == MouseEvent.MOUSE_DRAGGED ? InputEvent.BUTTON1_DOWN_MASK : 0;
+        runOnEdt(() -> canvas.dispatchEvent(new MouseEvent(
+                canvas, type, 0, held, (int) Math.rint(at.x()), (int) Math.rint(at.y()), 1, false, button)));
+    }
+}

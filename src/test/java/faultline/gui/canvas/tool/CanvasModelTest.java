@@ -1,0 +1,72 @@
+package faultline.gui.canvas.tool;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.engine.Frame;
+import faultline.engine.SampleFrames;
+import faultline.geometry.Pose;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** What stays selected, and what becomes so, while obstacles come and go. */
+class CanvasModelTest {
+
+    private final CanvasModel model = new CanvasModel();
+
+    private static Frame with(String... ids) {
+        return SampleFrames.frameOf(
+                new Pose(1, 1, 0),
+                Stream.of(ids)
+                        .map(id -> new Obstacle(id, new ObstacleShape.Circle(0.1), new Pose(4, 3, 0)))
+                        .toArray(Obstacle[]::new));
+    }
+
+    private Set<String> selected() {
+        return model.selection().get();
+    }
+
+    @Test
+    void aRemovedObstacleIsNoLongerSelected() {
+        model.setFrame(with("desk", "lamp", "pole"));
+        model.select(List.of("lamp", "desk"));
+        model.setFrame(with("pole", "lamp"));
+        assertEquals(Set.of("lamp"), selected());
+    }
+
+    @Test
+    void aPendingSelectionIsAppliedOnceAllObstaclesArePresent() {
+        model.setFrame(with("desk"));
+        model.select(List.of("desk"));
+        model.selectWhenPresent(List.of("lamp", "pole"));
+        model.setFrame(with("desk", "lamp"));
+        assertEquals(Set.of("desk"), selected());
+        model.setFrame(with("desk", "lamp", "pole"));
+        assertEquals(Set.of("lamp", "pole"), selected());
+    }
+
+    @Test
+    void aPendingSelectionSurvivesTheRemovalOfASelectedObstacle() {
+        model.setFrame(with("desk"));
+        model.select(List.of("desk"));
+        model.selectWhenPresent(List.of("lamp"));
+        model.setFrame(with("pole"));
+        assertEquals(Set.of(), selected());
+        model.setFrame(with("lamp"));
+        assertEquals(Set.of("lamp"), selected());
+    }
+
+    @Test
+    void aFrameWithTheSameObstaclesChangesNothing() {
+        List<Set<String>> told = new ArrayList<>();
+        model.setFrame(with("desk", "lamp"));
+        model.select(List.of("desk"));
+        model.selection().addListener(told::add);
+        model.setFrame(with("lamp", "desk"));
+        assertEquals(List.of(), told);
+    }
+}

@@ -1,0 +1,42 @@
+package faultline.gui.canvas.tool;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Vector2;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+class MeasureToolTest {
+
+    private final MeasureTool tool = new MeasureTool();
+
+    @Test
+    void nothingIsMeasuredBeforeTheButtonGoesDown() {
+        tool.move(new Vector2(1, 1), false);
+        assertEquals(Optional.empty(), tool.measurementText());
+    }
+
+    @Test
+    void distanceAngleAndBothComponentsAreShown() {
+        tool.press(new Vector2(1, 1), false);
+        tool.move(new Vector2(2, 2), true);
+        tool.release(new Vector2(4, 5));
+        assertEquals(Optional.of("5.000 m   53.1°   Δx 3.000 m   Δy 4.000 m"), tool.measurementText());
+    }
+
+    @Test
+    void theMeasurementStaysWhileTheMouseMovesAndRestartsWithTheNextPress() {
+        tool.press(new Vector2(0, 0), false);
+        tool.release(new Vector2(-1, 0));
+        tool.move(new Vector2(7, 7), false);
+        assertEquals(Optional.of("1.000 m   180.0°   Δx -1.000 m   Δy 0.000 m"), tool.measurementText());
+        tool.press(new Vector2(2, 2), false);
+        tool.release(new Vector2(2, 1));
+        assertEquals(Optional.of("1.000 m   -90.0°   Δx 0.000 m   Δy -1.000 m"), tool.measurementText());
+        assertFalse(tool.isDone());
+        tool.finish();
+        assertTrue(tool.isDone());
+    }
+}

@@ -1,0 +1,93 @@
+package faultline.gui.canvas.tool;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.SampleFrames;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.paint.surface.Camera;
+import faultline.world.Snapshot;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+class ViewportTest {
+
+    private final Viewport viewport = new Viewport();
+
+    ViewportTest() {
+        viewport.resize(800, 600);
+        viewport.setWorld(robotAt(1, 1));
+    }
+
+    @Test
+    void theFirstWorldIsFitted() {
+        assertEquals(3, camera().x());
+        assertEquals(2, camera().y());
+        assertEquals(720 / 6.0, camera().scale());
+    }
+
+    @Test
+    void aFittedWorldStaysFittedWhenTheCanvasIsResized() {
+        viewport.resize(440, 600);
+        assertEquals(360 / 6.0, camera().scale());
+    }
+
+    @Test
+    void aZoomedViewKeepsItsScaleWhenTheCanvasIsResized() {
+        viewport.zoom(2);
+        viewport.resize(440, 600);
+        assertEquals(2 * 720 / 6.0, camera().scale());
+    }
+
+    @Test
+    void furtherFramesLeaveTheViewUnchanged() {
+        viewport.zoom(2);
+        Camera before = camera();
+        viewport.setWorld(robotAt(5, 3));
+        assertEquals(before, camera());
+    }
+
+    @Test
+    void aWorldOfAnotherSizeIsFittedAgain() {
+        viewport.zoom(2);
+        Snapshot old = robotAt(1, 1);
+        viewport.setWorld(new Snapshot(
+                0, 0, 12, 4, true, old.robot(), old.pose(), 0, 0, List.of(), List.of(), List.of(), Optional.empty()));
+        assertEquals(720 / 12.0, camera().scale());
+    }
+
+    @Test
+    void followingKeepsTheRobotInTheMiddlePart() {
+        viewport.zoom(4);
+        viewport.setFollowing(true);
+        for (double x = 1; x < 5; x += 0.05) {
+            viewport.setWorld(robotAt(x, 1));
+            Vector2 robot = camera().toScreen(new Vector2(x, 1));
+            assertTrue(
+                    Math.abs(robot.x() - 400) <= 161 && Math.abs(robot.y() - 300) <= 121, "the robot is at " + robot);
+        }
+    }
+
+    @Test
+    void followingLeavesTheViewUnchangedWhileTheRobotIsInTheMiddlePart() {
+        viewport.zoom(4);
+        viewport.setFollowing(true);
+        viewport.setWorld(robotAt(1, 1));
+        Camera settled = camera();
+        viewport.setWorld(robotAt(1.05, 1));
+        assertEquals(settled, camera());
+        viewport.setWorld(robotAt(3, 1));
+        assertNotEquals(settled, camera());
+    }
+
+    private Camera camera() {
+        return viewport.camera().get();
+    }
+
+    private static Snapshot robotAt(double x, double y) {
+        return SampleFrames.frameOf(new Pose(x, y, 0)).snapshot();
+    }
+}

@@ -1,0 +1,225 @@
+package faultline.gui.document;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.engine.session.ReferenceRun;
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.scenario.Scenario;
+import faultline.world.Command;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.function.Predicate;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** An earlier run beside the one on the bench, without a display. */
+@ExtendWith(EdtChecker.class)
+class ComparisonControllerTest {
+
+    private static final Path OFFICE = Path.of("scenarios/office.xml");
+    private static final int TICKS = 60;
+    private static final int CHANGED = 20;
+    private static final double MANY_HOURS = 80_000;
+
+    private final List<String> failures = new ArrayList<>();
+    private Workspace workspace;
+    private RunController run;
+    private ComparisonController controller;
+
+    @BeforeEach
+    void runAndCaptureReference() {
+        runOnEdt(() -> {
+            workspace = new Workspace(new FailureRecorder());
+            run = new RunController(workspace);
+            controller = new ComparisonController(workspace, run.navigator());
+        });
+        open(OFFICE);
+        step(TICKS);
+        runOnEdt(controller::captureCurrentRun);
+        waitFor("the ghost", haunting -> haunting.isPresent());
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    private void open(Path file) {
+        runOnEdt(() -> new DocumentStore(workspace).open(file));
+        Await.until("the scenario", () -> run.frame().isPresent());
+    }
+
+    private Optional<RunComparison> update() {
+        return run.frame().flatMap(controller::update);
+    }
+
+    private void waitFor(String what, Predicate<Optional<RunComparison>> condition) {
+        Await.until(what, () -> condition.test(update()));
+    }
+
+    private void waitForTick(long tick) {
+        Await.until("tick " + tick, () -> {
+            update();
+            return tick() == tick;
+        });
+    }
+
+    private long tick() {
+        return run.frame().map(frame -> frame.snapshot().tick()).orElse(-1L);
+    }
+
+    private void step(int ticks) {
+        long from = callOnEdt(this::tick);
+        for (int i = 0; i < ticks; i++) {
+            runOnEdt(run::step);
+        }
+        waitForTick(from + ticks);
+    }
+
+    private void restart() {
+        runOnEdt(run::restart);
+        waitForTick(0);
+    }
+
+    private OptionalLong divergence() {
+        return callOnEdt(() -> update().orElseThrow().divergence());
+    }
+
+    /** Switches the left sensor off at the start of tick CHANGED, and runs on. */
+    private void runDifferently() {
+        restart();
+        step(CHANGED - 1);
+        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("left", false)), told -> {}));
+        step(TICKS - CHANGED + 1);
+    }
+
+    @Test
+    void theSameRunAgainDoesNotDiverge() {
+        restart();
+        step(TICKS);
+        assertEquals(OptionalLong.empty(), divergence());
+        assertFalse(callOnEdt(() -> update().orElseThrow().seedDiffers()));
+    }
+
+    @Test
+    void anotherRunDivergesInTheTickInWhichTheFirstBitDiffers() {
+        runDifferently();
+        assertEquals(OptionalLong.of(CHANGED), divergence());
+        ReferenceRun ghost = callOnEdt(() -> update().orElseThrow().reference().run());
+        Frame frame = callOnEdt(() -> run.frame().orElseThrow());
+        assertTrue(LongStream.range(0, CHANGED)
+                .allMatch(tick -> ghost.hashTrace().hashAt(tick)
+                        == frame.recording().hashTrace().hashAt(tick)));
+        assertTrue(LongStream.rangeClosed(CHANGED, TICKS)
+                .allMatch(tick -> ghost.hashTrace().hashAt(tick)
+                        != frame.recording().hashTrace().hashAt(tick)));
+    }
+
+    @Test
+    void aDivergenceIsStillKnownAfterSeekingBeforeIt() {
+        runDifferently();
+        runOnEdt(() -> run.navigator().seek(CHANGED / 2));
+        waitForTick(CHANGED / 2);
+        assertEquals(OptionalLong.of(CHANGED), divergence());
+    }
+
+    @Test
+    void aDivergenceIsForgottenWhenTheRunIsEditedBeforeIt() {
+        runDifferently();
+        runOnEdt(() -> run.navigator().seek(CHANGED / 2));
+        waitForTick(CHANGED / 2);
+        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("rear", true)), told -> {}));
+        step(TICKS);
+        assertEquals(OptionalLong.empty(), divergence(), "the rear sensor was on already");
+    }
+
+    @Test
+    void aRestartClearsTheDivergenceAndKeepsTheReferenceRun() {
+        runDifferently();
+        restart();
+        assertEquals(OptionalLong.empty(), divergence());
+    }
+
+    @Test
+    void anotherScenarioRemovesTheReferenceRun() {
+        open(Path.of("scenarios/yard.xml"));
+        waitFor("no ghost", haunting -> haunting.isEmpty());
+    }
+
+    @Test
+    void theRunOfAFileCanBeTheReferenceAndADifferentSeedIsReported(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("seed-7.xml");
+        Scenario office = Scenario.load(OFFICE);
+        office.withSetup(office.setup().withSeed(7).withDuration(0.3)).save(file);
+        runOnEdt(() -> controller.loadReference(file));
+        waitFor("the other ghost", haunting -> haunting.filter(RunComparison::seedDiffers)
+                .isPresent());
+        assertEquals(
+                30, callOnEdt(() -> update().orElseThrow().reference().run().lastTick()));
+    }
+
+    @Test
+    void anInvalidFileIsReportedAndTheOldReferenceRunStays(@TempDir Path folder) {
+        runOnEdt(() -> controller.loadReference(folder.resolve("none.xml")));
+        Await.until("the failure", () -> failures.contains("GHOST none.xml"));
+        assertTrue(callOnEdt(() -> update().isPresent()));
+    }
+
+    @Test
+    void itCanBeRemoved() {
+        runOnEdt(controller::removeReference);
+        assertTrue(callOnEdt(() -> update().isEmpty()));
+    }
+
+    @Test
+    void aReferenceRunRemovedWhileRunningStopsAndNeverAppears(@TempDir Path folder) throws Exception {
+        runOnEdt(controller::removeReference);
+        Path file = folder.resolve("long.xml");
+        Scenario office = Scenario.load(OFFICE);
+        office.withSetup(office.setup().withDuration(MANY_HOURS)).save(file);
+        runOnEdt(() -> controller.loadReference(file));
+        Await.until("the ghost's run", () -> isReferenceRunning());
+        assertTrue(callOnEdt(controller::isLoading));
+        runOnEdt(controller::removeReference);
+        assertFalse(callOnEdt(controller::isLoading));
+        Await.until("the end of the ghost's run", () -> !isReferenceRunning());
+        assertTrue(callOnEdt(() -> update().isEmpty()));
+        assertEquals(List.of(), failures, "to be given up is no failure");
+    }
+
+    private static boolean isReferenceRunning() {
+        return Thread.getAllStackTraces().values().stream().flatMap(Stream::of).anyMatch(call -> call.getClassName()
+                .equals(ReferenceRun.class.getName()));
+    }
+
+    private final class FailureRecorder implements WorkspaceListener {
+        @Override
+        public void sessionStarted() {
+            // The test looks.
+        }
+
+        @Override
+        public void titleChanged() {
+            // The test has no title.
+        }
+
+        @Override
+        public void taskFailed(TaskKind what, Path file, Throwable why) {
+            failures.add(what + " " + file.getFileName());
+        }
+    }
+}

@@ -1,0 +1,266 @@
+package faultline.gui.document;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Pose;
+import faultline.gui.Await;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+import faultline.world.Command;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.logging.Logger;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What becomes of edits when the program dies, when they are given up, and when somebody else writes the file. */
+class CrashRecoveryTest {
+
+    /** No process has such a number. */
+    private static final long DEAD = Integer.MAX_VALUE - 7;
+
+    private static final Pose ELSEWHERE = new Pose(2, 3, 0);
+
+    @TempDir
+    private Path folder;
+
+    private Path file;
+    private Workspace workspace;
+    private RunController run;
+    private DocumentStore documentStore;
+    private final List<Path> changedFiles = new ArrayList<>();
+    private final List<ScenarioException> broken = new ArrayList<>();
+
+    @BeforeEach
+    void openAFile() throws IOException {
+        file = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("room.xml"));
+        workspace = callOnEdt(() -> new Workspace(new FailingListener()));
+        runOnEdt(() -> {
+            run = new RunController(workspace);
+            documentStore = new DocumentStore(workspace);
+            documentStore.open(file);
+        });
+        waitForTheFile();
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    @Test
+    void unsavedEditsOutliveACrashAndAreStillUnsavedThen() throws Exception {
+        edit();
+        Scenario edited = callOnEdt(() -> workspace.scenario().orElseThrow());
+        RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
+        autosave(dying);
+        Await.until("the kept edits", () -> dying.findOrphan().isPresent());
+        RecoveryStore.RecoveredFile rescue =
+                new RecoveryStore(folder.resolve("kept")).findOrphan().orElseThrow();
+        assertEquals(Optional.of(file.toAbsolutePath()), rescue.origin());
+        assertEquals(edited, rescue.scenario());
+        runOnEdt(() -> documentStore.open(file));
+        Await.until("the file without the edits", () -> !workspace.scenario().equals(Optional.of(edited)));
+        runOnEdt(() -> documentStore.recover(rescue));
+        Await.until("the edits", () -> workspace.scenario().equals(Optional.of(edited)));
+        assertTrue(callOnEdt(workspace::isChanged));
+        assertEquals(
+                Optional.of(Scenario.load(file)),
+                callOnEdt(workspace::savedScenario),
+                "what the file holds is known, so nobody has changed it");
+        assertEquals(rescue.origin(), callOnEdt(workspace::file));
+    }
+
+    @Test
+    void theEditsOfAWindowThatStillRunsAreNotOffered() throws IOException {
+        RecoveryStore own = new RecoveryStore(folder.resolve("kept"));
+        own.save(Optional.empty(), callOnEdt(() -> workspace.scenario().orElseThrow()));
+        assertEquals(Optional.empty(), own.findOrphan());
+    }
+
+    @Test
+    void editsOfADeadProcessWhoseIdWasReusedAreOfferedUntilAnswered() throws IOException {
+        RecoveryStore before = new RecoveryStore(
+                folder.resolve("kept"), ProcessHandle.current().pid(), Instant.EPOCH);
+        before.save(Optional.of(file), callOnEdt(() -> workspace.scenario().orElseThrow()));
+        RecoveryStore own = new RecoveryStore(folder.resolve("kept"));
+        own.save(Optional.empty(), callOnEdt(() -> workspace.scenario().orElseThrow()));
+        own.delete();
+        RecoveryStore.RecoveredFile rescue = own.findOrphan().orElseThrow();
+        assertEquals(Optional.of(file.toAbsolutePath()), rescue.origin());
+        own.adopt(rescue);
+        assertEquals(Optional.empty(), own.findOrphan());
+        assertEquals(2, recoveryFiles().size(), "they are this process's own now: " + recoveryFiles());
+    }
+
+    private List<Path> recoveryFiles() throws IOException {
+        try (Stream<Path> kept = Files.list(folder.resolve("kept"))) {
+            return kept.toList();
+        }
+    }
+
+    @Test
+    void aFailedAutosaveIsRetried() throws IOException {
+        RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
+        Path obstacle = Files.createFile(folder.resolve("kept"));
+        AtomicBoolean failed = new AtomicBoolean();
+        Logger log = Logger.getLogger(Autosave.class.getName());
+        log.setFilter(record -> {
+            failed.set(true);
+            return false;
+        });
+        edit();
+        Autosave autosave = autosave(dying);
+        Await.until("the failure", failed::get);
+        log.setFilter(null);
+        Files.delete(obstacle);
+        runOnEdt(autosave::saveUnsavedEdits);
+        Await.until("the kept edits", () -> dying.findOrphan().isPresent());
+    }
+
+    @Test
+    void theRecoveryFileOfSavedEditsIsDeleted() {
+        RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
+        edit();
+        Autosave autosave = autosave(dying);
+        Await.until("the kept edits", () -> dying.findOrphan().isPresent());
+        runOnEdt(() -> documentStore.save(file, autosave::saveUnsavedEdits));
+        Await.until("nothing to be kept", () -> dying.findOrphan().isEmpty());
+    }
+
+    @Test
+    void aWindowThatClosesNormallyLeavesNoRecoveryFile() throws IOException {
+        RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
+        edit();
+        Autosave autosave = autosave(dying);
+        Await.until("the kept edits", () -> dying.findOrphan().isPresent());
+        runOnEdt(autosave::close);
+        Await.until("an empty folder", () -> recoveryFiles().isEmpty());
+        autosave.write(Optional.empty(), callOnEdt(workspace::scenario));
+        assertEquals(List.of(), recoveryFiles());
+    }
+
+    @Test
+    void revertingDiscardsEdits() {
+        Scenario before = callOnEdt(() -> workspace.scenario().orElseThrow());
+        edit();
+        runOnEdt(documentStore::revert);
+        Await.until("the scenario as it was", () -> workspace.scenario().equals(Optional.of(before)));
+        assertFalse(callOnEdt(workspace::isChanged));
+    }
+
+    @Test
+    void anotherScenarioInTheFileIsReportedOnce() throws IOException {
+        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add));
+        poll(watch, 3);
+        assertEquals(List.of(), changedFiles);
+        rewrite(Files.readString(file)
+                .replaceFirst("seed=\"\\d+\"", "")
+                .replaceFirst("<scenario ", "<scenario seed=\"4711\" "));
+        poll(watch, 1);
+        assertEquals(List.of(), changedFiles, "the file may still be growing");
+        poll(watch, 4);
+        assertEquals(List.of(file), changedFiles);
+        runOnEdt(watch::close);
+    }
+
+    @Test
+    void theSameScenarioWrittenOtherwiseIsNotReported() throws IOException {
+        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add));
+        rewrite(Files.readString(file).replace("\n", "\n\n"));
+        poll(watch, 4);
+        assertEquals(List.of(), changedFiles);
+        runOnEdt(watch::close);
+    }
+
+    @Test
+    void aFileThatBecomesInvalidIsReportedOnceAndReadAgainWhenItIsRepaired() throws IOException {
+        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add));
+        String whole = Files.readString(file);
+        rewrite("<scenario");
+        poll(watch, 1);
+        assertEquals(List.of(), broken, "the file may still be growing");
+        poll(watch, 4);
+        assertEquals(1, broken.size());
+        assertEquals(1, broken.get(0).problems().get(0).location().line());
+        assertEquals(List.of(), changedFiles);
+        assertTrue(callOnEdt(() -> workspace.scenario().isPresent()), "what is open stays");
+        assertTrue(callOnEdt(workspace::isChanged), "no file holds it now");
+        rewrite(whole);
+        poll(watch, 4);
+        assertFalse(callOnEdt(workspace::isChanged));
+        assertEquals(List.of(), changedFiles, "it is what is open");
+        rewrite(whole.replaceFirst("seed=\"\\d+\"", "").replaceFirst("<scenario ", "<scenario seed=\"4711\" "));
+        poll(watch, 4);
+        assertEquals(List.of(file), changedFiles);
+        assertEquals(1, broken.size());
+        runOnEdt(watch::close);
+    }
+
+    private void rewrite(String text) throws IOException {
+        Files.writeString(file, text);
+        Files.setLastModifiedTime(
+                file, FileTime.fromMillis(Files.getLastModifiedTime(file).toMillis() + 5000));
+    }
+
+    private static void poll(FileWatch watch, int times) {
+        for (int i = 0; i < times; i++) {
+            runOnEdt(watch::poll);
+            Await.until("the end of a look", () -> !watch.isPolling());
+        }
+    }
+
+    private Autosave autosave(RecoveryStore recovery) {
+        Autosave autosave = callOnEdt(() -> new Autosave(workspace, recovery));
+        runOnEdt(autosave::saveUnsavedEdits);
+        return autosave;
+    }
+
+    private void send(Command command) {
+        run.send(List.of(command), outcomes -> {});
+    }
+
+    private void edit() {
+        runOnEdt(() -> send(new Command.MoveObstacle("pole", ELSEWHERE)));
+        Await.until("the edit", () -> {
+            run.frame();
+            return workspace.isChanged();
+        });
+    }
+
+    private void waitForTheFile() {
+        Await.until("the scenario", () -> workspace.scenario().isPresent());
+    }
+
+    /** Nothing here fails. */
+    private static final class FailingListener implements WorkspaceListener {
+        @Override
+        public void sessionStarted() {
+            // Asked for.
+        }
+
+        @Override
+        public void titleChanged() {
+            // Asked for.
+        }
+
+        @Override
+        public void taskFailed(TaskKind what, Path with, Throwable why) {
+            throw new AssertionError(why);
+        }
+    }
+}

@@ -1,0 +1,327 @@
+package faultline.gui.document;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.geometry.Pose;
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.gui.edit.EditListener;
+import faultline.gui.edit.UndoController;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * What becomes of edits when the run is taken to another moment of its time. Two edits are made: at tick 10 and at tick
+ * 20, of 30.
+ */
+@ExtendWith(EdtChecker.class)
+class RunNavigatorTest {
+
+    private static final Pose FIRST = new Pose(2, 3, 0);
+    private static final Pose SECOND = new Pose(2, 3.2, 0);
+    private static final long FAR = 1_000_000_000;
+
+    @TempDir
+    private Path folder;
+
+    private final List<Integer> forks = new ArrayList<>();
+    private final List<Long> undone = new ArrayList<>();
+    private Workspace workspace;
+    private RunController run;
+    private DocumentStore documentStore;
+    private UndoController edits;
+    private Pose original;
+
+    /** Keeps what the edit desk tells. */
+    private final class EditRecorder implements EditListener {
+        @Override
+        public void timelineForked(int later) {
+            forks.add(later);
+        }
+
+        @Override
+        public void editUndone(long since) {
+            undone.add(since);
+        }
+    }
+
+    @BeforeEach
+    void editTwice() {
+        runOnEdt(() -> {
+            workspace = new Workspace(new NavigationForwarder());
+            run = new RunController(workspace);
+            documentStore = new DocumentStore(workspace);
+            edits = new UndoController(run::send, () -> {});
+            edits.setListener(new EditRecorder());
+            documentStore.open(Path.of("scenarios/collision-on-purpose.xml"));
+        });
+        Await.until("the scenario", () -> run.frame().isPresent());
+        original = pole();
+        stepTo(10);
+        edit(new Command.MoveObstacle("pole", FIRST));
+        stepTo(20);
+        edit(new Command.MoveObstacle("pole", SECOND));
+        stepTo(30);
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    @Test
+    void backBeforeAnEditItCanBeRedoneAndOnPastItUndoneAgain() {
+        seek(15);
+        assertEquals(FIRST, pole());
+        assertTrue(
+                callOnEdt(() -> edits.undoName().isPresent() && edits.redoName().isPresent()));
+        seek(5);
+        assertEquals(original, pole());
+        assertEquals(Optional.empty(), callOnEdt(edits::undoName));
+        stepTo(30);
+        assertEquals(SECOND, pole());
+        assertEquals(Optional.empty(), callOnEdt(edits::redoName));
+        assertEquals(List.of(), forks, "nothing else happened than before");
+    }
+
+    @Test
+    void anUndoReportsTheTickOfTheEdit() {
+        runOnEdt(edits::undo);
+        waitForPole(FIRST);
+        runOnEdt(run::restart);
+        Await.until("the restart", () -> run.frame().orElseThrow().snapshot().tick() == 0);
+        runOnEdt(edits::undo);
+        waitForPole(original);
+        assertEquals(List.of(21L, 0L), undone);
+    }
+
+    @Test
+    void theScenarioStaysAsEditedAtWhateverMomentTheRunIs() throws ScenarioException {
+        seek(5);
+        waitForEdited(SECOND);
+        Path file = folder.resolve("saved.xml");
+        runOnEdt(() -> documentStore.save(file, () -> {}));
+        Await.until("the save", () -> !workspace.isChanged());
+        assertEquals(SECOND, pole(Scenario.load(file).setup().world().obstacles()));
+        runOnEdt(run::restart);
+        Await.until("the restart", () -> run.frame().orElseThrow().snapshot().tick() == 0);
+        assertEquals(SECOND, pole());
+    }
+
+    @Test
+    void aRestartFromAnEarlierMomentLeavesEveryEditToBeUndone() {
+        seek(5);
+        runOnEdt(run::restart);
+        Await.until("the restart", () -> run.frame().orElseThrow().snapshot().tick() == 0);
+        runOnEdt(edits::undo);
+        waitForPole(FIRST);
+        runOnEdt(edits::undo);
+        waitForPole(original);
+    }
+
+    @Test
+    void anEditInThePastKeepsLaterEditsRedoableAndReportsTheFork() {
+        seek(5);
+        edit(new Command.SetPlatform(0.2, 0.2, 0.4));
+        assertEquals(List.of(2), forks);
+        stepTo(30);
+        assertEquals(original, pole(), "it does not happen by itself any more");
+        runOnEdt(edits::redo);
+        waitForPole(FIRST);
+        runOnEdt(edits::redo);
+        waitForPole(SECOND);
+        runOnEdt(edits::undo);
+        runOnEdt(edits::undo);
+        waitForPole(original);
+        runOnEdt(edits::undo);
+        Await.until(
+                "the platform as it was",
+                () -> run.frame().orElseThrow().snapshot().robot().length() != 0.2);
+        assertEquals(Optional.empty(), callOnEdt(edits::undoName));
+    }
+
+    @Test
+    void severalEditsInThePastStandBeforeTheLaterOnes() {
+        seek(15);
+        edit(new Command.SetPlatform(0.2, 0.2, 0.4));
+        edit(new Command.SwitchSensor("left", false));
+        runOnEdt(edits::redo);
+        waitForPole(SECOND);
+        for (int i = 0; i < 4; i++) {
+            runOnEdt(edits::undo);
+        }
+        waitForPole(original);
+        assertTrue(callOnEdt(() -> run.frame()
+                .orElseThrow()
+                .snapshot()
+                .robot()
+                .sensor("left")
+                .orElseThrow()
+                .on()));
+        assertEquals(Optional.empty(), callOnEdt(edits::undoName));
+    }
+
+    @Test
+    void anEditThatWasUndoneLaterIsThereAtTheMomentBetween() {
+        runOnEdt(edits::undo);
+        waitForPole(FIRST);
+        stepTo(40);
+        seek(25);
+        assertEquals(SECOND, pole());
+        runOnEdt(edits::undo);
+        waitForPole(FIRST);
+    }
+
+    @Test
+    void commandsGivenDuringASeekAreAppliedAfterIt() {
+        runOnEdt(() -> {
+            run.navigator().seek(15);
+            edits.send(new Command.SwitchSensor("left", false));
+            run.step();
+        });
+        Await.until(
+                "the arrival and one tick",
+                () -> run.frame().orElseThrow().snapshot().tick() == 16);
+        assertFalse(callOnEdt(() -> run.frame()
+                .orElseThrow()
+                .snapshot()
+                .robot()
+                .sensor("left")
+                .orElseThrow()
+                .on()));
+        assertEquals(FIRST, pole());
+    }
+
+    @Test
+    void aLongSeekReportsProgressAndWhenCancelledLeavesTheRunWhereItWas() {
+        runOnEdt(() -> run.navigator().seek(FAR));
+        Await.until(
+                "some of the way",
+                () -> workspace.taskProgress().orElseThrow().fraction().orElse(0) > 1e-6);
+        runOnEdt(workspace::cancelTask);
+        assertEquals(Optional.empty(), callOnEdt(workspace::taskProgress));
+        assertEquals(30, tick());
+        runOnEdt(run::step);
+        Await.until(
+                "the run to go on", () -> run.frame().orElseThrow().snapshot().tick() == 31);
+        assertEquals(SECOND, pole());
+    }
+
+    @Test
+    void anOpenThatIsCancelledChangesNothing() {
+        Optional<Path> before = callOnEdt(workspace::file);
+        runOnEdt(() -> {
+            documentStore.open(Path.of("scenarios/office.xml"));
+            workspace.cancelTask();
+        });
+        runOnEdt(run::step);
+        Await.until(
+                "the run to go on", () -> run.frame().orElseThrow().snapshot().tick() == 31);
+        assertEquals(before, callOnEdt(workspace::file));
+        assertEquals(SECOND, pole());
+    }
+
+    private void edit(Command command) {
+        Optional<String> before = callOnEdt(edits::undoName);
+        Frame frame = callOnEdt(() -> run.frame().orElseThrow());
+        runOnEdt(() -> {
+            edits.beginGesture();
+            edits.send(command);
+            edits.endGesture();
+        });
+        Await.until(
+                "the edit after " + before,
+                () -> run.frame().orElseThrow() != frame && edits.undoName().isPresent());
+    }
+
+    private void seek(long tick) {
+        runOnEdt(() -> run.navigator().seek(tick));
+        Await.until(
+                "tick " + tick,
+                () -> workspace.taskProgress().isEmpty()
+                        && run.frame().orElseThrow().snapshot().tick() == tick);
+    }
+
+    private void stepTo(long tick) {
+        for (long now = tick(); now < tick; now++) {
+            runOnEdt(run::step);
+        }
+        Await.until("tick " + tick, () -> run.frame().orElseThrow().snapshot().tick() == tick);
+        runOnEdt(() -> edits.runAdvanced(tick));
+    }
+
+    private long tick() {
+        return callOnEdt(() -> run.frame().orElseThrow().snapshot().tick());
+    }
+
+    /** What commands have made of the scenario is found out without waiting for it. */
+    private void waitForEdited(Pose pose) {
+        Await.until("the scenario's pole at " + pose, () -> {
+            run.frame();
+            return pole(workspace.scenario().orElseThrow().setup().world().obstacles())
+                    .equals(pose);
+        });
+    }
+
+    private Pose pole() {
+        return callOnEdt(() -> pole(run.frame().orElseThrow().snapshot().obstacles()));
+    }
+
+    private static Pose pole(List<Obstacle> obstacles) {
+        return obstacles.stream()
+                .filter(obstacle -> obstacle.id().equals("pole"))
+                .findFirst()
+                .orElseThrow()
+                .pose();
+    }
+
+    private void waitForPole(Pose pose) {
+        Await.until(
+                "the pole at " + pose,
+                () -> pole(run.frame().orElseThrow().snapshot().obstacles()).equals(pose));
+    }
+
+    /** Passes on what the edit desk must know, as the window does. */
+    private final class NavigationForwarder implements WorkspaceListener {
+        @Override
+        public void sessionStarted() {
+            // Frames are asked for.
+        }
+
+        @Override
+        public void titleChanged() {
+            // Nobody reads the title.
+        }
+
+        @Override
+        public void scenarioRestarted() {
+            edits.runRestarted();
+        }
+
+        @Override
+        public void runRepositioned(long tick) {
+            edits.runRepositioned(tick);
+        }
+
+        @Override
+        public void taskFailed(TaskKind what, Path file, Throwable why) {
+            throw new AssertionError(why);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package faultline.gui.document;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.Journal;
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WorldSpec;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+class SetupEditorTest {
+
+    private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Rectangle(1, 1), new Pose(4, 2, 0));
+    private static final Obstacle POLE = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(2, 3, 0));
+    private static final SimulationSetup BASE = new SimulationSetup(
+            new WorldSpec(6, 4, true, 3, List.of(BOX)),
+            RobotSpec.DEFAULT,
+            new Pose(1, 1, 0),
+            new ControllerSpec.None(),
+            List.of(),
+            0.01,
+            1,
+            60);
+
+    @Test
+    void movesAdditionsAndRemovalsOfObstaclesAreKeptInTheirOrder() {
+        Pose there = new Pose(3, 3, 1);
+        assertEquals(
+                List.of(BOX.withPose(there), POLE),
+                after(new Command.PlaceObstacle(POLE), new Command.MoveObstacle("box", there))
+                        .world()
+                        .obstacles());
+        assertEquals(
+                List.of(POLE),
+                after(new Command.PlaceObstacle(POLE), new Command.RemoveObstacle("box"))
+                        .world()
+                        .obstacles());
+    }
+
+    @Test
+    void platformRangeAndConeAreKept() {
+        SensorSpec left =
+                BASE.robot().sensor("left").orElseThrow().withRange(1.5).withCone(0.5);
+        SimulationSetup edited = after(new Command.SetPlatform(0.3, 0.25, 0.4), new Command.ConfigureSensor(left));
+        assertEquals(BASE.robot().withPlatform(0.3, 0.25, 0.4).withSensor(left), edited.robot());
+    }
+
+    @Test
+    void switchesAndFaultsBelongToOneRunAndAreNotKept() {
+        SensorSpec off = BASE.robot().sensor("left").orElseThrow().withOn(false);
+        assertEquals(
+                BASE,
+                after(
+                        new Command.SwitchSensor("left", false),
+                        new Command.ConfigureSensor(off),
+                        new Command.InjectFault("front", new Fault.Stuck(0.4))));
+    }
+
+    @Test
+    void anObstacleMovedToTheRobotsStartIsMovedBack() {
+        SimulationSetup edited =
+                after(new Command.SetPlatform(0.3, 0.2, 0.3), new Command.MoveObstacle("box", new Pose(1.2, 1, 0)));
+        assertEquals(List.of(BOX), edited.world().obstacles());
+        assertEquals(0.3, edited.robot().length());
+    }
+
+    @Test
+    void anAddedObstacleAtTheRobotsStartIsLeftOut() {
+        assertEquals(BASE, after(new Command.PlaceObstacle(POLE.withPose(new Pose(1, 1, 0)))));
+    }
+
+    @Test
+    void aPlatformTooLargeForTheStartKeepsItsSpeedOnly() {
+        assertEquals(
+                BASE.robot().withPlatform(0.25, 0.20, 0.9),
+                after(new Command.SetPlatform(3, 3, 0.9)).robot());
+    }
+
+    private static SimulationSetup after(Command... commands) {
+        List<Journal.Entry> entries = Stream.of(commands)
+                .map(command -> new Journal.Entry(7, command))
+                .toList();
+        return SetupEditor.setupAfter(new Journal(BASE, entries, 9));
+    }
+}

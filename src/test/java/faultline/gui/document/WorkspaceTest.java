@@ -1,0 +1,286 @@
+package faultline.gui.document;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.geometry.Pose;
+import faultline.gui.Await;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The bench on the event dispatch thread, without a window and without a display. */
+class WorkspaceTest {
+
+    private static final String OBSTACLE = "pole";
+    private static final Pose ELSEWHERE = new Pose(2, 3, 0);
+
+    @TempDir
+    private Path folder;
+
+    private Path file;
+    private final List<Throwable> failures = new ArrayList<>();
+    private final List<Boolean> saves = new ArrayList<>();
+    private final List<Path> journals = new ArrayList<>();
+    private int sessionCount;
+    private Workspace workspace;
+    private RunController run;
+    private DocumentStore documentStore;
+
+    @BeforeEach
+    void openAFile() throws IOException {
+        file = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("room.xml"));
+        workspace = callOnEdt(() -> new Workspace(new WorkspaceListener() {
+            @Override
+            public void sessionStarted() {
+                sessionCount++;
+            }
+
+            @Override
+            public void scenarioSaved(Path where, boolean whole) {
+                saves.add(whole);
+            }
+
+            @Override
+            public void journalSaved(Path where) {
+                journals.add(where);
+            }
+
+            @Override
+            public void titleChanged() {
+                assertTrue(EventQueue.isDispatchThread());
+            }
+
+            @Override
+            public void taskFailed(TaskKind what, Path with, Throwable why) {
+                failures.add(why);
+            }
+        }));
+        runOnEdt(() -> {
+            run = new RunController(workspace);
+            documentStore = new DocumentStore(workspace);
+            documentStore.open(file);
+        });
+        waitFor("the first session", () -> sessionCount == 1);
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    @Test
+    void aFileOpensPausedAtTimeZeroAndUnchanged() {
+        assertEquals(0, frame().snapshot().tick());
+        assertFalse(callOnEdt(() -> run.status().orElseThrow().running()));
+        assertFalse(callOnEdt(workspace::isChanged));
+        assertEquals(Optional.of(file), callOnEdt(workspace::file));
+    }
+
+    @Test
+    void aMovedObstacleMarksTheScenarioAsChangedUntilItIsSavedAndReadsBackAsItStands() throws ScenarioException {
+        move();
+        waitFor("the mark", workspace::isChanged);
+        runOnEdt(() -> documentStore.save(file, () -> sessionCount = 7));
+        waitFor("the save", () -> sessionCount == 7);
+        assertFalse(callOnEdt(workspace::isChanged));
+        assertEquals(callOnEdt(workspace::scenario), Optional.of(Scenario.load(file)));
+        assertEquals(
+                ELSEWHERE,
+                obstacle(Scenario.load(file).setup().world().obstacles()).pose());
+        assertEquals(List.of(true), saves);
+    }
+
+    @Test
+    void aSaveKeepsTheCommentsOfTheFileInThatFileAndInAnother() throws IOException {
+        Files.writeString(file, Files.readString(file).replace("<robot", "<!-- the robot -->\n  <robot"));
+        Path other = folder.resolve("other.xml");
+        move();
+        waitFor("the mark", workspace::isChanged);
+        runOnEdt(() -> documentStore.save(file, () -> documentStore.save(other, () -> sessionCount = 7)));
+        waitFor("the saves", () -> sessionCount == 7);
+        assertTrue(Files.readString(file).contains("  <!-- the robot -->\n  <robot x="), Files.readString(file));
+        assertEquals(Files.readString(file), Files.readString(other));
+    }
+
+    @Test
+    void aSaveSaysWhereItLeavesOutWhatWasDoneToSensorsByHand() {
+        runOnEdt(() -> send(new Command.InjectFault("left", new Fault.Stuck(0.4))));
+        runOnEdt(() -> documentStore.save(file, () -> sessionCount = 7));
+        waitFor("the save", () -> sessionCount == 7);
+        assertEquals(List.of(false), saves);
+    }
+
+    @Test
+    void aRestartGoesBackToTimeZeroWithEditsKeptAndSwitchesAsInTheFile() {
+        move();
+        runOnEdt(() -> {
+            send(new Command.SwitchSensor("left", false));
+            run.step();
+        });
+        waitFor("the tick", () -> run.frame().orElseThrow().snapshot().tick() == 1);
+        runOnEdt(run::restart);
+        waitFor("the second session", () -> sessionCount == 2);
+        assertEquals(0, frame().snapshot().tick());
+        assertEquals(ELSEWHERE, obstacle(frame().snapshot().obstacles()).pose());
+        assertTrue(frame().snapshot().robot().sensor("left").orElseThrow().on());
+        assertTrue(callOnEdt(workspace::isChanged));
+    }
+
+    @Test
+    void aBrokenFileIsReportedWithItsProblemsAndLeavesTheOldRunUnchanged() throws IOException {
+        Frame before = frame();
+        Path broken = Files.writeString(folder.resolve("broken.xml"), "<scenario/>");
+        runOnEdt(() -> documentStore.open(broken));
+        waitFor("the failure", () -> !failures.isEmpty());
+        assertInstanceOf(ScenarioException.class, failures.get(0));
+        assertSame(before, frame());
+        assertEquals(Optional.of(file), callOnEdt(workspace::file));
+    }
+
+    @Test
+    void aFileThatCannotBeWrittenIsReportedAndTheChangeStaysUnsaved() {
+        move();
+        waitFor("the mark", workspace::isChanged);
+        runOnEdt(() -> documentStore.save(folder.resolve("no/such/folder/room.xml"), () -> sessionCount = 7));
+        waitFor("the failure", () -> !failures.isEmpty());
+        assertTrue(callOnEdt(workspace::isChanged));
+        assertEquals(1, sessionCount);
+    }
+
+    @Test
+    void aSavedJournalReplaysTheRunToTheBit() throws ScenarioException {
+        runOnEdt(() -> {
+            run.setSpeed(Double.POSITIVE_INFINITY);
+            run.toggleRunning();
+        });
+        waitFor("some time", () -> run.frame().orElseThrow().snapshot().tick() > 50);
+        runOnEdt(() -> send(new Command.SetPlatform(0.3, 0.2, 0.5)));
+        runOnEdt(run::toggleRunning);
+        waitFor("the pause", () -> !run.status().orElseThrow().running());
+        Path journal = folder.resolve("journal.xml");
+        runOnEdt(() -> documentStore.saveJournal(journal));
+        waitFor("the journal", () -> journals.equals(List.of(journal)));
+        waitFor(
+                "the last frame",
+                () -> run.frame().orElseThrow().snapshot().robot().length() == 0.3);
+        String hash = Scenario.load(journal).run().trajectoryHash();
+        assertEquals(String.format("%016x", frame().trajectoryHash()), hash);
+    }
+
+    @Test
+    void ofTwoFilesOpenedAtOnceTheLaterOneStays() throws IOException {
+        Path other = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("other.xml"));
+        runOnEdt(() -> {
+            documentStore.open(file);
+            documentStore.open(other);
+        });
+        waitFor("the other file", () -> workspace.file().equals(Optional.of(other)));
+        assertEquals(2, sessionCount);
+    }
+
+    @Test
+    void whatIsEditedWhileAFileIsWrittenStaysUnsaved() {
+        OpenDocument asked = callOnEdt(() -> workspace.openDocument().orElseThrow());
+        move();
+        waitFor("the mark", workspace::isChanged);
+        Scenario edited = callOnEdt(() -> workspace.scenario().orElseThrow());
+        runOnEdt(() -> documentStore.markSaved(asked, file, asked.document().edited(), true));
+        assertTrue(callOnEdt(workspace::isChanged));
+        assertEquals(edited, callOnEdt(() -> workspace.scenario().orElseThrow()));
+    }
+
+    @Test
+    void aScenarioSavedElsewhereDuringARestartStaysInThatFile() {
+        Path other = folder.resolve("other.xml");
+        CompletableFuture<OpenDocument> made = new CompletableFuture<>();
+        runOnEdt(() -> {
+            OpenDocument now = workspace.openDocument().orElseThrow();
+            workspace.startTask(TaskKind.RESTART, file, way -> made.get());
+            documentStore.markSaved(now, other, now.document().edited(), true);
+            made.complete(OpenDocument.create(now.document()));
+        });
+        waitFor("the second session", () -> sessionCount == 2);
+        assertEquals(Optional.of(other), callOnEdt(workspace::file));
+        assertFalse(callOnEdt(workspace::isChanged));
+    }
+
+    @Test
+    void aPendingSessionNeverStartsOnceTheWorkspaceIsClosed() {
+        CompletableFuture<OpenDocument> made = new CompletableFuture<>();
+        runOnEdt(() -> {
+            ScenarioDocument document = workspace.openDocument().orElseThrow().document();
+            workspace.startTask(TaskKind.OPEN, file, way -> {
+                made.complete(OpenDocument.create(document));
+                return made.join();
+            });
+            workspace.close();
+        });
+        Await.until(
+                "the end of a session that nobody wants",
+                () -> made.isDone() && made.join().session().journal().isCompletedExceptionally());
+        assertEquals(1, sessionCount);
+        assertEquals(Optional.empty(), callOnEdt(workspace::file));
+    }
+
+    @Test
+    void requestsForOneScenarioAreNotAppliedToTheNext() throws IOException {
+        Path other = Files.copy(file, folder.resolve("other.xml"));
+        runOnEdt(() -> {
+            run.restart();
+            send(new Command.MoveObstacle(OBSTACLE, ELSEWHERE));
+            documentStore.open(other);
+        });
+        waitFor("the other file", () -> workspace.file().equals(Optional.of(other)));
+        runOnEdt(run::step);
+        waitFor("a tick", () -> run.frame().orElseThrow().snapshot().tick() == 1);
+        assertFalse(obstacle(frame().snapshot().obstacles()).pose().equals(ELSEWHERE));
+    }
+
+    private void send(Command command) {
+        run.send(List.of(command), outcomes -> {});
+    }
+
+    private void move() {
+        runOnEdt(() -> send(new Command.MoveObstacle(OBSTACLE, ELSEWHERE)));
+    }
+
+    private Frame frame() {
+        return callOnEdt(() -> run.frame().orElseThrow());
+    }
+
+    private static Obstacle obstacle(List<Obstacle> obstacles) {
+        return obstacles.stream()
+                .filter(obstacle -> obstacle.id().equals(OBSTACLE))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private void waitFor(String what, Callable<Boolean> condition) {
+        Await.until(what, () -> {
+            run.frame();
+            return condition.call();
+        });
+    }
+}

@@ -1,0 +1,233 @@
+package faultline.gui.edit;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.engine.session.Session.CommandResult;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.Snapshot;
+import faultline.world.World;
+import faultline.world.WorldSpec;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+
+/** The edit desk before a world that does what it is told at once. */
+class UndoControllerTest {
+
+    private static final Obstacle DESK = new Obstacle("desk", new ObstacleShape.Rectangle(0.5, 0.5), new Pose(4, 2, 0));
+    private static final Obstacle LAMP = new Obstacle("lamp", new ObstacleShape.Circle(0.1), new Pose(5, 3, 0));
+    private static final SensorSpec FRONT = RobotSpec.DEFAULT.sensors().get(0);
+
+    private final World world =
+            new World(new WorldSpec(6, 4, true, 1, List.of(DESK)), RobotSpec.DEFAULT, new Pose(2, 2, 0), 0.01, 1);
+    private long now;
+    private final UndoController controller = callOnEdt(() -> new UndoController(this::execute, () -> {}, () -> now));
+
+    private void execute(List<Command> commands, Consumer<List<CommandResult>> told) {
+        told.accept(commands.stream()
+                .map(command -> new CommandResult(1, command, world.inverseOf(command), world.execute(command)))
+                .toList());
+    }
+
+    private static Command moveTo(double x) {
+        return new Command.MoveObstacle("desk", new Pose(x, 2, 0));
+    }
+
+    private Optional<String> undoName() {
+        return callOnEdt(controller::undoName);
+    }
+
+    @Test
+    void tenEditsAreTakenBackOneByOneAndDoneAgain() {
+        List<Command> edits = List.of(
+                moveTo(4.5),
+                new Command.MoveObstacle("desk", new Pose(4.5, 2, 1)),
+                new Command.PlaceObstacle(LAMP),
+                new Command.PlaceObstacle(new Obstacle("lamp", new ObstacleShape.Circle(0.3), LAMP.pose())),
+                new Command.SwitchSensor("left", false),
+                new Command.ConfigureSensor(FRONT.withRange(0.4)),
+                new Command.ConfigureSensor(FRONT.withRange(0.4).withCone(0.5)),
+                new Command.InjectFault("front", new Fault.Stuck(0.3)),
+                new Command.SetPlatform(0.3, 0.2, 0.3),
+                new Command.RemoveObstacle("desk"));
+        List<Snapshot> states = new ArrayList<>(List.of(world.snapshot()));
+        List<String> names = new ArrayList<>();
+        for (Command edit : edits) {
+            now += 5000;
+            runOnEdt(() -> controller.send(edit));
+            states.add(world.snapshot());
+            names.add(undoName().orElseThrow());
+        }
+        assertEquals(
+                List.of(
+                        "Move desk",
+                        "Turn desk",
+                        "Add lamp",
+                        "Change lamp",
+                        "Switch left off",
+                        "Range of front",
+                        "Cone of front",
+                        "Fault in front",
+                        "Change platform",
+                        "Delete desk"),
+                names);
+        for (int done = 9; done >= 0; done--) {
+            runOnEdt(controller::undo);
+            assertEquals(withoutOrder(states.get(done)), withoutOrder(world.snapshot()));
+        }
+        assertEquals(Optional.empty(), undoName());
+        for (int done = 1; done <= 10; done++) {
+            runOnEdt(controller::redo);
+            assertEquals(withoutOrder(states.get(done)), withoutOrder(world.snapshot()));
+        }
+        assertEquals(Optional.empty(), callOnEdt(controller::redoName));
+    }
+
+    /** An obstacle that comes back is drawn last. */
+    private static List<Object> withoutOrder(Snapshot world) {
+        return List.of(java.util.Set.copyOf(world.obstacles()), world.robot(), world.sensors());
+    }
+
+    @Test
+    void oneGestureIsOneEdit() {
+        runOnEdt(() -> {
+            controller.beginGesture();
+            controller.send(moveTo(4.2));
+            controller.send(moveTo(4.4));
+            controller.endGesture();
+            controller.send(moveTo(4.6));
+            controller.undo();
+        });
+        assertEquals(4.4, x());
+        runOnEdt(controller::undo);
+        assertEquals(4, x());
+        assertEquals(Optional.empty(), undoName());
+        runOnEdt(controller::redo);
+        assertEquals(4.4, x());
+    }
+
+    private double x() {
+        return world.snapshot().obstacles().get(0).pose().x();
+    }
+
+    @Test
+    void nudgesInQuickSuccessionAreOneEditAndAPauseEndsIt() {
+        runOnEdt(() -> controller.send(moveTo(4.1)));
+        now += 900;
+        runOnEdt(() -> controller.send(moveTo(4.2)));
+        now += 1100;
+        runOnEdt(() -> controller.send(moveTo(4.3)));
+        runOnEdt(controller::undo);
+        assertEquals(4.2, x());
+        runOnEdt(controller::undo);
+        assertEquals(4, x());
+    }
+
+    @Test
+    void savingEndsTheLastEdit() {
+        runOnEdt(() -> {
+            controller.send(moveTo(4.1));
+            controller.endEdit();
+            controller.send(moveTo(4.2));
+            controller.undo();
+        });
+        assertEquals(4.1, x());
+    }
+
+    @Test
+    void switchingThereAndBackIsTwoEdits() {
+        runOnEdt(() -> controller.send(new Command.SwitchSensor("front", false)));
+        runOnEdt(() -> controller.send(new Command.SwitchSensor("front", true)));
+        runOnEdt(controller::undo);
+        assertEquals(false, world.robot().sensors().get(0).on());
+    }
+
+    @Test
+    void aDragThatIsCancelledIsNoEdit() {
+        runOnEdt(() -> {
+            controller.beginGesture();
+            controller.send(moveTo(4.2));
+            controller.send(moveTo(4));
+            controller.endGesture();
+        });
+        assertEquals(Optional.empty(), undoName());
+    }
+
+    @Test
+    void aRefusedCommandAndOneThatChangesNothingAreNoEdits() {
+        runOnEdt(() -> controller.send(
+                new Command.PlaceObstacle(new Obstacle("lamp", new ObstacleShape.Circle(0.1), new Pose(2, 2, 0)))));
+        runOnEdt(() -> controller.send(new Command.SwitchSensor("front", true)));
+        assertEquals(Optional.empty(), undoName());
+    }
+
+    @Test
+    void anUndoOrRedoThatTheWorldRefusesLeavesTheHistoryUnchanged() {
+        runOnEdt(() -> controller.send(new Command.RemoveObstacle("desk")));
+        longRobot(true);
+        runOnEdt(controller::undo);
+        assertEquals(List.of(), world.snapshot().obstacles());
+        assertEquals(Optional.of("Delete desk"), undoName());
+        assertEquals(Optional.empty(), callOnEdt(controller::redoName));
+        longRobot(false);
+        runOnEdt(controller::undo);
+        assertEquals(List.of(DESK), world.snapshot().obstacles());
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(3.5, 2, 0));
+        runOnEdt(() -> controller.send(new Command.PlaceObstacle(pole)));
+        runOnEdt(controller::undo);
+        world.execute(new Command.RemoveObstacle("desk"));
+        longRobot(true);
+        runOnEdt(controller::redo);
+        assertEquals(Optional.of("Add pole"), callOnEdt(controller::redoName));
+        longRobot(false);
+        runOnEdt(controller::redo);
+        assertEquals(List.of(pole), world.snapshot().obstacles());
+    }
+
+    /** A robot so long that it reaches where the obstacles were, or of its usual length. */
+    private void longRobot(boolean isLong) {
+        assertEquals(Optional.empty(), world.execute(new Command.SetPlatform(isLong ? 3.9 : 0.25, 0.2, 0.3)));
+    }
+
+    @Test
+    void severalCommandsSentTogetherAreOneEdit() {
+        runOnEdt(() -> controller.send(List.of(new Command.PlaceObstacle(LAMP), new Command.RemoveObstacle("desk"))));
+        assertEquals(Optional.of("2 changes"), undoName());
+        runOnEdt(controller::undo);
+        assertEquals(List.of(DESK), world.snapshot().obstacles());
+    }
+
+    @Test
+    void clearingTheFaultsOfSeveralSensorsIsOneEditThatUndoRestores() {
+        runOnEdt(() -> controller.send(List.of(
+                new Command.InjectFault("left", new Fault.Dead()),
+                new Command.InjectFault("front", new Fault.Dead()))));
+        runOnEdt(() -> controller.send(List.of(new Command.ClearFaults("left"), new Command.ClearFaults("front"))));
+        assertEquals(Optional.of("Mend 2 sensors"), undoName());
+        runOnEdt(controller::undo);
+        assertEquals(
+                List.of("front", "left"),
+                world.snapshot().sensors().stream()
+                        .filter(sensor -> !sensor.faults().isEmpty())
+                        .map(sensor -> sensor.spec().id())
+                        .sorted()
+                        .toList());
+    }
+
+    @Test
+    void anotherScenarioBeginsWithoutEdits() {
+        runOnEdt(() -> controller.send(moveTo(4.1)));
+        runOnEdt(controller::clear);
+        assertEquals(Optional.empty(), undoName());
+    }
+}

@@ -1,0 +1,349 @@
+package faultline.gui.export;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.TraceWriter;
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.gui.action.UiAction;
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.TaskKind;
+import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
+import faultline.gui.edit.UndoController;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Theme;
+import faultline.paint.surface.Palette;
+import faultline.scenario.Scenario;
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.ClipboardOwner;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Transferable;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CountDownLatch;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Each format written from a run and read back, without a display. */
+@ExtendWith(EdtChecker.class)
+class ExportControllerTest {
+
+    private static final int STEPS = 12;
+
+    @TempDir
+    private Path folder;
+
+    private Workspace workspace;
+    private RunController run;
+    private SimulationCanvas canvas;
+    private ExportController controller;
+    private DocumentStore documentStore;
+    private List<UiAction> actions;
+    private final List<Path> written = new ArrayList<>();
+    private final List<Throwable> failures = new ArrayList<>();
+
+    @BeforeEach
+    void runAFewTicks() {
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            workspace = new Workspace(new FailingListener());
+            run = new RunController(workspace);
+            canvas = new SimulationCanvas(new UndoController(run::send, () -> {}));
+            canvas.setSize(300, 200);
+            controller = new ExportController(
+                    canvas,
+                    workspace,
+                    canvas,
+                    (action, extension) -> Optional.of(folder.resolve("out" + extension)),
+                    written::add);
+            actions = controller.actions();
+            documentStore = new DocumentStore(workspace);
+            documentStore.open(Path.of("scenarios/office.xml"));
+        });
+        Await.until("the scenario", () -> run.frame().isPresent());
+        stepTo(STEPS);
+    }
+
+    private void stepTo(int tick) {
+        for (long i = callOnEdt(() -> run.frame().orElseThrow().snapshot().tick()); i < tick; i++) {
+            runOnEdt(run::step);
+        }
+        Await.until("the last tick", () -> run.frame().orElseThrow().snapshot().tick() == tick);
+        runOnEdt(() -> canvas.setFrame(run.frame().orElseThrow()));
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    @Test
+    void anImageHasTwiceTheResolutionOfTheCanvasAndShowsTheSame() throws IOException {
+        BufferedImage picture = ImageIO.read(exportToFile("exportPng", ".png").toFile());
+        assertEquals(600, picture.getWidth());
+        assertEquals(400, picture.getHeight());
+        assertEquals(Palette.LIGHT.canvas().getRGB(), picture.getRGB(3, 396));
+    }
+
+    @Test
+    void picturesAreDarkOnlyWhereThatIsAskedFor() throws IOException {
+        runOnEdt(Theme.DARK::install);
+        assertEquals(
+                Palette.LIGHT.canvas().getRGB(),
+                ImageIO.read(exportToFile("exportPng", ".png").toFile()).getRGB(3, 396));
+        Files.delete(folder.resolve("out.png"));
+        runOnEdt(() -> {
+            action("exportDark").putValue(UiAction.SELECTED_KEY, true);
+            perform("exportDark");
+        });
+        assertEquals(
+                Palette.DARK.canvas().getRGB(),
+                ImageIO.read(exportToFile("exportPng", ".png").toFile()).getRGB(3, 396));
+        runOnEdt(Theme.LIGHT::install);
+    }
+
+    @Test
+    void aDrawingIsAsLargeAsTheCanvas() throws Exception {
+        Path file = exportToFile("exportSvg", ".svg");
+        assertEquals(
+                "300",
+                DocumentBuilderFactory.newDefaultInstance()
+                        .newDocumentBuilder()
+                        .parse(file.toFile())
+                        .getDocumentElement()
+                        .getAttribute("width"));
+    }
+
+    @Test
+    void whatIsWrittenInPicturesIsInTheLanguageOfTheWindow() {
+        runOnEdt(() -> Messages.setLanguage(Language.POLISH));
+        String off = callOnEdt(() -> canvas.renderRequest(Palette.LIGHT)
+                .orElseThrow()
+                .painter()
+                .labels()
+                .switchedOff());
+        runOnEdt(() -> Messages.setLanguage(Language.ENGLISH));
+        assertEquals("wył.", off);
+    }
+
+    @Test
+    void aTraceIsTheOneThatARunWithoutAWindowWrites() throws Exception {
+        StringWriter expected = new StringWriter();
+        Scenario scenario = Scenario.load(Path.of("scenarios/office.xml"));
+        HeadlessRun.run(
+                scenario.setup().withDuration(STEPS * scenario.setup().dt()),
+                ControllerMode.DIRECT,
+                List.of(new TraceWriter(expected)));
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        new TraceExport(callOnEdt(() -> workspace.replayScenario().orElseThrow()))
+                .write(out, share -> assertTrue(share >= 0 && share <= 1));
+        assertEquals(expected.toString(), out.toString(StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void anAnimatedGifHasAFrameForEveryTwentiethOfASecond() throws IOException {
+        assertEquals(3, frameCount(gifExport(0)), "ticks 0, 5 and 10 of 12");
+    }
+
+    @Test
+    void anAnimatedGifCanStartLater() throws IOException {
+        assertEquals(2, frameCount(gifExport(4)), "ticks 4 and 9 of 12");
+    }
+
+    @Test
+    void anAnimatedGifStartsWhereItsRecordingDidEvenIfTheFileHasChanged() throws IOException {
+        runOnEdt(() -> setRecording(true));
+        stepTo(STEPS + 6);
+        Path other = folder.resolve("other.xml");
+        runOnEdt(() -> documentStore.save(other, () -> written.add(other)));
+        Await.until("the save", () -> written.remove(other));
+        assertEquals(2, recordedFrameCount(), "ticks 12 and 17 of 18");
+    }
+
+    @Test
+    void aRecordingEndedByAnotherScenarioIsDiscarded() throws IOException {
+        runOnEdt(() -> setRecording(true));
+        runOnEdt(controller::scenarioOpened);
+        assertEquals(3, recordedFrameCount(), "ticks 0, 5 and 10 of 12");
+    }
+
+    private void setRecording(boolean on) {
+        action("record").putValue(UiAction.SELECTED_KEY, on);
+        perform("record");
+    }
+
+    /** The pictures of the film that ends now. */
+    private int recordedFrameCount() throws IOException {
+        runOnEdt(() -> setRecording(false));
+        Path file = folder.resolve("out.gif");
+        Await.until("the film", () -> written.remove(file));
+        return frameCount(Files.readAllBytes(file));
+    }
+
+    private AnimatedGifExport gifExport(long from) {
+        return callOnEdt(() -> new AnimatedGifExport(
+                canvas.renderRequest(Palette.LIGHT).orElseThrow(),
+                workspace.replayScenario().orElseThrow(),
+                from));
+    }
+
+    private static int frameCount(AnimatedGifExport film) throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        film.write(out, share -> {});
+        return frameCount(out.toByteArray());
+    }
+
+    private static int frameCount(byte[] gif) throws IOException {
+        ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+        reader.setInput(ImageIO.createImageInputStream(new ByteArrayInputStream(gif)));
+        return reader.getNumImages(true);
+    }
+
+    @Test
+    void aCancelledGifExportStopsAtOnce() {
+        AnimatedGifExport film = gifExport(0);
+        assertThrows(
+                CancellationException.class,
+                () -> film.write(new ByteArrayOutputStream(), share -> {
+                    throw new CancellationException();
+                }));
+    }
+
+    @Test
+    void theProgramDoesNotExitBeforeAFileIsComplete() {
+        Path file = folder.resolve("whole.csv");
+        CountDownLatch released = new CountDownLatch(1);
+        ExportTask task = callOnEdt(() -> new ExportTask(
+                canvas,
+                (out, progress) -> {
+                    try {
+                        released.await();
+                    } catch (InterruptedException broken) {
+                        throw new AssertionError(broken);
+                    }
+                },
+                file,
+                written::add,
+                why -> {}));
+        task.start();
+        assertTrue(Thread.getAllStackTraces().keySet().stream()
+                .anyMatch(thread -> thread.getName().equals("faultline-guard") && !thread.isDaemon()));
+        released.countDown();
+        Await.until("the word that it is written", () -> written.contains(file));
+        Await.until("the end of the thread that keeps the program", () -> Thread.getAllStackTraces().keySet().stream()
+                .noneMatch(thread -> thread.getName().equals("faultline-guard")));
+    }
+
+    @Test
+    void aCancelledExportLeavesNoFile() throws Exception {
+        Path file = folder.resolve("never.csv");
+        ExportTask task = callOnEdt(() -> new ExportTask(
+                canvas,
+                (out, progress) -> {
+                    out.write(1);
+                    throw new CancellationException();
+                },
+                file,
+                written::add,
+                why -> {}));
+        task.start();
+        Await.until("the end of the task", task::isDone);
+        assertFalse(Files.exists(file));
+        assertEquals(List.of(), written);
+        try (Stream<Path> left = Files.list(folder)) {
+            assertEquals(List.of(), left.toList());
+        }
+    }
+
+    @Test
+    void aPictureComesBackFromTheClipboard() throws IOException, UnsupportedFlavorException {
+        Clipboard clipboard = new Clipboard("test");
+        copyTo(clipboard);
+        Await.until("the picture", () -> clipboard.isDataFlavorAvailable(DataFlavor.imageFlavor));
+        assertEquals(600, ((BufferedImage) clipboard.getData(DataFlavor.imageFlavor)).getWidth());
+        assertThrows(UnsupportedFlavorException.class, () -> clipboard.getData(DataFlavor.stringFlavor));
+    }
+
+    @Test
+    void aBusyClipboardIsReportedInOneSentence() {
+        copyTo(new Clipboard("busy") {
+            @Override
+            public synchronized void setContents(Transferable contents, ClipboardOwner owner) {
+                throw new IllegalStateException("cannot open system clipboard");
+            }
+        });
+        Await.until("the failure", () -> !failures.isEmpty());
+        assertEquals(
+                "The clipboard is in use by another program", failures.get(0).getMessage());
+    }
+
+    private void copyTo(Clipboard clipboard) {
+        runOnEdt(() -> new CopyImageTask(canvas.renderRequest(Palette.LIGHT).orElseThrow(), 2, clipboard, failures::add)
+                .execute());
+    }
+
+    private Path exportToFile(String action, String extension) {
+        Path file = folder.resolve("out" + extension);
+        runOnEdt(() -> perform(action));
+        Await.until("the word that it is written", () -> written.remove(file));
+        return file;
+    }
+
+    private void perform(String action) {
+        action(action).actionPerformed(null);
+    }
+
+    private UiAction action(String key) {
+        return actions.stream()
+                .filter(action -> action.key().equals(key))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** Nothing here fails. */
+    private static final class FailingListener implements WorkspaceListener {
+        @Override
+        public void sessionStarted() {
+            // Frames are asked for.
+        }
+
+        @Override
+        public void titleChanged() {
+            // Nobody reads the title.
+        }
+
+        @Override
+        public void taskFailed(TaskKind what, Path file, Throwable why) {
+            throw new AssertionError(why);
+        }
+    }
+}

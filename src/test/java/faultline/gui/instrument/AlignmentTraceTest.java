@@ -1,0 +1,114 @@
+package faultline.gui.instrument;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.control.FollowerState;
+import faultline.control.TimingRule;
+import faultline.control.WallSide;
+import faultline.engine.Frame;
+import faultline.engine.SimulationSetup;
+import faultline.engine.recording.EventLog;
+import faultline.engine.recording.RunEvent;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** The t_D/2 instrument: its numbers are the controller's and the run's own. */
+class AlignmentTraceTest {
+
+    private static final Frame FRAME = SampleRuns.frame(2000);
+
+    /** The tick of the newest transition to a state. */
+    private static long arrival(Frame frame, FollowerState state) {
+        EventLog log = frame.recording().events();
+        for (long i = log.endIndex() - 1; i >= 0; i--) {
+            if (log.get(i) instanceof RunEvent.StateChanged transition
+                    && transition.to().equals(state.name())) {
+                return transition.tick();
+            }
+        }
+        throw new AssertionError("the run never came to " + state);
+    }
+
+    @Test
+    void beforeTheFirstTurnThereIsNone() {
+        assertEquals(Optional.empty(), AlignmentTrace.latest(SampleRuns.frame(10)));
+    }
+
+    @Test
+    void timesAreTheControllersAndTpIsHalfOfTd() {
+        AlignmentTrace spin = AlignmentTrace.latest(FRAME).orElseThrow();
+        assertEquals(FRAME.telemetry().tF3(), spin.f3());
+        assertEquals(FRAME.telemetry().tF4(), spin.f4());
+        assertEquals(spin.tD() / 2, spin.tP(), 1e-12);
+    }
+
+    @ParameterizedTest
+    @EnumSource(WallSide.class)
+    void theAchievedHeadingIsThatOfTheHandOverAndCloseToThePredictedOne(WallSide hand) {
+        SimulationSetup setup =
+                SampleRuns.setup(new ControllerSpec.WallFollowing(0.25, hand, 0, TimingRule.EQUAL_READINGS));
+        Frame frame = SampleRuns.frame(setup, 2000);
+        AlignmentTrace spin = AlignmentTrace.latest(frame).orElseThrow();
+        double handOver = SampleRuns.frame(setup, arrival(frame, FollowerState.ALIGN) + 1)
+                .snapshot()
+                .pose()
+                .heading();
+        assertTrue(
+                Math.abs(handOver - spin.achievedHeading().orElseThrow()) > 0.01,
+                "the turn back is not over when ALIGN begins");
+        double atFollow = SampleRuns.frame(setup, arrival(frame, FollowerState.FOLLOW) - 1)
+                .snapshot()
+                .pose()
+                .heading();
+        assertEquals(atFollow, spin.achievedHeading().orElseThrow(), 1e-5);
+        assertEquals(0, Math.toDegrees(spin.headingError().orElseThrow()), 0.5);
+        assertEquals(
+                0,
+                Math.toDegrees(Math.IEEEremainder(spin.achievedHeading().orElseThrow(), Math.PI / 2)),
+                1.0,
+                "along a wall of the room");
+    }
+
+    @Test
+    void theReadingsFallToTheWallAndRiseAgainAroundTheMiddleOfTd() {
+        AlignmentTrace spin = AlignmentTrace.latest(FRAME).orElseThrow();
+        AlignmentTrace.Sample nearest = spin.samples().stream()
+                .filter(sample -> sample.clock() >= spin.f3())
+                .min((one, other) -> Double.compare(one.reading(), other.reading()))
+                .orElseThrow();
+        assertEquals((spin.f3() + spin.f4()) / 2, nearest.clock(), spin.tD() / 4);
+        double last = spin.samples().get(spin.samples().size() - 1).reading();
+        assertTrue(last > nearest.reading() + 0.01, last + " after " + nearest.reading());
+        assertEquals(spin.clockAt(spin.predictedHeading()), (spin.f3() + spin.f4()) / 2, 1e-9);
+    }
+
+    @Test
+    void inTheMiddleOfATurnWhatIsNotKnownYetIsADash() {
+        long turn = arrival(FRAME, FollowerState.TURN);
+        AlignmentView instrument = callOnEdt(AlignmentView::new);
+        runOnEdt(() -> instrument.setFrame(SampleRuns.frame(turn + 5)));
+        List<String> values = callOnEdt(
+                () -> instrument.rows().stream().map(AlignmentText.Row::value).toList());
+        assertEquals(List.of("–", "–", "–", "–", "–", "–", "–"), values);
+        runOnEdt(() -> SampleRuns.render(instrument, 900, 200));
+    }
+
+    @Test
+    void allNumbersAreSaidForReadersOfTheScreen() {
+        AlignmentView instrument = callOnEdt(AlignmentView::new);
+        runOnEdt(() -> instrument.setFrame(FRAME));
+        String words = callOnEdt(() -> instrument.getAccessibleContext().getAccessibleDescription());
+        assertTrue(
+                words.matches(
+                        "F3 \\d\\.\\d{3} s, F4 \\d\\.\\d{3} s, t_D \\d\\.\\d{3} s, t_p \\d\\.\\d{3} s, predicted heading .+°, achieved heading .+°, error [+\u2212]0\\.\\d\\d°"),
+                words);
+        runOnEdt(() -> SampleRuns.render(instrument, 900, 200));
+    }
+}

@@ -1,0 +1,186 @@
+package faultline.gui.instrument;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.recording.EventRecorder;
+import faultline.engine.recording.RunEvent;
+import faultline.world.Command;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JTable;
+import javax.swing.event.TableModelEvent;
+import org.junit.jupiter.api.Test;
+
+/** The rows of the event log while a run goes on, beside an earlier run too. */
+class EventTableModelTest {
+
+    /** So many events fill the log; with one more, so many of the oldest are forgotten. */
+    private static final int LOG_CAPACITY = 8192;
+
+    private static final int CHUNK = 512;
+
+    private final EventRecorder recorder = new EventRecorder();
+    private final EventTableModel events = new EventTableModel();
+    private final JTable table = callOnEdt(() -> new JTable(events));
+
+    private boolean recordEvent(long tick) {
+        recorder.add(new RunEvent.CommandExecuted(tick, tick * 0.01, new Command.SwitchSensor("left", false)));
+        return update();
+    }
+
+    private boolean update() {
+        return callOnEdt(() -> events.update(recorder.view()));
+    }
+
+    private void choose(int row) {
+        runOnEdt(() -> table.setRowSelectionInterval(row, row));
+    }
+
+    private int chosen() {
+        return callOnEdt(table::getSelectedRow);
+    }
+
+    private void diverge(long tick) {
+        runOnEdt(() -> events.setDivergence(Optional.of(new RunEvent.Diverged(tick, tick * 0.01))));
+    }
+
+    @Test
+    void aChosenEventStaysChosenWhileTheRunGoesOn() {
+        recordEvent(1);
+        choose(0);
+        assertTrue(recordEvent(5));
+        assertFalse(update());
+        assertEquals(0, chosen());
+    }
+
+    @Test
+    void aChosenEventStaysChosenInARunThatHasLeftAnEarlierOne() {
+        recordEvent(1);
+        recordEvent(5);
+        diverge(7);
+        choose(1);
+        assertFalse(update(), "nothing is new");
+        assertTrue(recordEvent(9));
+        assertEquals(1, chosen());
+        assertEquals(7, events.eventAt(2).tick());
+        assertEquals(9, events.eventAt(3).tick());
+    }
+
+    @Test
+    void anEventBeforeTheDivergenceMovesItsRow() {
+        recordEvent(1);
+        diverge(7);
+        assertTrue(recordEvent(5));
+        assertEquals(5, events.eventAt(1).tick());
+        assertEquals(7, events.eventAt(2).tick());
+    }
+
+    /** What the table is told, in the order of telling. */
+    private List<String> notifications() {
+        List<String> told = new ArrayList<>();
+        runOnEdt(() -> events.addTableModelListener(event -> told.add(kind(event))));
+        return told;
+    }
+
+    private static String kind(TableModelEvent event) {
+        if (event.getLastRow() == Integer.MAX_VALUE) {
+            return "all";
+        }
+        return (event.getType() == TableModelEvent.INSERT ? "+" : event.getType() == TableModelEvent.DELETE ? "-" : "=")
+                + event.getFirstRow() + ".." + event.getLastRow();
+    }
+
+    private void fill(int events) {
+        for (int i = 0; i < events; i++) {
+            recorder.add(new RunEvent.CommandExecuted(10L * i, i * 0.1, new Command.SwitchSensor("left", false)));
+        }
+        update();
+    }
+
+    private long tickOfChosen() {
+        return callOnEdt(() -> events.eventAt(table.getSelectedRow()).tick());
+    }
+
+    @Test
+    void onlyNewRowsAreReported() {
+        List<String> told = notifications();
+        recordEvent(1);
+        recordEvent(5);
+        update();
+        assertEquals(List.of("+0..0", "+1..1"), told);
+    }
+
+    @Test
+    void anotherRunIsReportedAsAWhole() {
+        recordEvent(1);
+        List<String> told = notifications();
+        EventRecorder other = new EventRecorder();
+        other.add(new RunEvent.CommandExecuted(1, 0.01, new Command.SwitchSensor("left", true)));
+        assertTrue(callOnEdt(() -> events.update(other.view())));
+        assertEquals(List.of("all"), told);
+    }
+
+    @Test
+    void whatAFullLogForgetsIsTakenFromItsTopAndAChosenEventStaysChosen() {
+        fill(LOG_CAPACITY);
+        choose(1000);
+        long tick = tickOfChosen();
+        List<String> told = notifications();
+        assertTrue(recordEvent(100_000));
+        assertEquals(List.of("-0.." + (CHUNK - 1), "+" + (LOG_CAPACITY - CHUNK) + ".." + (LOG_CAPACITY - CHUNK)), told);
+        assertEquals(1000 - CHUNK, chosen());
+        assertEquals(tick, tickOfChosen());
+        assertEquals(LOG_CAPACITY - CHUNK + 1, events.getRowCount());
+    }
+
+    @Test
+    void anEventThatIsForgottenIsChosenNoMore() {
+        fill(LOG_CAPACITY);
+        choose(CHUNK - 1);
+        recordEvent(100_000);
+        assertEquals(-1, chosen());
+    }
+
+    @Test
+    void theDivergenceStaysAtTheTopWhereWhatCameBeforeItIsForgotten() {
+        fill(LOG_CAPACITY);
+        diverge(50);
+        choose(5);
+        List<String> told = notifications();
+        assertTrue(recordEvent(100_000));
+        assertEquals(
+                List.of("-6.." + CHUNK, "-0..4", "+" + (LOG_CAPACITY - CHUNK + 1) + ".." + (LOG_CAPACITY - CHUNK + 1)),
+                told);
+        assertEquals(0, chosen());
+        assertEquals(50, tickOfChosen());
+        assertEquals(10 * CHUNK, events.eventAt(1).tick());
+    }
+
+    @Test
+    void aDivergenceThatComesOrGoesLeavesTheChosenEventChosen() {
+        fill(10);
+        choose(7);
+        diverge(30);
+        assertEquals(70, tickOfChosen());
+        assertEquals(8, chosen());
+        runOnEdt(() -> events.setDivergence(Optional.empty()));
+        assertEquals(70, tickOfChosen());
+        assertEquals(7, chosen());
+    }
+
+    @Test
+    void anEventBeforeTheDivergenceLeavesTheChosenEventChosen() {
+        recordEvent(1);
+        diverge(7);
+        choose(0);
+        List<String> told = notifications();
+        recordEvent(5);
+        assertEquals(List.of("-1..1", "+1..1", "+2..2"), told);
+        assertEquals(0, chosen());
+    }
+}

@@ -1,0 +1,83 @@
+package faultline.gui.instrument;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.Frame;
+import faultline.engine.Journal;
+import faultline.engine.SimulationSetup;
+import faultline.engine.session.Session;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import faultline.world.WorldSpec;
+import java.awt.Container;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JComponent;
+
+/** Frames of a real run with all that is remembered of it, and pictures of components without a display. */
+final class SampleRuns {
+
+    /** An empty room of 4 m by 3 m; the robot drives at its right wall. */
+    static final SimulationSetup ROOM_SETUP = setup(ControllerSpec.WallFollowing.DEFAULT);
+
+    private SampleRuns() {}
+
+    static SimulationSetup setup(ControllerSpec controller) {
+        return new SimulationSetup(
+                new WorldSpec(4, 3, true, 3, List.of()),
+                RobotSpec.DEFAULT,
+                new Pose(2, 1.5, 0.2),
+                controller,
+                List.of(
+                        new SimulationSetup.TimedCommand(0, new Command.SwitchSensor("rear", false)),
+                        new SimulationSetup.TimedCommand(
+                                2, new Command.InjectFault("rear-right", new Fault.Stuck(0.4))),
+                        new SimulationSetup.TimedCommand(3, new Command.SwitchSensor("nose", true))),
+                0.01,
+                1,
+                60);
+    }
+
+    static Frame frame(long tick) {
+        return frame(ROOM_SETUP, tick);
+    }
+
+    static Frame frame(SimulationSetup setup, long tick) {
+        try (Session session = Session.replay(new Journal(setup, List.of(), tick), tick, onward -> true)) {
+            return session.frame();
+        }
+    }
+
+    /** A picture of a component of a size, as it would be on a screen. */
+    static BufferedImage render(JComponent component, int width, int height) {
+        component.setSize(width, height);
+        layOut(component);
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        component.print(graphics);
+        graphics.dispose();
+        return image;
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        Stream.of(container.getComponents())
+                .filter(Container.class::isInstance)
+                .map(Container.class::cast)
+                .forEach(SampleRuns::layOut);
+    }
+
+    /** How many pixels of a picture have just a colour. */
+    static long count(BufferedImage image, java.awt.Color colour) {
+        long count = 0;
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                count += (image.getRGB(x, y) & 0xFFFFFF) == (colour.getRGB() & 0xFFFFFF) ? 1 : 0;
+            }
+        }
+        return count;
+    }
+}

@@ -1,0 +1,46 @@
+package faultline.gui.panel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.text.ParseException;
+import java.util.Locale;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class DecimalFormatterTest {
+
+    private final Locale before = Locale.getDefault();
+
+    @AfterEach
+    void restoreLocale() {
+        Locale.setDefault(before);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {"1.25 | 1.25", "1,25 | 1.25", " 3 | 3", ".5 | 0.5", "2. | 2", "+4 | 4"})
+    void pointAndCommaAreBothTaken(String text, double value) throws ParseException {
+        for (String country : new String[] {"en-US", "pl-PL", "de-CH"}) {
+            Locale.setDefault(Locale.forLanguageTag(country));
+            assertEquals(value, new DecimalFormatter("0.00##", 0.01, 100).stringToValue(text));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "x", "1.2.3", "1,2,3", "1 2", "0x10", "NaN", "Infinity", "1e3", "0", "100.01", "-1"})
+    void whatIsNoNumberOrBeyondTheLimitsIsRefused(String text) {
+        assertThrows(ParseException.class, () -> new DecimalFormatter("0.00##", 0.01, 100).stringToValue(text));
+    }
+
+    @Test
+    void numbersAreWrittenWithAPointInEveryCountry() {
+        Locale.setDefault(Locale.forLanguageTag("pl-PL"));
+        assertEquals("0.80", new DecimalFormatter("0.00##", 0, 1).valueToString(0.8));
+        assertEquals("0.8125", new DecimalFormatter("0.00##", 0, 1).valueToString(0.8125));
+    }
+}

@@ -1,0 +1,54 @@
+package faultline.gui.settings;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.settings.WindowPreferences.PreferenceStore;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.prefs.Preferences;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+/** The list of files that were open last. */
+class RecentFilesTest {
+
+    private final Map<String, String> texts = new HashMap<>();
+    private final RecentFiles recent = new RecentFiles(new PreferenceStore() {
+        @Override
+        public String get(String key) {
+            return texts.getOrDefault(key, "");
+        }
+
+        @Override
+        public void put(String key, String text) {
+            assertTrue(text.length() <= Preferences.MAX_VALUE_LENGTH, "the preferences would refuse it");
+            texts.put(key, text);
+        }
+    });
+
+    private static Path file(String name) {
+        return Path.of(name).toAbsolutePath();
+    }
+
+    @Test
+    void theEightNewestAreKeptEachOnce() {
+        IntStream.range(0, 10).forEach(i -> recent.add(file("room" + i)));
+        recent.add(file("room5"));
+        assertEquals(
+                IntStream.of(5, 9, 8, 7, 6, 4, 3, 2)
+                        .mapToObj(i -> file("room" + i))
+                        .toList(),
+                recent.files());
+    }
+
+    @Test
+    void longNamesPushTheOldestOut() {
+        IntStream.range(0, 8).forEach(i -> recent.add(file(i + "x".repeat(200) + "/y".repeat(1000))));
+        List<Path> files = recent.files();
+        assertEquals(file("7" + "x".repeat(200) + "/y".repeat(1000)), files.get(0));
+        assertTrue(files.size() >= 2 && files.size() < 8, files.size() + " files");
+    }
+}

@@ -1,0 +1,62 @@
+package faultline.gui.settings;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.theme.Theme;
+import java.awt.Rectangle;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+class WindowPreferencesTest {
+
+    private final Map<String, String> store = new HashMap<>();
+    private final WindowPreferences preferences = new WindowPreferences(new WindowPreferences.PreferenceStore() {
+        @Override
+        public String get(String key) {
+            return store.getOrDefault(key, "");
+        }
+
+        @Override
+        public void put(String key, String text) {
+            store.put(key, text);
+        }
+    });
+
+    @Test
+    void whatIsKeptComesBack() {
+        preferences.setTheme(Theme.DARK);
+        preferences.setBounds(new Rectangle(-20, 30, 1200, 800));
+        preferences.setPanelWidth(410);
+        assertEquals(Theme.DARK, preferences.theme());
+        assertEquals(Optional.of(new Rectangle(-20, 30, 1200, 800)), preferences.bounds());
+        assertEquals(Optional.of(410), preferences.panelWidth());
+    }
+
+    @Test
+    void howObstaclesSnapIsKept() {
+        assertFalse(preferences.isGridSnapped());
+        preferences.setSnap(true, false);
+        assertTrue(preferences.isGridSnapped());
+        assertFalse(preferences.isAngleSnapped());
+    }
+
+    @Test
+    void damagedPreferencesAreIgnored() {
+        store.putAll(Map.of("theme", "PINK", "bounds", "1 2 x 4", "divider", "-5"));
+        assertEquals(Theme.LIGHT, preferences.theme());
+        assertEquals(Optional.empty(), preferences.bounds());
+        assertEquals(Optional.empty(), preferences.panelWidth());
+    }
+
+    @Test
+    void nonPersistentPreferencesKeepNothing() {
+        WindowPreferences none = WindowPreferences.nonPersistent();
+        none.setTheme(Theme.DARK);
+        assertEquals(Theme.LIGHT, none.theme());
+        assertEquals(Optional.empty(), none.bounds());
+    }
+}

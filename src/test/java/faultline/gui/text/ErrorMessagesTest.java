@@ -1,0 +1,89 @@
+package faultline.gui.text;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.io.AtomicFile;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.concurrent.CompletionException;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Assertions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What people are told of exceptions. */
+class ErrorMessagesTest {
+
+    @TempDir
+    private Path folder;
+
+    @AfterEach
+    void setEnglish() {
+        Messages.setLanguage(Language.ENGLISH);
+    }
+
+    static Stream<Arguments> exceptions() {
+        return Stream.of(
+                Arguments.of(new OutOfMemoryError("Java heap space"), "there is not enough memory", "za mało pamięci"),
+                Arguments.of(new AccessDeniedException("/x/y"), "access is denied", "brak dostępu"),
+                Arguments.of(
+                        new NoSuchFileException("/x/y"),
+                        "there is no such file or folder",
+                        "nie ma takiego pliku lub folderu"),
+                Arguments.of(
+                        new FileSystemException("/x/y"),
+                        "the disk or the network does not take it",
+                        "dysk lub sieć tego nie przyjmuje"),
+                Arguments.of(
+                        new FileSystemException("/x/y", null, "No space left on device"),
+                        "No space left on device",
+                        "No space left on device"),
+                Arguments.of(
+                        new NullPointerException(),
+                        "a fault of the program (NullPointerException)",
+                        "błąd programu (NullPointerException)"),
+                Arguments.of(
+                        new IllegalStateException("the wheel came off"), "the wheel came off", "the wheel came off"),
+                Arguments.of(
+                        new CompletionException(new UncheckedIOException(new AccessDeniedException("/x"))),
+                        "access is denied",
+                        "brak dostępu"),
+                Arguments.of(
+                        new IOException("the file may not be written"),
+                        "the file may not be written",
+                        "nie wolno zapisywać tego pliku"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("exceptions")
+    void anExceptionIsAPhraseInTheUsersLanguage(Throwable why, String english, String polish) {
+        assertEquals(english, ErrorMessages.describe(why));
+        Messages.setLanguage(Language.POLISH);
+        assertEquals(polish, ErrorMessages.describe(why));
+    }
+
+    @Test
+    void aFileNameThatIsAlreadyShownIsOmitted() {
+        IOException why = Assertions.assertThrows(
+                IOException.class, () -> AtomicFile.create(folder).close());
+        assertEquals("this is a folder, allowed is a file", ErrorMessages.describe(why, folder));
+    }
+
+    @Test
+    void theFirstProblemOfAFileIsReported() throws IOException {
+        Path empty = Files.createFile(folder.resolve("empty.xml"));
+        ScenarioException why = Assertions.assertThrows(ScenarioException.class, () -> Scenario.load(empty));
+        assertEquals("the file is empty, allowed is a scenario", ErrorMessages.describe(why, empty));
+    }
+}

@@ -1,0 +1,83 @@
+package faultline.gui.text;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.document.TaskKind;
+import faultline.sensor.FaultKind;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+class MessagesTest {
+
+    private static final Pattern TEXT = Pattern.compile(
+            "(?:Texts\\.text|Texts\\.has|cell|label|name|addRow)\\((?:\\d, |\\w+, )?\"([a-z]\\w*\\.[\\w.]+\\w)\"");
+    private static final Pattern ACTION = Pattern.compile("(?:UiAction\\.(?:of|toggle)|layer|rename)\\(\"(\\w+)\"");
+
+    @Test
+    void everyTextThatTheWindowAsksForIsThere() throws IOException {
+        TreeSet<String> missing = new TreeSet<>();
+        int asked = 0;
+        for (String source : sources()) {
+            List<String> keys =
+                    TEXT.matcher(source).results().map(found -> found.group(1)).toList();
+            asked += keys.size();
+            keys.stream().filter(key -> !Messages.contains(key)).forEach(missing::add);
+        }
+        assertEquals(List.of(), List.copyOf(missing));
+        assertTrue(asked > 60, "only " + asked + " found");
+    }
+
+    @Test
+    void everyActionHasANameAndATip() throws IOException {
+        TreeSet<String> missing = new TreeSet<>();
+        int asked = 0;
+        for (String source : sources()) {
+            for (String key : ACTION.matcher(source)
+                    .results()
+                    .map(found -> "action." + found.group(1))
+                    .toList()) {
+                asked++;
+                Stream.of(key, key + ".tip")
+                        .filter(each -> !Messages.contains(each) && !each.startsWith("action.sensor"))
+                        .forEach(missing::add);
+            }
+        }
+        assertEquals(List.of(), List.copyOf(missing));
+        assertTrue(asked > 20, "only " + asked + " found");
+    }
+
+    @Test
+    void everyKindOfFaultAndEveryTaskHasAText() {
+        Stream.of(FaultKind.values())
+                .forEach(kind -> assertTrue(Messages.contains("fault." + kind.fileName()), kind.fileName()));
+        Stream.of(TaskKind.values()).forEach(task -> assertTrue(Messages.contains("failed." + task), task.name()));
+    }
+
+    @Test
+    void gapsAreFilledAsTheyAre() {
+        assertEquals("1234.5 to 2", Messages.get("number.limits", "1234.5", "2"));
+    }
+
+    private static List<String> sources() throws IOException {
+        try (Stream<Path> files = Files.walk(Path.of("src/main/java/faultline/gui"))) {
+            return files.filter(file -> file.toString().endsWith(".java"))
+                    .map(MessagesTest::read)
+                    .toList();
+        }
+    }
+
+    private static String read(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException unreadable) {
+            throw new AssertionError(unreadable);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package faultline.gui.window;
+
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Transferable;
+import java.awt.dnd.DnDConstants;
+import java.awt.dnd.DragSource;
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+
+/** A window out of which a file can be dragged, as out of a file manager. */
+final class DragSourceWindow {
+
+    private DragSourceWindow() {}
+
+    /** The window, not yet shown, beside where the window under test is. */
+    static JFrame create(Path file) {
+        JFrame frame = new JFrame("Files");
+        JLabel label = new JLabel(file.getFileName().toString());
+        DragSource.getDefaultDragSource()
+                .createDefaultDragGestureRecognizer(
+                        label,
+                        DnDConstants.ACTION_COPY,
+                        gesture -> gesture.startDrag(DragSource.DefaultCopyDrop, new FileTransferable(file)));
+        frame.add(label);
+        frame.setBounds(1430, 60, 150, 120);
+        return frame;
+    }
+
+    /** A list of one file. */
+    private record FileTransferable(Path file) implements Transferable {
+        @Override
+        public DataFlavor[] getTransferDataFlavors() {
+            return new DataFlavor[] {DataFlavor.javaFileListFlavor};
+        }
+
+        @Override
+        public boolean isDataFlavorSupported(DataFlavor flavor) {
+            return flavor.equals(DataFlavor.javaFileListFlavor);
+        }
+
+        @Override
+        public Object getTransferData(DataFlavor flavor) {
+            return List.of(file.toFile());
+        }
+    }
+}

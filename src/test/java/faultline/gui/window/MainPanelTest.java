@@ -1,0 +1,363 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.engine.SampleFrames;
+import faultline.engine.session.Session;
+import faultline.gui.ComponentFinder;
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.EditActions;
+import faultline.gui.action.ObstacleActions;
+import faultline.gui.action.PreferenceActions;
+import faultline.gui.action.RunActions;
+import faultline.gui.action.SensorActions;
+import faultline.gui.action.SpeedScale;
+import faultline.gui.action.UiAction;
+import faultline.gui.action.ViewActions;
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.dialog.Dialogs;
+import faultline.gui.dialog.FileController;
+import faultline.gui.document.ComparisonController;
+import faultline.gui.document.RunController;
+import faultline.gui.document.TaskKind;
+import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
+import faultline.gui.edit.UndoController;
+import faultline.gui.export.ExportController;
+import faultline.gui.settings.WindowPreferences;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.Box;
+import javax.swing.CellRendererPane;
+import javax.swing.DefaultBoundedRangeModel;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JScrollBar;
+import javax.swing.JSlider;
+import javax.swing.JSpinner;
+import javax.swing.JTextField;
+import javax.swing.JViewport;
+import javax.swing.MenuElement;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** All of the window but its frame, without a display. */
+class MainPanelTest {
+
+    /** So many frames the canvas may take until all is painted, on a machine that is slow. */
+    private static final int MAX_FRAMES = 20;
+
+    private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, Optional.empty(), Optional.empty());
+    private static final Session.Status FAST =
+            new Session.Status(true, 100, 12345.67, 0, Optional.empty(), Optional.empty());
+
+    private static final int MIN_SLIDER_WIDTH = 60;
+
+    private ActionRegistry actions = new ActionRegistry();
+    private SimulationCanvas canvas;
+    private MainPanel mainPanel;
+    private JMenuBar menus;
+
+    @BeforeEach
+    void build() {
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            DefaultBoundedRangeModel speed =
+                    new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
+            Workspace bench = new Workspace(new NoOpWorkspaceListener());
+            RunController run = new RunController(bench);
+            UndoController edits = new UndoController(run::send, () -> {});
+            canvas = new SimulationCanvas(edits);
+            FileController files = new FileController(canvas, bench, () -> false);
+            files.addTo(actions, () -> {});
+            new EditActions(edits).addTo(actions);
+            new ObstacleActions(
+                            canvas.tools(),
+                            edits,
+                            sentence -> {},
+                            now -> OptionalDouble.empty(),
+                            WindowPreferences.nonPersistent())
+                    .addTo(actions);
+            new SensorActions(bench, run, edits).addTo(actions);
+            new ExportController(canvas, bench, canvas, files::chooseExportFile, file -> {})
+                    .actions()
+                    .forEach(actions::add);
+            actions.add(UiAction.of("examples", () -> {}));
+            ViewActions.addTo(actions, canvas);
+            actions.add(UiAction.toggle("dark", false, on -> {}));
+            new RunActions(run, speed).addTo(actions, sensor -> {});
+            new Dialogs(null).addTo(actions);
+            actions.add(UiAction.toggle("instruments", true, shown -> {}));
+            new PreferenceActions(null, WindowPreferences.nonPersistent()).addTo(actions);
+            mainPanel = new MainPanel(canvas, edits, actions, speed, tick -> {});
+            new ComparisonActions(new ComparisonController(bench, run.navigator()), mainPanel)
+                    .addTo(actions, Optional::empty);
+            menus = Menus.createMenuBar(actions);
+            mainPanel.setFrame(SampleFrames.fullFrame(), PAUSED);
+        });
+    }
+
+    private static Stream<Arguments> windowSizes() {
+        return Stream.of(new Dimension(1360, 800), new Dimension(1024, 550))
+                .flatMap(room -> Stream.of(TextSize.values()).flatMap(size -> Stream.of(Language.values())
+                        .map(language -> Arguments.of(room.width, room.height, size, language))));
+    }
+
+    @ParameterizedTest
+    @MethodSource("windowSizes")
+    void nothingIsCutOffAtTheDefaultAndMinimumSizeInAnyLanguageAndTextSize(
+            int width, int height, TextSize size, Language language) {
+        try {
+            build(size, language);
+            runOnEdt(() -> mainPanel.statusBar().showNote("A sentence that says why something has been refused."));
+            runOnEdt(() -> setSizeAndLayOut(width, height));
+            assertEquals(List.of(), callOnEdt(() -> ComponentFinder.tree(mainPanel)
+                    .filter(MainPanelTest::mustBeWhole)
+                    .filter(part -> !fits(part))
+                    .map(MainPanelTest::describe)
+                    .toList()));
+            assertEquals(1, mainPanel.instruments().getTabRunCount(), "rows of tabs");
+        } finally {
+            build(TextSize.NORMAL, Language.ENGLISH);
+        }
+    }
+
+    private void build(TextSize size, Language language) {
+        runOnEdt(size::install);
+        Messages.setLanguage(language);
+        actions = new ActionRegistry();
+        build();
+    }
+
+    @Test
+    void nothingMovesWhenNumbersChange() {
+        runOnEdt(() -> setSizeAndLayOut(1360, 840));
+        Map<Component, Rectangle> before = callOnEdt(this::places);
+        Frame frame = SampleFrames.fullFrame();
+        runOnEdt(() -> {
+            mainPanel.setFrame(frame, FAST);
+            setSizeAndLayOut(1360, 840);
+        });
+        assertEquals(before, callOnEdt(this::places));
+    }
+
+    @Test
+    void everythingThatCanBeUsedHasANameForReadersOfTheScreen() {
+        List<String> nameless = callOnEdt(() -> ComponentFinder.tree(mainPanel)
+                .filter(MainPanelTest::isUsed)
+                .filter(part -> ComponentFinder.accessibleName(part).isBlank())
+                .map(MainPanelTest::describe)
+                .toList());
+        assertEquals(List.of(), nameless);
+        assertTrue(callOnEdt(() -> ComponentFinder.tree(mainPanel)
+                        .filter(MainPanelTest::isUsed)
+                        .count())
+                > 40);
+    }
+
+    @ParameterizedTest
+    @EnumSource(Language.class)
+    void everyMenuHasMnemonicsAndNoneTwice(Language language) {
+        Messages.setLanguage(language);
+        actions = new ActionRegistry();
+        build();
+        Messages.setLanguage(Language.ENGLISH);
+        List<JMenu> all =
+                callOnEdt(() -> ComponentFinder.findAll(menus, JMenu.class).toList());
+        assertTrue(all.size() > 5);
+        assertDistinct(all.stream()
+                .filter(menu -> menu.getParent() == menus)
+                .map(menu -> (AbstractButton) menu)
+                .toList());
+        all.forEach(menu -> assertDistinct(ComponentFinder.findAll(menu, AbstractButton.class)
+                .filter(item -> item != menu)
+                .filter(item -> !(item.getParent() instanceof MenuElement popup) || popup == menu.getPopupMenu())
+                .toList()));
+    }
+
+    @Test
+    void noTwoActionsHaveTheSameKey() {
+        List<String> strokes = actions.allActions().stream()
+                .flatMap(action -> action.accelerator().stream())
+                .map(Object::toString)
+                .toList();
+        assertEquals(strokes.stream().distinct().toList(), strokes);
+        assertTrue(strokes.size() > 20);
+    }
+
+    @Test
+    void theArrowOfAChoiceIsNoStopForTheTabKey() {
+        List<AbstractButton> arrows = callOnEdt(() -> ComponentFinder.findAll(mainPanel, AbstractButton.class)
+                .filter(button -> button.getParent() instanceof JComboBox)
+                .toList());
+        assertTrue(arrows.size() >= 3);
+        assertTrue(arrows.stream().noneMatch(AbstractButton::isFocusable));
+    }
+
+    @Test
+    void theTipOfAToolNamesItsKey() {
+        assertEquals("Make one tick and hold (.)", callOnEdt(() -> ComponentFinder.find(
+                        mainPanel, AbstractButton.class, "Step")
+                .getToolTipText()));
+    }
+
+    @Test
+    void theWholePaintsInBothThemes() {
+        for (Theme theme : Theme.values()) {
+            runOnEdt(theme::install);
+            build(theme);
+            BufferedImage image = callOnEdt(this::picture);
+            long ground = IntStream.range(55, 95)
+                    .filter(x ->
+                            image.getRGB(x, 400) == theme.palette().canvas().getRGB())
+                    .count();
+            assertTrue(ground > 20, "between the lines of the grid is the canvas' ground");
+            assertEquals(theme.colours().background().getRGB(), image.getRGB(1355, 835));
+        }
+        runOnEdt(Theme.LIGHT::install);
+    }
+
+    private void build(Theme theme) {
+        runOnEdt(() -> {
+            SwingUtilities.updateComponentTreeUI(mainPanel);
+            canvas.setPalette(theme.palette());
+        });
+    }
+
+    private BufferedImage picture() {
+        setSizeAndLayOut(1360, 840);
+        BufferedImage image = new BufferedImage(1360, 840, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        IntStream.range(0, MAX_FRAMES).forEach(frame -> mainPanel.paint(graphics));
+        graphics.dispose();
+        return image;
+    }
+
+    private void setSizeAndLayOut(int width, int height) {
+        mainPanel.setSize(width, height);
+        mainPanel.setPanelWidth(mainPanel.controlPanel().defaultWidth());
+        // The second pass places the dividers, the third gives a scroll pane what its bars left.
+        layOut(mainPanel);
+        layOut(mainPanel);
+        layOut(mainPanel);
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        for (Component component : container.getComponents()) {
+            if (component instanceof Container inner) {
+                layOut(inner);
+            }
+        }
+    }
+
+    private Map<Component, Rectangle> places() {
+        Map<Component, Rectangle> places = new HashMap<>();
+        ComponentFinder.tree(mainPanel).forEach(part -> places.put(part, part.getBounds()));
+        return places;
+    }
+
+    private static boolean mustBeWhole(Component part) {
+        boolean text = part instanceof JLabel label
+                && !label.getText().isBlank()
+                && !(label.getParent() instanceof CellRendererPane);
+        return (text || part instanceof AbstractButton || part instanceof JSpinner || part instanceof JSlider)
+                && part.isVisible()
+                && part.getPreferredSize().width > 0
+                && !(part.getParent() instanceof Box.Filler);
+    }
+
+    /**
+     * Whether a part has the room that it wants, and lies within its parent; what scrolls may be higher than what
+     * shows.
+     */
+    private static boolean fits(Component part) {
+        Component parent = part.getParent();
+        int wanted = part instanceof JSlider ? MIN_SLIDER_WIDTH : part.getPreferredSize().width;
+        boolean roomy = part.getWidth() >= wanted || part instanceof JSpinner || parent instanceof JSpinner;
+        boolean inside = parent instanceof JViewport
+                || part.getX() >= 0
+                        && part.getX() + part.getWidth() <= parent.getWidth()
+                        && part.getY() >= 0
+                        && part.getY() + part.getHeight() <= parent.getHeight();
+        return roomy && inside;
+    }
+
+    private static boolean isUsed(Component part) {
+        boolean arrow = part.getParent() instanceof JScrollBar || part.getParent() instanceof JComboBox;
+        return !arrow
+                && (part instanceof AbstractButton
+                        || part instanceof JSpinner
+                        || part instanceof JSlider
+                        || part instanceof JTextField
+                        || part instanceof SimulationCanvas
+                        || part instanceof JComboBox);
+    }
+
+    private static void assertDistinct(List<AbstractButton> items) {
+        List<Integer> mnemonics =
+                items.stream().map(AbstractButton::getMnemonic).toList();
+        assertTrue(
+                mnemonics.stream().allMatch(mnemonic -> mnemonic > 0),
+                () -> items.stream().map(AbstractButton::getText).toList().toString());
+        assertEquals(
+                mnemonics.stream().distinct().toList(),
+                mnemonics,
+                () -> items.stream().map(AbstractButton::getText).toList().toString());
+    }
+
+    private static String describe(Component part) {
+        String text = part instanceof JLabel label
+                ? label.getText()
+                : part instanceof AbstractButton button ? button.getText() : "";
+        return part.getClass().getSimpleName() + " \"" + text + "\" " + ComponentFinder.accessibleName(part) + " "
+                + part.getBounds() + " wants " + part.getPreferredSize().width + " in "
+                + part.getParent().getClass().getSimpleName();
+    }
+
+    /** Nothing is opened here. */
+    private static final class NoOpWorkspaceListener implements WorkspaceListener {
+        @Override
+        public void sessionStarted() {
+            throw new AssertionError();
+        }
+
+        @Override
+        public void titleChanged() {
+            throw new AssertionError();
+        }
+
+        @Override
+        public void taskFailed(TaskKind what, Path file, Throwable why) {
+            throw new AssertionError(why);
+        }
+    }
+}

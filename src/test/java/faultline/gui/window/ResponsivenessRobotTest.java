@@ -1,0 +1,88 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.DurationStatistics;
+import faultline.gui.EdtChecker;
+import faultline.gui.EventThreadMeter;
+import faultline.gui.theme.Theme;
+import faultline.scenario.ScenarioException;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * How long the event dispatch thread is busy at a stretch while somebody tries everything for a minute, in a hall of
+ * 500 shapes and with the run at full speed. What is held to the bound is the thread's own processor time, because
+ * other programs on the machine do not lengthen it; the time by the clock is printed beside it. Nothing is warmed up:
+ * the first use of a dialog counts.
+ */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
+class ResponsivenessRobotTest {
+
+    /** Milliseconds. */
+    private static final double MAX_BUSY_MILLIS = 50;
+
+    private static final long SEED = 11;
+    private static final int MIN_GESTURES = 30;
+    private static final long MINUTE_NANOS = TimeUnit.SECONDS.toNanos(60);
+
+    @TempDir
+    private Path folder;
+
+    @AfterEach
+    void restoreLightTheme() {
+        runOnEdt(Theme.LIGHT::install);
+    }
+
+    @Test
+    void inAMinuteOfRandomUseTheWindowIsNeverBusyForLong() {
+        assertEquals(List.of(), longBusyPeriods());
+    }
+
+    /** What kept the thread for too long in a minute of use of a new window. */
+    private List<EventThreadMeter.BusyPeriod> longBusyPeriods() {
+        try (WindowDriver driver = CrowdedHall.open(folder)) {
+            driver.runFast(frame -> frame.snapshot().time() > 60);
+            return use(driver).stream()
+                    .filter(stretch -> stretch.cpu() > MAX_BUSY_MILLIS)
+                    .toList();
+        } catch (IOException | ScenarioException broken) {
+            throw new AssertionError(broken);
+        }
+    }
+
+    private static List<EventThreadMeter.BusyPeriod> use(WindowDriver driver) {
+        try (EventThreadMeter meter = EventThreadMeter.start()) {
+            MonkeyTester user = new MonkeyTester(driver, SEED);
+            int gestures = 0;
+            for (long start = System.nanoTime(); System.nanoTime() - start < MINUTE_NANOS; gestures++) {
+                user.performGesture();
+            }
+            List<EventThreadMeter.BusyPeriod> stretches = meter.drain();
+            System.out.println("busy in a minute of " + gestures + " gestures: "
+                    + DurationStatistics.of(stretches.stream()
+                            .map(EventThreadMeter.BusyPeriod::cpu)
+                            .toList())
+                    + "; by the clock "
+                    + DurationStatistics.of(stretches.stream()
+                            .map(EventThreadMeter.BusyPeriod::wall)
+                            .toList()));
+            assertTrue(gestures > MIN_GESTURES, gestures + " gestures");
+            assertTrue(
+                    driver.frame().snapshot().obstacles().size() > CrowdedHall.SHAPES / 2, "the hall has been emptied");
+            return stretches;
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.geometry.Vector2;
+import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.theme.Theme;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.swing.JSlider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * An obstacle that was dragged into the robot's way is taken back after the crash: the window says how to be rid of the
+ * crash too.
+ */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
+class UndoneCollisionRobotTest {
+
+    /** A tick after the drag, seconds before the crash. */
+    private static final int TICK_BEFORE_COLLISION = 50;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void theAdviceIsShownAndCorrect() throws IOException {
+        Path scenario = Files.writeString(
+                folder.resolve("beside.xml"),
+                Files.readString(Path.of("scenarios/collision-on-purpose.xml"))
+                        .replace("y=\"2.05\" radius=\"0.02\"", "y=\"3\" radius=\"0.1\""));
+        try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, scenario)) {
+            double metre = callOnEdt(() -> driver.canvas()
+                            .camera()
+                            .toScreen(new Vector2(0, 0))
+                            .y()
+                    - driver.canvas().camera().toScreen(new Vector2(0, 1)).y());
+            driver.drag(0, 0, (int) metre);
+            driver.runFast(frame -> frame.snapshot().collision().isPresent());
+            driver.choose("run");
+            driver.robot().waitFor("time is held", () -> !driver.isRunning());
+            driver.choose("undo");
+            driver.robot().waitFor("the window tells that the crash stays", () -> driver.statusNote()
+                    .startsWith("The crash stays."));
+            assertEquals(
+                    "The crash stays. To take it back too: go before it on the time line (key ,) and undo there, or begin anew (key Ctrl+R)",
+                    driver.statusNote());
+            JSlider line = ComponentFinder.find(driver.window(), JSlider.class, "Moment of the run");
+            runOnEdt(() -> line.setValue(TICK_BEFORE_COLLISION));
+            driver.waitForFrame(
+                    "the run is before the crash", frame -> frame.snapshot().tick() == TICK_BEFORE_COLLISION);
+            driver.choose("undo");
+            driver.waitForFrame(
+                    "the way is free",
+                    frame -> frame.snapshot().obstacles().get(0).pose().y() == 3);
+            driver.choose("run");
+            driver.waitForFrame(
+                    "the robot is past the place",
+                    frame -> frame.snapshot().pose().x() > 5);
+        }
+    }
+}

@@ -1,0 +1,83 @@
+package faultline.io;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class DecimalTextTest {
+
+    @ParameterizedTest
+    @CsvSource({
+        "0, 0",
+        "-0.0, -0",
+        "1, 1",
+        "100, 100",
+        "0.25, 0.25",
+        "-3.5, -3.5",
+        "1e-6, 0.000001",
+        "100000, 100000",
+        "1e-20, 1E-20",
+        "1e20, 1E+20"
+    })
+    void numbersAreWrittenPlainlyUnlessThatIsAbsurdlyLong(double value, String text) {
+        assertEquals(text, DecimalText.format(value));
+    }
+
+    @Test
+    void everyNumberReadsBackToTheSameBits() {
+        Random random = new Random(1);
+        for (int i = 0; i < 100_000; i++) {
+            double value = Double.longBitsToDouble(random.nextLong());
+            if (Double.isFinite(value)) {
+                String text = DecimalText.format(value);
+                assertEquals(value, DecimalText.toDouble(DecimalText.parse(text).orElseThrow(), text), text);
+            }
+        }
+    }
+
+    @Test
+    void everyAngleReadsBackToTheSameBits() {
+        Random random = new Random(1);
+        for (int i = 0; i < 20_000; i++) {
+            double radians = random.nextGaussian() * Math.pow(10, random.nextInt(8) - 4);
+            String text = DecimalText.formatDegrees(radians);
+            assertEquals(radians, DecimalText.toRadians(DecimalText.parse(text).orElseThrow(), text), text);
+        }
+        assertEquals(-0.0, DecimalText.toRadians(DecimalText.parse("-0").orElseThrow(), "-0"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "",
+                " ",
+                "abc",
+                "1,5",
+                "NaN",
+                "Infinity",
+                "INF",
+                "0x10",
+                "1d",
+                "1f",
+                "1e",
+                "--1",
+                "1 2",
+                ".",
+                "1e99999",
+                "١"
+            })
+    void whatIsNoDecimalNumberIsNotRead(String text) {
+        assertTrue(DecimalText.parse(text).isEmpty());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"5., 5", ".5, 0.5", "+5, 5", "' 5 ', 5", "1e3, 1000", "1E-2, 0.01"})
+    void everyWayToWriteADecimalNumberIsRead(String text, double value) {
+        assertEquals(value, DecimalText.parse(text).orElseThrow().doubleValue());
+    }
+}

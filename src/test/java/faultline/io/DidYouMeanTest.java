@@ -1,0 +1,46 @@
+package faultline.io;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class DidYouMeanTest {
+
+    private static final List<String> NAMES = List.of("front", "front-left", "left", "rear");
+
+    @ParameterizedTest
+    @CsvSource({
+        "frnt, front",
+        "fornt, front",
+        "FRONT, front",
+        "frontt, front",
+        "front_left, front-left",
+        "lefft, left",
+        "raer, rear"
+    })
+    void aNearNameIsSuggested(String given, String meant) {
+        assertEquals("; did you mean \"" + meant + "\"?", DidYouMean.hint(given, NAMES));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"x", "sonar", "''", "bottom-right"})
+    void aDistantNameIsNotSuggested(String given) {
+        assertEquals("", DidYouMean.hint(given, NAMES));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "'', '', 0",
+        "abc, abc, 0",
+        "abc, abd, 1",
+        "abc, acb, 1",
+        "abc, ab, 1",
+        "abc, xabc, 1",
+        "kitten, sitting, 3"
+    })
+    void editDistanceCountsChanges(String a, String b, int changes) {
+        assertEquals(changes, DidYouMean.editDistance(a, b));
+    }
+}

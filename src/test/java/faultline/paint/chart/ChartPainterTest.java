@@ -1,0 +1,143 @@
+package faultline.paint.chart;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Vector2;
+import faultline.paint.surface.ChartStyle;
+import faultline.paint.surface.GraphicsDrawing;
+import faultline.paint.surface.PixelRectangle;
+import faultline.paint.surface.SvgDrawing;
+import faultline.paint.surface.SvgTheme;
+import faultline.paint.surface.TextStyle;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.DoubleStream;
+import org.junit.jupiter.api.Test;
+
+/** The plotter: round ticks, lines cut at the frame, and the same picture in both kinds of drawing. */
+class ChartPainterTest {
+
+    @Test
+    void ticksAreRoundAndCoverTheAxis() {
+        assertEquals(
+                List.of("0", "0.2", "0.4", "0.6", "0.8", "1"),
+                Axis.linear("", 0, 1).ticks().stream().map(Axis::formatTick).toList());
+        assertEquals(
+                List.of("1", "2", "5", "10", "20", "50", "100"),
+                new Axis("", 1, 100, true)
+                        .ticks().stream().map(Axis::formatTick).toList());
+        assertEquals(
+                List.of("\u221210", "\u22125", "0", "5"),
+                Axis.linear("", -12, 8).ticks().stream()
+                        .map(Axis::formatTick)
+                        .filter(name -> !name.isEmpty())
+                        .toList());
+    }
+
+    @Test
+    void anAxisCoversAllValuesAndEndsAtRoundOnes() {
+        Axis axis = Axis.covering("", DoubleStream.of(0.13, 7.9, Double.NaN));
+        assertEquals(0, axis.low());
+        assertEquals(8, axis.high());
+    }
+
+    @Test
+    void anAxisWithoutLengthIsRefused() {
+        assertThrows(IllegalArgumentException.class, () -> Axis.linear("", 1, 1));
+        assertThrows(IllegalArgumentException.class, () -> new Axis("", 0, 1, true));
+    }
+
+    @Test
+    void aLineIsClippedWhereItLeavesTheFrame() {
+        List<List<Vector2>> pieces =
+                LineClipper.clip(List.of(new Vector2(0, 0.5), new Vector2(0.5, 1.5), new Vector2(1, 0.5)));
+        assertEquals(
+                List.of(
+                        List.of(new Vector2(0, 0.5), new Vector2(0.25, 1)),
+                        List.of(new Vector2(0.75, 1), new Vector2(1, 0.5))),
+                pieces);
+    }
+
+    @Test
+    void aGapInTheDataIsAGapInTheLine() {
+        List<Vector2> line = List.of(
+                new Vector2(0, 0),
+                new Vector2(0.2, 0),
+                new Vector2(0.4, Double.NaN),
+                new Vector2(0.6, 0),
+                new Vector2(0.8, 0));
+        assertEquals(2, LineClipper.clip(line).size());
+    }
+
+    @Test
+    void reservedCharactersAreEscaped() {
+        SvgDrawing drawing = new SvgDrawing(10, 10, Color.WHITE);
+        drawing.drawText("a < b & c > d", Vector2.ZERO, TextStyle.plain(10, Color.BLACK));
+        assertTrue(
+                drawing.toSvg(SvgTheme.LIGHT).contains(">a &lt; b &amp; c &gt; d</text>"),
+                drawing.toSvg(SvgTheme.LIGHT));
+    }
+
+    @Test
+    void aSubscriptIsLoweredAndTheLineContinues() {
+        SvgDrawing drawing = new SvgDrawing(10, 10, Color.WHITE);
+        drawing.drawText("t_D = 1", Vector2.ZERO, TextStyle.plain(12, Color.BLACK));
+        assertTrue(
+                drawing.toSvg(SvgTheme.LIGHT)
+                        .contains(
+                                ">t<tspan dy=\"3\" font-size=\"9\">D</tspan><tspan dy=\"-3\" dx=\"3.84\">= 1</tspan></text>"),
+                drawing.toSvg(SvgTheme.LIGHT));
+    }
+
+    @Test
+    void theFileIsTheSameInEveryLanguage() {
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.ROOT);
+            String root = file();
+            Locale.setDefault(Locale.forLanguageTag("ar-EG"));
+            assertEquals(root, file());
+        } finally {
+            Locale.setDefault(before);
+        }
+    }
+
+    private static String file() {
+        SvgDrawing drawing = new SvgDrawing(300, 200, Color.WHITE);
+        ChartPainter.paint(drawing, chart(), new PixelRectangle(0, 0, 300, 200), ChartStyle.LIGHT);
+        return drawing.toSvg(SvgTheme.LIGHT);
+    }
+
+    private static Chart chart() {
+        List<Vector2> points = List.of(new Vector2(0, 0), new Vector2(0.5, 1), new Vector2(1, 0.25));
+        return new Chart(
+                "Title",
+                Axis.linear("x (m)", 0, 1),
+                Axis.linear("y (m)", 0, 1),
+                List.of(
+                        new Series.Cells(List.of("one", "two"), List.of(List.of(0, 1))),
+                        new Series.Band("band", points, List.of(new Vector2(0, 0), new Vector2(1, 0)), 0),
+                        new Series.Line("line", points, 1),
+                        new Series.Points("points", points, 2),
+                        new Series.Note("note", new Vector2(0.1, 0.9))));
+    }
+
+    @Test
+    void aChartIsPaintedInEitherTheme() {
+        for (ChartStyle theme : List.of(ChartStyle.LIGHT, ChartStyle.DARK)) {
+            BufferedImage image = new BufferedImage(300, 200, BufferedImage.TYPE_INT_RGB);
+            Graphics2D graphics = image.createGraphics();
+            graphics.setColor(theme.palette().canvas());
+            graphics.fillRect(0, 0, 300, 200);
+            ChartPainter.paint(new GraphicsDrawing(graphics), chart(), new PixelRectangle(0, 0, 300, 200), theme);
+            graphics.dispose();
+            // The right half of the plot is the second class, under all else.
+            assertEquals(theme.classes().get(1).getRGB(), image.getRGB(275, 100));
+        }
+    }
+}

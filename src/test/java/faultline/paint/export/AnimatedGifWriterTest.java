@@ -1,0 +1,101 @@
+package faultline.paint.export;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.SampleFrames;
+import faultline.geometry.Pose;
+import faultline.paint.scene.Pixels;
+import faultline.paint.surface.Palette;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.ImageInputStream;
+import org.junit.jupiter.api.Test;
+
+/** Films written and read back. */
+class AnimatedGifWriterTest {
+
+    private static final List<BufferedImage> PICTURES = pictures();
+
+    private static List<BufferedImage> pictures() {
+        List<BufferedImage> pictures =
+                new ArrayList<>(List.of(FrameRenderer.render(SampleFrames.fullFrame(), Palette.LIGHT, 480, 320)));
+        for (int i = 0; i < 4; i++) {
+            pictures.add(
+                    FrameRenderer.render(SampleFrames.frameOf(new Pose(1 + 0.3 * i, 1, 0)), Palette.LIGHT, 480, 320));
+        }
+        return pictures;
+    }
+
+    private static ImageReader writeAndRead(List<BufferedImage> pictures) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (AnimatedGifWriter film = new AnimatedGifWriter(bytes, Palette.LIGHT, 5)) {
+            for (BufferedImage picture : pictures) {
+                film.addFrame(picture);
+            }
+        }
+        ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+        ImageInputStream in = ImageIO.createImageInputStream(new ByteArrayInputStream(bytes.toByteArray()));
+        reader.setInput(in);
+        return reader;
+    }
+
+    @Test
+    void everyPictureKeepsItsDelayAndTheAnimationLoopsForever() throws IOException {
+        ImageReader reader = writeAndRead(PICTURES);
+        assertEquals(5, reader.getNumImages(true));
+        for (int i = 0; i < 5; i++) {
+            assertEquals("5", node(reader, i, "GraphicControlExtension").getAttribute("delayTime"));
+        }
+        IIOMetadataNode extension = node(reader, 0, "ApplicationExtension");
+        assertEquals("NETSCAPE", extension.getAttribute("applicationID"));
+        assertArrayEquals(new byte[] {1, 0, 0}, (byte[]) extension.getUserObject());
+    }
+
+    @Test
+    void picturesLookAsTheyWerePutInOneOnTopOfTheOther() throws IOException {
+        ImageReader reader = writeAndRead(PICTURES);
+        BufferedImage screen = new BufferedImage(480, 320, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = screen.createGraphics();
+        for (int i = 0; i < 5; i++) {
+            IIOMetadataNode place = node(reader, i, "ImageDescriptor");
+            graphics.drawImage(
+                    reader.read(i),
+                    Integer.parseInt(place.getAttribute("imageLeftPosition")),
+                    Integer.parseInt(place.getAttribute("imageTopPosition")),
+                    null);
+            assertEquals(0, Pixels.countVisiblyDifferent(PICTURES.get(i), screen), "picture " + i);
+        }
+    }
+
+    @Test
+    void onlyWhatHasChangedIsWritten() throws IOException {
+        ImageReader reader = writeAndRead(PICTURES);
+        IIOMetadataNode place = node(reader, 3, "ImageDescriptor");
+        assertTrue(Integer.parseInt(place.getAttribute("imageWidth")) < 120, place.getAttribute("imageWidth"));
+        assertTrue(Integer.parseInt(place.getAttribute("imageHeight")) < 60, place.getAttribute("imageHeight"));
+    }
+
+    @Test
+    void aPictureThatHasNotChangedIsOnePixel() throws IOException {
+        ImageReader reader = writeAndRead(List.of(PICTURES.get(1), PICTURES.get(1)));
+        assertEquals(2, reader.getNumImages(true));
+        assertEquals(new Rectangle(1, 1), new Rectangle(reader.getWidth(1), reader.getHeight(1)));
+    }
+
+    private static IIOMetadataNode node(ImageReader reader, int image, String name) throws IOException {
+        IIOMetadataNode root =
+                (IIOMetadataNode) reader.getImageMetadata(image).getAsTree("javax_imageio_gif_image_1.0");
+        return (IIOMetadataNode) root.getElementsByTagName(name).item(0);
+    }
+}

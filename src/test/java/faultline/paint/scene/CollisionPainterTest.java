@@ -1,0 +1,53 @@
+package faultline.paint.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.geometry.Vector2;
+import faultline.paint.surface.DrawContext;
+import faultline.sensor.Fault;
+import faultline.world.Collision;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+class CollisionPainterTest {
+
+    private static final Vector2 POINT = new Vector2(3.1416, 1.8714);
+
+    @Test
+    void theBadgeSaysWhereAndWhenTheRobotFirstHitWhat() {
+        Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of());
+        assertEquals(
+                List.of("First collision   x 3.142 m   y 1.871 m   t 12.480 s   desk"),
+                CollisionPainter.badgeLines(collision, SceneLabels.ENGLISH));
+    }
+
+    @Test
+    void theBadgeUsesTheGivenLabels() {
+        SceneLabels words = new SceneLabels(
+                "Zderzenie",
+                "Uszkodzone",
+                "Wy\u0142\u0105czone",
+                "wy\u0142.",
+                kind -> "zepsuty",
+                DrawContext.DEFAULT_FONT);
+        Collision collision =
+                new Collision(POINT, 12.48, 1248, "desk", Map.of("left", List.of(new Fault.Dead())), List.of("rear"));
+        assertEquals(
+                List.of(
+                        "Zderzenie   x 3.142 m   y 1.871 m   t 12.480 s   desk",
+                        "Uszkodzone: left zepsuty",
+                        "Wy\u0142\u0105czone: rear"),
+                CollisionPainter.badgeLines(collision, words));
+    }
+
+    @Test
+    void theBadgeSaysWhatWasBrokenAndOffThen() {
+        Map<String, List<Fault>> faults =
+                Map.of("left", List.of(new Fault.Stuck(0.4), new Fault.Bias(0.1)), "front", List.of(new Fault.Dead()));
+        Collision collision = new Collision(POINT, 12.48, 1248, "desk", faults, List.of("rear", "right"));
+        assertEquals(
+                List.of("Faults then: front off, left stuck, left bias", "Switched off then: rear, right"),
+                CollisionPainter.badgeLines(collision, SceneLabels.ENGLISH).subList(1, 3));
+    }
+}

@@ -1,0 +1,27 @@
+package faultline.paint.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class NiceStepsTest {
+
+    @ParameterizedTest
+    @CsvSource({"1, 1", "1.01, 2", "2, 2", "3, 5", "5, 5", "7, 10", "0.3, 0.5", "0.012, 0.02", "130, 200"})
+    void aStepIsTheNextNiceLength(double metres, double round) {
+        assertEquals(round, NiceSteps.atLeast(metres), 1e-12);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 5", "2, 4", "5, 5", "0.2, 4", "0.5, 5", "20, 4", "0.001, 5"})
+    void aStepDividesIntoNiceSteps(double round, int parts) {
+        assertEquals(parts, NiceSteps.subdivisions(round));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2000, 2 km", "50, 50 m", "1, 1 m", "0.5, 50 cm", "0.01, 1 cm", "0.005, 5 mm"})
+    void aLengthIsNamedInTheUnitThatSuitsIt(double round, String name) {
+        assertEquals(name, NiceSteps.format(round));
+    }
+}

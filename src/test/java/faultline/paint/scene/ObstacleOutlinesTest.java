@@ -1,0 +1,72 @@
+package faultline.paint.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.awt.Shape;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class ObstacleOutlinesTest {
+
+    private static final double QUARTER_TURN = Math.PI / 2;
+
+    @Test
+    void rectanglesCirclesAndEllipsesLieAboutTheOrigin() {
+        assertEquals(
+                new Rectangle2D.Double(-1, -0.5, 2, 1),
+                ObstacleOutlines.localShape(new ObstacleShape.Rectangle(2, 1)).getBounds2D());
+        assertEquals(
+                new Rectangle2D.Double(-1, -1, 2, 2),
+                ObstacleOutlines.localShape(new ObstacleShape.Circle(1)).getBounds2D());
+        assertEquals(
+                new Rectangle2D.Double(-2, -1, 4, 2),
+                ObstacleOutlines.localShape(new ObstacleShape.Ellipse(2, 1)).getBounds2D());
+        assertFalse(ObstacleOutlines.localShape(new ObstacleShape.Ellipse(2, 1)).contains(1.9, 0.9));
+    }
+
+    @Test
+    void aPolygonIsFilledByTheEvenOddRule() {
+        List<Vector2> bowlTwice = List.of(
+                new Vector2(0, 0),
+                new Vector2(3, 0),
+                new Vector2(3, 3),
+                new Vector2(0, 3),
+                new Vector2(0, 0),
+                new Vector2(1, 1),
+                new Vector2(2, 1),
+                new Vector2(2, 2),
+                new Vector2(1, 2),
+                new Vector2(1, 1));
+        Shape outline = ObstacleOutlines.localShape(new ObstacleShape.Polygon(bowlTwice));
+        assertTrue(outline.contains(0.5, 2));
+        assertFalse(outline.contains(1.5, 1.5), "the hole is not inside");
+    }
+
+    @Test
+    void anObstacleStandsAtItsPose() {
+        Shape placed = ObstacleOutlines.worldShape(
+                new Obstacle("plank", new ObstacleShape.Rectangle(2, 1), new Pose(5, 3, QUARTER_TURN)));
+        assertTrue(placed.contains(5.4, 3.9));
+        assertFalse(placed.contains(5.9, 3.4));
+    }
+
+    @Test
+    void rotatingLeavesTheCentreInPlace() {
+        ObstacleShape triangle =
+                new ObstacleShape.Polygon(List.of(new Vector2(1, 1), new Vector2(3, 1), new Vector2(3, 2)));
+        Obstacle niche = new Obstacle("niche", triangle, new Pose(4, 0, 0));
+        Vector2 middle = ObstacleOutlines.centre(niche);
+        assertEquals(new Vector2(6, 1.5), middle);
+        Obstacle turned =
+                niche.withPose(ObstacleOutlines.rotatedPose(niche, ObstacleOutlines.centre(niche), QUARTER_TURN));
+        assertEquals(0, ObstacleOutlines.centre(turned).distanceTo(middle), 1e-12);
+        assertEquals(QUARTER_TURN, turned.pose().heading());
+    }
+}

@@ -1,0 +1,30 @@
+package faultline.paint.scene;
+
+import faultline.engine.Journal;
+import faultline.engine.session.ReferenceRun;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioException;
+import java.util.List;
+import java.util.OptionalLong;
+
+/** Earlier runs to be painted. */
+public final class SampleReferenceOverlays {
+
+    private SampleReferenceOverlays() {}
+
+    /** Twenty seconds of the office, with a divergence at ten. */
+    public static ReferenceOverlay office() {
+        try {
+            Scenario office = Scenario.loadShipped("office.xml");
+            ReferenceRun run = ReferenceRun.replay(new Journal(office.setup(), List.of(), 2000));
+            return new ReferenceOverlay(
+                    run,
+                    office.setup().dt(),
+                    OptionalLong.of(1000),
+                    List.of("Ghost: Office", "Differs from 10 s on"),
+                    "differs from 10 s");
+        } catch (ScenarioException impossible) {
+            throw new AssertionError("shipped", impossible);
+        }
+    }
+}

@@ -1,0 +1,218 @@
+package faultline.paint.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.engine.SampleFrames;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.paint.export.FrameRenderer;
+import faultline.paint.surface.Palette;
+import faultline.robot.RobotSpec;
+import faultline.sensor.FaultKind;
+import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
+import faultline.world.Collision;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.SensorSnapshot;
+import faultline.world.WaypointPath;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Pixels of frames painted without a display. The world is 6 m x 4 m and some 137 pixels to the metre. */
+class ScenePainterTest {
+
+    private static final Pose AT_2_1 = new Pose(2, 1, 0);
+    private static final Palette LIGHT = Palette.LIGHT;
+    /** Looks along the x axis from (2, 1), 0.8 m far. */
+    private static final SensorSpec FRONT = new SensorSpec("front", Vector2.ZERO, 0, 0.8, 0.5, true, 0);
+
+    @Test
+    void theRobotIsWhereItIsAndYGoesUp() {
+        Pixels pixels = Pixels.render(SampleFrames.frameOf(AT_2_1), LIGHT);
+        pixels.assertColour(LIGHT.robot(), new Vector2(2, 1));
+        assertFalse(pixels.hasNear(LIGHT.robot(), new Vector2(2, 3), 10), "nothing at the mirrored place");
+    }
+
+    @Test
+    void theRobotsFrontTurnsWithItsHeading() {
+        Pixels ahead = Pixels.render(SampleFrames.frameOf(AT_2_1), LIGHT);
+        Pixels up = Pixels.render(SampleFrames.frameOf(new Pose(2, 1, Math.PI / 2)), LIGHT);
+        assertTrue(ahead.hasNear(LIGHT.robotOutline(), new Vector2(2.112, 1), 0));
+        assertTrue(up.hasNear(LIGHT.robotOutline(), new Vector2(2, 1.112), 0));
+        assertFalse(up.hasNear(LIGHT.robotOutline(), new Vector2(2, 0.9), 0), "the rear has no bar");
+    }
+
+    @Test
+    void aDarkPictureHasOtherColours() {
+        Pixels dark = Pixels.render(SampleFrames.frameOf(AT_2_1), Palette.DARK);
+        dark.assertColour(Palette.DARK.robot(), new Vector2(2, 1));
+        assertEquals(Palette.DARK.canvas(), dark.colourAt(new Vector2(3, 2), 3, 3));
+        assertEquals(
+                LIGHT.canvas(),
+                Pixels.render(SampleFrames.frameOf(AT_2_1), LIGHT).colourAt(new Vector2(3, 2), 3, 3));
+    }
+
+    @Test
+    void thePathIsSeenAndEndsAtTheRobot() {
+        faultline.engine.RobotPath path =
+                SampleFrames.pathThrough(new Vector2(1, 3), new Vector2(1, 2), new Vector2(4, 2));
+        Pixels pixels = Pixels.render(SampleFrames.frameOf(new Pose(5, 2, 0), path, List.of()), LIGHT);
+        for (Vector2 point : List.of(new Vector2(1, 2.5), new Vector2(2.5, 2), new Vector2(4.5, 2))) {
+            assertTrue(pixels.hasNear(LIGHT.path(), point, 1), "at " + point);
+        }
+    }
+
+    @Test
+    void aRingGoesRoundAHitAndLeavesItsMiddleFree() {
+        Vector2 hit = new Vector2(4, 3);
+        Frame frame = SampleFrames.frameOf(
+                AT_2_1,
+                SampleFrames.pathThrough(AT_2_1.position()),
+                List.of(SampleFrames.sensor(FRONT, AT_2_1, SampleFrames.NOTHING, hit)));
+        Pixels pixels = Pixels.render(frame, LIGHT);
+        int radius = (int) IntersectionPainter.RING_RADIUS;
+        assertTrue(pixels.hasNear(LIGHT.contact(), hit, radius));
+        assertFalse(pixels.hasNear(LIGHT.contact(), hit, radius - 3));
+    }
+
+    @Test
+    void eachShapeIsFilledInsideAndNotBesideIt() {
+        Pixels pixels = Pixels.render(
+                SampleFrames.frameOf(
+                        AT_2_1,
+                        new Obstacle("box", new ObstacleShape.Rectangle(1, 0.2), new Pose(4, 3, Math.PI / 2)),
+                        new Obstacle("disc", new ObstacleShape.Circle(0.3), new Pose(1, 3, 0)),
+                        new Obstacle(
+                                "wedge",
+                                new ObstacleShape.Polygon(
+                                        List.of(new Vector2(0, 0), new Vector2(1, 0), new Vector2(0, 1))),
+                                new Pose(4.5, 0.5, 0))),
+                LIGHT);
+        for (Vector2 inside : List.of(new Vector2(4, 3.4), new Vector2(1.2, 3), new Vector2(4.7, 0.7))) {
+            pixels.assertColour(LIGHT.obstacle(), inside);
+        }
+        for (Vector2 beside : List.of(new Vector2(4.4, 3), new Vector2(1.27, 3.27), new Vector2(5.2, 1.2))) {
+            assertNotEquals(LIGHT.obstacle(), pixels.colourAt(beside, 0, 0), "at " + beside);
+        }
+    }
+
+    @Test
+    void aWallIsSeenThoughItHasNoThickness() {
+        Obstacle wall = new Obstacle(
+                "wall", new ObstacleShape.Wall(List.of(new Vector2(0, 0), new Vector2(2, 0))), new Pose(3, 3, 0));
+        Pixels.render(SampleFrames.frameOf(AT_2_1, wall), LIGHT)
+                .assertColour(LIGHT.obstacleOutline(), new Vector2(4, 3));
+    }
+
+    @Test
+    void aGlossyWallIsABrightLineBetweenTwoDarkOnes() {
+        ObstacleShape wall = new ObstacleShape.Wall(List.of(new Vector2(0, -1), new Vector2(0, 1)));
+        Obstacle mirror = new Obstacle("mirror", wall, new Pose(4, 2, 0), Optional.empty(), 0.2);
+        Pixels pixels = Pixels.render(SampleFrames.frameOf(AT_2_1, mirror), LIGHT);
+        Vector2 place = new Vector2(4, 2.6);
+        assertTrue(pixels.hasNear(LIGHT.obstacleOutline(), place, 3), "its edge");
+        assertTrue(pixels.hasNear(LIGHT.canvas(), place, 1), "its gloss");
+    }
+
+    @Test
+    void aMovingObstacleHasItsOwnOutlineAndShowsItsRoute() {
+        WaypointPath motion = new WaypointPath(0.2, false, List.of(new Vector2(3, 3), new Vector2(5, 3)));
+        Pixels pixels = Pixels.render(
+                SampleFrames.frameOf(
+                        AT_2_1,
+                        new Obstacle("visitor", new ObstacleShape.Circle(0.3), new Pose(4, 2, 0), Optional.of(motion))),
+                LIGHT);
+        assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(4.3, 2), 2));
+        assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(3, 3), 1), "a way-point");
+        assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(4.2, 3), 10), "the arrow");
+    }
+
+    @Test
+    void theFirstCollisionIsMarkedAndSaidInABadge() {
+        Vector2 point = new Vector2(4, 3);
+        Collision collision = new Collision(point, 1.5, 150, "box", Map.of(), List.of());
+        faultline.engine.RobotPath path = SampleFrames.pathThrough(AT_2_1.position());
+        Frame frame = SampleFrames.frame(AT_2_1, path, List.of(), List.of(), List.of(point), Optional.of(collision));
+        Pixels.render(frame, LIGHT).assertColour(LIGHT.contact(), point);
+        BufferedImage plain = FrameRenderer.render(SampleFrames.frameOf(AT_2_1), LIGHT, 900, 640)
+                .getSubimage(0, 0, 200, 30);
+        BufferedImage badged = FrameRenderer.render(frame, LIGHT, 900, 640).getSubimage(0, 0, 200, 30);
+        assertTrue(Pixels.countDifferent(plain, badged) > 200, "no badge in the corner");
+    }
+
+    @Test
+    void theReportedDistanceIsAnArcAcrossTheCone() {
+        Pixels pixels = Pixels.render(withSensor(SampleFrames.sensor(FRONT, AT_2_1, new Reading(0.5))), LIGHT);
+        pixels.assertColour(LIGHT.sensorColours(0).outline(), new Vector2(2.5, 1));
+        assertNotEquals(LIGHT.sensorColours(0).outline(), pixels.colourAt(new Vector2(2.4, 1), 0, 0));
+    }
+
+    @Test
+    void aFaultySensorShowsTheTrueDistanceToo() {
+        SensorSnapshot stuck = SampleFrames.faultySensor(
+                FRONT, AT_2_1, new Reading(0.6), new Reading(0.3), FaultKind.STUCK.createFault(0.3));
+        Pixels pixels = Pixels.render(withSensor(stuck), LIGHT);
+        assertTrue(pixels.hasNear(LIGHT.sensorColours(0).outline(), new Vector2(2.3, 1), 1));
+        assertTrue(pixels.hasNear(LIGHT.text(), new Vector2(2.6, 1), 5));
+    }
+
+    @Test
+    void aSensorThatIsOffIsABrokenGreyOutlineWithoutFill() {
+        Pixels pixels = Pixels.render(
+                withSensor(SampleFrames.sensor(FRONT.withOn(false), AT_2_1, new Reading(Reading.OFF))), LIGHT);
+        assertTrue(pixels.hasNear(LIGHT.muted(), new Vector2(2.8, 1), 6));
+        assertEquals(LIGHT.canvas(), pixels.colourAt(new Vector2(2.5, 1), 4, 4));
+    }
+
+    @ParameterizedTest
+    @EnumSource(FaultKind.class)
+    void eachKindOfFaultIsHatchedInItsOwnWay(FaultKind kind) {
+        BufferedImage image = cone(kind);
+        for (FaultKind other : FaultKind.values()) {
+            int differing = Pixels.countDifferent(image, cone(other));
+            assertTrue(
+                    kind == other ? differing == 0 : differing > 300,
+                    kind + " and " + other + " differ in " + differing + " pixels");
+        }
+    }
+
+    /** The middle of a faulty cone: no label, no reading. */
+    private static BufferedImage cone(FaultKind kind) {
+        Reading reported = new Reading(kind == FaultKind.OFF ? Reading.OFF : Reading.NOTHING);
+        Frame frame = withSensor(SampleFrames.faultySensor(
+                FRONT, AT_2_1, SampleFrames.NOTHING, reported, kind.createFault(kind.defaultValue())));
+        Vector2 start = FrameRenderer.fitCamera(frame.snapshot(), 900, 640).toScreen(new Vector2(2.2, 1.2));
+        return FrameRenderer.render(frame, LIGHT, 900, 640).getSubimage((int) start.x(), (int) start.y(), 80, 54);
+    }
+
+    @Test
+    void theStandardRobotsEightConesAreAllSeen() {
+        List<SensorSnapshot> sensors = RobotSpec.DEFAULT.sensors().stream()
+                .map(spec -> SampleFrames.sensor(spec, AT_2_1, SampleFrames.NOTHING))
+                .toList();
+        Pixels pixels = Pixels.render(
+                SampleFrames.frameOf(AT_2_1, SampleFrames.pathThrough(AT_2_1.position()), sensors), LIGHT);
+        for (int i = 0; i < sensors.size(); i++) {
+            Vector2 apex = sensors.get(i).sector().apex();
+            Vector2 rim = apex.plus(sensors.get(i).sector().axis().times(0.8));
+            assertTrue(
+                    pixels.hasNear(LIGHT.sensorColours(i).outline(), rim, 2),
+                    sensors.get(i).spec().id());
+        }
+    }
+
+    private static Frame withSensor(SensorSnapshot sensor) {
+        return SampleFrames.frameOf(AT_2_1, SampleFrames.pathThrough(AT_2_1.position()), List.of(sensor));
+    }
+}

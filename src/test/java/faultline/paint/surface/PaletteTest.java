@@ -1,0 +1,86 @@
+package faultline.paint.surface;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Contrast by the WCAG 2.1's definition: 4.5 for text, 3 for lines that carry meaning. */
+class PaletteTest {
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void linesAndRingsStandOutFromTheCanvas(boolean dark) {
+        Palette p = palette(dark);
+        Map<String, Color> lines = new LinkedHashMap<>(Map.of(
+                "obstacle",
+                p.obstacleOutline(),
+                "moving",
+                p.movingOutline(),
+                "robot",
+                p.robotOutline(),
+                "path",
+                p.path(),
+                "hit",
+                p.contact(),
+                "accent",
+                p.accent(),
+                "muted",
+                p.muted()));
+        for (int i = 0; i < p.sensors().size(); i++) {
+            lines.put("sensor " + (i + 1), p.sensorColours(i).outline());
+        }
+        lines.forEach((name, colour) -> assertContrast(name, 3, colour, p.canvas()));
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void textCanBeReadOnTheCanvas(boolean dark) {
+        Palette p = palette(dark);
+        assertContrast("text", 4.5, p.text(), p.canvas());
+        assertContrast("muted text", 4.5, p.muted(), p.canvas());
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void eightSensorsHaveEightColours(boolean dark) {
+        assertEquals(8, new HashSet<>(palette(dark).sensors()).size());
+        assertEquals(palette(dark).sensorColours(1), palette(dark).sensorColours(9));
+    }
+
+    @Test
+    void contrastIsMeasuredAsDefined() {
+        assertEquals(21, contrast(Color.BLACK, Color.WHITE), 1e-9);
+        assertEquals(4.48, contrast(new Color(0x777777), Color.WHITE), 0.01);
+    }
+
+    private static Palette palette(boolean dark) {
+        return dark ? Palette.DARK : Palette.LIGHT;
+    }
+
+    private static void assertContrast(String name, double least, Color colour, Color ground) {
+        double contrast = contrast(colour, ground);
+        assertTrue(contrast >= least, name + " has a contrast of only " + contrast);
+    }
+
+    private static double contrast(Color a, Color b) {
+        double first = luminance(a) + 0.05;
+        double second = luminance(b) + 0.05;
+        return Math.max(first, second) / Math.min(first, second);
+    }
+
+    private static double luminance(Color c) {
+        return 0.2126 * linear(c.getRed()) + 0.7152 * linear(c.getGreen()) + 0.0722 * linear(c.getBlue());
+    }
+
+    private static double linear(int channel) {
+        double share = channel / 255.0;
+        return share <= 0.03928 ? share / 12.92 : Math.pow((share + 0.055) / 1.055, 2.4);
+    }
+}

@@ -1,0 +1,75 @@
+package faultline.paint.surface;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Vector2;
+import java.awt.Color;
+import java.util.List;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.xml.sax.InputSource;
+
+/** One drawing on white, on a dark ground, and on whichever the reader has. */
+class SvgThemeTest {
+
+    private static SvgDrawing drawing() {
+        ChartStyle theme = ChartStyle.LIGHT;
+        SvgDrawing drawing = new SvgDrawing(200, 100, theme.palette().canvas());
+        drawing.drawText(
+                "text", new Vector2(10, 10), TextStyle.plain(12, theme.palette().text()));
+        drawing.fillPolygon(
+                List.of(new Vector2(1, 1), new Vector2(9, 1), new Vector2(9, 9)),
+                ChartStyle.withOpacity(theme.series().get(1), 0.2));
+        drawing.drawCircle(new Vector2(5, 5), 3, LineStyle.solid(theme.series().get(0), 1));
+        return drawing;
+    }
+
+    @Test
+    void onADarkGroundEveryColourIsTheDarkThemesForTheSame() {
+        String dark = drawing().toSvg(SvgTheme.DARK);
+        assertTrue(
+                dark.contains(
+                        "fill=\"" + SvgFormat.toHex(ChartStyle.DARK.palette().canvas()) + "\""),
+                dark);
+        assertTrue(
+                dark.contains(
+                        "fill=\"" + SvgFormat.toHex(ChartStyle.DARK.palette().text()) + "\""),
+                dark);
+        assertTrue(
+                dark.contains(
+                        "stroke=\"" + SvgFormat.toHex(ChartStyle.DARK.series().get(0)) + "\""),
+                dark);
+        assertTrue(
+                dark.contains(
+                        "fill=\"" + SvgFormat.toHex(ChartStyle.DARK.series().get(1)) + "\" fill-opacity"),
+                dark);
+        assertFalse(dark.contains(SvgFormat.toHex(ChartStyle.LIGHT.palette().text())), dark);
+    }
+
+    @Test
+    void anAdaptivePictureIsTheLightOneWithARuleForEachUseOfAColour() throws Exception {
+        String adaptive = drawing().toSvg(SvgTheme.ADAPTIVE);
+        assertEquals(drawing().toSvg(SvgTheme.LIGHT), adaptive.replaceFirst("(?s)<style>.*</style>\n", ""));
+        assertTrue(
+                adaptive.contains(
+                        "[stroke=\"" + SvgFormat.toHex(ChartStyle.LIGHT.series().get(0)) + "\"] {stroke: "
+                                + SvgFormat.toHex(ChartStyle.DARK.series().get(0)) + "}"),
+                adaptive);
+        assertEquals(
+                1,
+                DocumentBuilderFactory.newDefaultInstance()
+                        .newDocumentBuilder()
+                        .parse(new InputSource(new java.io.StringReader(adaptive)))
+                        .getElementsByTagName("style")
+                        .getLength());
+    }
+
+    @Test
+    void aColourOutsideTheThemeIsRejected() {
+        SvgDrawing drawing = new SvgDrawing(10, 10, new Color(0x123456));
+        assertThrows(IllegalStateException.class, () -> drawing.toSvg(SvgTheme.DARK));
+    }
+}

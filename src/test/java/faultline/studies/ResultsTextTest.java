@@ -1,0 +1,209 @@
+package faultline.studies;
+
+import static faultline.studies.CornerRun.SensorSelection.FRONT_LEFT;
+import static faultline.studies.CornerRun.SensorSelection.FRONT_RIGHT;
+import static faultline.studies.CornerRun.SensorSelection.TWO;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Angles;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.DoubleStream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/** What docs/results.md says in words and numbers is what the tables beside it say. */
+class ResultsTextTest {
+
+    private static final Pattern ROW =
+            Pattern.compile("(?m)^\\|[^|]*\\(results/(eq4-[a-z-]+)\\.csv\\)[^|]*\\|([^|]*)\\|([^|]*)\\|");
+    private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?");
+
+    private static String text;
+
+    @BeforeAll
+    static void read() throws IOException {
+        text = Files.readString(Path.of("docs/results.md")).replaceAll("\\s+", " ");
+    }
+
+    private static void assertSaid(String sentence, Object... numbers) {
+        String said = String.format(Locale.ROOT, sentence, numbers);
+        assertTrue(text.contains(said), () -> "the results should say: " + said);
+    }
+
+    @Test
+    void everyRowOfEquationFourHasTheLeastAndTheGreatestErrorOfItsTable() throws IOException {
+        Matcher row = ROW.matcher(Files.readString(Path.of("docs/results.md")));
+        List<String> wrong = new ArrayList<>();
+        int rows = 0;
+        while (row.find()) {
+            rows++;
+            check(row.group(1), "range", row.group(2), wrong);
+            check(row.group(1), "equal-readings", row.group(3), wrong);
+        }
+        assertEquals(List.of(), wrong);
+        assertEquals(EquationFour.sweeps().size(), rows);
+    }
+
+    /** Both ends of the range are named, to the decimals that are given; where they are alike, once. */
+    private static void check(String table, String timing, String cell, List<String> wrong) {
+        double[] errors = ResultsTable.of(table)
+                .where("timing", timing)
+                .numbers("error_deg")
+                .sorted()
+                .toArray();
+        double least = errors[0];
+        double greatest = errors[errors.length - 1];
+        List<String> numbers = NUMBER.matcher(cell.replaceAll("from \\d+ degrees on", ""))
+                .results()
+                .map(MatchResult::group)
+                .toList();
+        boolean named = List.of(least, greatest).stream()
+                .allMatch(end -> numbers.stream().anyMatch(number -> rounds(end, number)));
+        if (!named || numbers.stream().anyMatch(number -> !rounds(least, number) && !rounds(greatest, number))) {
+            wrong.add(String.format(
+                    Locale.ROOT, "%s %s: %s, but is %.3f to %.3f", table, timing, cell.strip(), least, greatest));
+        }
+    }
+
+    private static boolean rounds(double value, String number) {
+        int decimals = number.contains(".") ? number.length() - number.indexOf('.') - 1 : 0;
+        return Math.abs(value - Double.parseDouble(number)) <= 0.5 * Math.pow(10, -decimals) + 1e-9;
+    }
+
+    @Test
+    void theNumberOfTrialsAndHowFarTheoryIsOff() {
+        List<String> tables =
+                EquationFour.sweeps().stream().map(ParameterSweep::name).toList();
+        assertSaid(
+                "%d trials; theory and trial differ by no more than the band and 0.3 degrees, but for noise",
+                tables.stream()
+                        .mapToInt(name -> ResultsTable.of(name).rows().size())
+                        .sum());
+        for (String name : tables) {
+            ResultsTable equal = ResultsTable.of(name).where("timing", "equal-readings");
+            double off = equal.rows().stream()
+                    .mapToDouble(row -> Math.abs(
+                            Double.parseDouble(row.get("error_deg")) - Double.parseDouble(row.get("theory_deg"))))
+                    .max()
+                    .orElseThrow();
+            assertTrue(name.equals("eq4-noise") || off <= 0.3, name + " " + off);
+        }
+    }
+
+    @Test
+    void thePositioningBesideTheWall() {
+        ResultsTable moments = ResultsTable.of("fig4-positioning");
+        double f3 = moments.where("frame", "F3").number("t_s");
+        double f4 = moments.where("frame", "F4").number("t_s");
+        assertSaid(
+                "F3 is at %.2f s and F4 at %.2f s, so t_D = %.2f s and t_p = %.2f s; the robot ends %.1f degrees short of parallel",
+                f3, f4, f4 - f3, (f4 - f3) / 2, -moments.where("frame", "P").number("heading_deg"));
+    }
+
+    @Test
+    void betweenF3AndF4TheRobotTurnsByOneAndTheSameAngleEveryTick() {
+        RunTrace journey =
+                RunTrace.simulate(StudyScenarios.load("beside-a-wall.xml").setup());
+        for (int tick = journey.states().indexOf("MEASURE");
+                tick < journey.states().indexOf("ALIGN");
+                tick++) {
+            double turned = journey.poses().get(tick - 1).heading()
+                    - journey.poses().get(tick).heading();
+            assertEquals(0.600, StrictMath.toDegrees(Angles.normalize(turned)), 0.0005);
+        }
+        assertSaid("0.600 degrees every 10 ms from F3 to F4");
+    }
+
+    private static double corner(int degrees, CornerRun.SensorSelection sensors) {
+        return 250
+                + ResultsTable.of("fig6-angles")
+                        .where("angle_deg", Integer.toString(degrees))
+                        .where("sensors", sensors.fileName())
+                        .number("error_mm");
+    }
+
+    @Test
+    void theCorners() {
+        assertSaid(
+                "%.0f mm at 45 degrees, %.0f mm at 35. The front-right sensor makes that %.0f mm.",
+                corner(45, TWO), corner(35, TWO), corner(45, FRONT_RIGHT));
+        assertSaid("%.0f mm without it at 135 degrees, %.0f mm with it", corner(135, TWO), corner(135, FRONT_LEFT));
+        double worst = ResultsTable.of("fig6-angles")
+                .where("sensors", TWO.fileName())
+                .between("angle_deg", 75, 105)
+                .numbers("error_mm")
+                .map(Math::abs)
+                .max()
+                .orElseThrow();
+        assertSaid("From 75 to 105 degrees two sensors are within %d mm", (int) Math.ceil(worst));
+        assertTrue(ResultsTable.of("fig6-angles").cells("collided").noneMatch("true"::equals), "no run collides");
+    }
+
+    @Test
+    void theOtherSensors() {
+        ResultsTable cases =
+                ResultsTable.of("eq4-other-sensors").where("failed_sensor", sensor -> !sensor.equals("none"));
+        assertSaid("the same to the last bit in all %d cases", cases.rows().size());
+        assertTrue(cases.cells("same_bits").allMatch("true"::equals));
+        assertEquals(
+                List.of("front"),
+                cases.where("same_bits_from_the_start", "false")
+                        .cells("failed_sensor")
+                        .distinct()
+                        .toList());
+    }
+
+    @Test
+    void thePoles() {
+        assertEquals(
+                0,
+                ResultsTable.of("thin-objects")
+                        .where("cone_deg", "20")
+                        .numbers("collisions")
+                        .sum());
+        assertEquals(1 / 5.0, share("8"), 0.04, "one in five");
+        assertEquals(1 / 3.0, share("2"), 0.04, "one in three");
+    }
+
+    private static double share(String cone) {
+        ResultsTable runs = ResultsTable.of("thin-objects").where("cone_deg", cone);
+        return runs.numbers("collisions").sum() / runs.numbers("runs").sum();
+    }
+
+    @Test
+    void theNoise() {
+        ResultsTable runs = ResultsTable.of("noise-following");
+        runs.where("noise_mm", noise -> !noise.equals("0"))
+                .rows()
+                .forEach(row -> assertTrue(
+                        Double.parseDouble(row.get("distance_rms_mm")) < Double.parseDouble(row.get("noise_mm")) / 2,
+                        row.toString()));
+        assertTrue(runs.cells("collided").noneMatch("true"::equals));
+        assertSaid(
+                "%.1f mm RMS without noise, %.1f mm with noise of 4 mm",
+                runs.where("noise_mm", "0").numbers("distance_rms_mm").max().orElseThrow(),
+                runs.where("noise_mm", "4").numbers("distance_rms_mm").max().orElseThrow());
+        DoubleStream errors =
+                ResultsTable.of("eq4-noise").where("timing", "equal-readings").numbers("error_deg");
+        assertSaid(
+                "none is off by more than %.1f degrees",
+                errors.map(Math::abs).max().orElseThrow());
+    }
+
+    @Test
+    void theSpecularWalls() {
+        ResultsTable hits = ResultsTable.of("specular-map").where("outcome", "runs into it");
+        assertTrue(hits.numbers("specular_deg").max().orElseThrow() <= 12);
+        assertTrue(
+                hits.numbers("slant_deg").map(Math::abs).allMatch(slant -> slant >= 10 && slant <= 35 || slant > 55));
+    }
+}
