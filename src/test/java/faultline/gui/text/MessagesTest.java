@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 class MessagesTest {
 
     private static final Pattern TEXT = Pattern.compile(
-            "(?:Texts\\.text|Texts\\.has|cell|label|name|addRow)\\((?:\\d, |\\w+, )?\"([a-z]\\w*\\.[\\w.]+\\w)\"");
+            "(?:Messages\\.get|Messages\\.contains|cell|label|name|addRow)\\((?:\\d, |\\w+, )?\"([a-z]\\w*\\.[\\w.]+\\w)\"");
     private static final Pattern ACTION = Pattern.compile("(?:UiAction\\.(?:of|toggle)|layer|rename)\\(\"(\\w+)\"");
 
     @Test

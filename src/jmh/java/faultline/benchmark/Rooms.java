@@ -1,4 +1,4 @@
-package faultline.bench;
+package faultline.benchmark;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;

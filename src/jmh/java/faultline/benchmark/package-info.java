@@ -1,2 +1,2 @@
 /** Benchmarks, compiled and run in the {@code jmh} profile only; see docs/benchmarks.md. */
-package faultline.bench;
+package faultline.benchmark;

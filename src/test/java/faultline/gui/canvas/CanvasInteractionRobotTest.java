@@ -34,7 +34,7 @@ import org.junit.jupiter.api.condition.DisabledIf;
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
         disabledReason = "drives a real window, which needs a display")
-class CanvasInteractionTest {
+class CanvasInteractionRobotTest {
 
     private static final int LEFT = InputEvent.BUTTON1_DOWN_MASK;
     private static final int MIDDLE = InputEvent.BUTTON2_DOWN_MASK;
