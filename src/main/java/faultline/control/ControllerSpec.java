@@ -1,35 +1,10 @@
 package faultline.control;
 
-/** Which controller drives the robot, and how it is set: what a scenario's {@code controller} element says. */
+/** Describes which controller drives the robot, and its settings: a scenario's {@code controller} element. */
 public sealed interface ControllerSpec {
 
-    /**
-     * Makes a fresh controller.
-     *
-     * @return a controller in its first state
-     */
-    Controller create();
-
-    /**
-     * The name of the state that the controller starts in.
-     *
-     * @return as in {@link Telemetry#state()}
-     */
-    String initialState();
-
     /** The robot stays where it is: file type {@code none}. */
-    record None() implements ControllerSpec {
-        @Override
-        public Controller create() {
-            Decision stay = new Decision(0, 0, Telemetry.ofState(initialState()));
-            return observation -> stay;
-        }
-
-        @Override
-        public String initialState() {
-            return "NONE";
-        }
-    }
+    record None() implements ControllerSpec {}
 
     /**
      * Constant voltages: file type {@code drive}.
@@ -37,18 +12,7 @@ public sealed interface ControllerSpec {
      * @param leftVolts on the left motors, finite
      * @param rightVolts on the right motors, finite
      */
-    record Drive(double leftVolts, double rightVolts) implements ControllerSpec {
-        @Override
-        public Controller create() {
-            Decision drive = new Decision(leftVolts, rightVolts, Telemetry.ofState(initialState()));
-            return observation -> drive;
-        }
-
-        @Override
-        public String initialState() {
-            return "DRIVE";
-        }
-    }
+    record Drive(double leftVolts, double rightVolts) implements ControllerSpec {}
 
     /**
      * The paper's six-state wall follower: file type {@code wall-follower}.
@@ -72,16 +36,6 @@ public sealed interface ControllerSpec {
             if (!(period >= 0 && Double.isFinite(period))) {
                 throw new IllegalArgumentException("the period must not be negative: " + period);
             }
-        }
-
-        @Override
-        public Controller create() {
-            return new PeriodicController(new WallFollower(this), period);
-        }
-
-        @Override
-        public String initialState() {
-            return FollowerState.SEARCH.name();
         }
     }
 }

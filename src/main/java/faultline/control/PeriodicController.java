@@ -1,14 +1,14 @@
 package faultline.control;
 
 /** Lets a controller decide once a period; between its decisions the last one holds. */
-final class PeriodicController implements Controller {
+public final class PeriodicController implements Controller {
 
     private final Controller delegate;
     private final double period;
     private Decision lastDecision;
 
     /** A controller that asks another every {@code period} seconds, rounded to whole ticks, at least one. */
-    PeriodicController(Controller inner, double period) {
+    public PeriodicController(Controller inner, double period) {
         this.delegate = inner;
         this.period = period;
     }

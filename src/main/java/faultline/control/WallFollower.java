@@ -18,7 +18,7 @@ import java.util.List;
  * <p>The state diagram is the table {@link #TRANSITIONS}: of the arrows that leave a state, the first whose condition
  * holds is taken, at most one a decision.
  */
-final class WallFollower implements Controller {
+public final class WallFollower implements Controller {
 
     /** The paper's Fig. 8 as we read it. */
     static final List<Transition> TRANSITIONS = List.of(
@@ -76,7 +76,7 @@ final class WallFollower implements Controller {
     private double v;
     private double omega;
 
-    WallFollower(ControllerSpec.WallFollowing spec) {
+    public WallFollower(ControllerSpec.WallFollowing spec) {
         this.spec = spec;
         estimate = new StateEstimate(spec);
         alignment = new AlignmentManoeuvre(estimate, spec.timingRule());

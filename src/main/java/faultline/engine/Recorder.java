@@ -33,7 +33,7 @@ public final class Recorder implements TickObserver, CommandListener {
         sensors = setup.robot().sensors().size();
         values = new float[TraceChannels.count(sensors)];
         trace = new TraceRecorder(values.length);
-        lastTelemetry = Telemetry.ofState(setup.controller().initialState());
+        lastTelemetry = Telemetry.ofState(ControllerFactory.initialState(setup.controller()));
         states.start(lastTelemetry.state());
     }
 

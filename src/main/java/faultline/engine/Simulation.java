@@ -42,9 +42,8 @@ public final class Simulation implements AutoCloseable {
     public Simulation(SimulationSetup setup, ControllerMode mode, CommandListener listener) {
         this.setup = setup;
         this.world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
-        this.controllerHost = ControllerHost.create(setup.controller().create(), mode);
-        this.activeDecision =
-                new Decision(0, 0, Telemetry.ofState(setup.controller().initialState()));
+        this.controllerHost = ControllerHost.create(ControllerFactory.create(setup.controller()), mode);
+        this.activeDecision = new Decision(0, 0, Telemetry.ofState(ControllerFactory.initialState(setup.controller())));
         this.tickCommands = new TickCommands(setup, world, listener);
         senseAndSubmit();
     }

@@ -1,7 +1,7 @@
 package faultline.scenario;
 
 import faultline.control.ControllerSpec;
-import faultline.control.FollowerState;
+import faultline.engine.ControllerFactory;
 import faultline.io.DidYouMean;
 import faultline.io.MessageText;
 import java.util.ArrayList;
@@ -21,13 +21,7 @@ final class ExpectationReader {
 
     ExpectationReader(Problems complaints, ControllerSpec controller) {
         this.problems = complaints;
-        this.knownStates = statesOf(controller);
-    }
-
-    private static List<String> statesOf(ControllerSpec controller) {
-        return controller instanceof ControllerSpec.WallFollowing
-                ? Arrays.stream(FollowerState.values()).map(Enum::name).toList()
-                : List.of(controller.initialState());
+        this.knownStates = ControllerFactory.states(controller);
     }
 
     Expectation read(XmlElement node) {

@@ -26,9 +26,9 @@ final class StraightWallFixture {
     private Telemetry telemetry = Telemetry.ofState("");
 
     /** Starts below the wall at a distance of the centre, heading so many degrees up from along it. */
-    StraightWallFixture(RobotSpec robot, ControllerSpec spec, double distance, double headingDegrees) {
+    StraightWallFixture(RobotSpec robot, ControllerSpec.WallFollowing spec, double distance, double headingDegrees) {
         this.robot = robot;
-        this.controller = spec.create();
+        this.controller = new PeriodicController(new WallFollower(spec), spec.period());
         this.pose = new Pose(0, -distance, Math.toRadians(headingDegrees));
     }
 

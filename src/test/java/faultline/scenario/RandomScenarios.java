@@ -1,6 +1,7 @@
 package faultline.scenario;
 
 import faultline.control.ControllerSpec;
+import faultline.engine.ControllerFactory;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.SimulationSetup;
@@ -184,8 +185,8 @@ final class RandomScenarios {
                 random.nextBoolean() ? Optional.of(random.nextBoolean()) : Optional.empty(),
                 random.nextBoolean() ? OptionalDouble.of(random.nextDouble()) : OptionalDouble.empty(),
                 random.nextBoolean() ? OptionalDouble.of(size()) : OptionalDouble.empty(),
-                random.nextBoolean() ? List.of(controller.initialState()) : List.of(),
-                random.nextBoolean() ? Optional.of(controller.initialState()) : Optional.empty());
+                random.nextBoolean() ? List.of(ControllerFactory.initialState(controller)) : List.of(),
+                random.nextBoolean() ? Optional.of(ControllerFactory.initialState(controller)) : Optional.empty());
     }
 
     private List<Vector2> points(int least) {

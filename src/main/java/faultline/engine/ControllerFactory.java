@@ -1,0 +1,42 @@
+package faultline.engine;
+
+import faultline.control.Controller;
+import faultline.control.ControllerSpec;
+import faultline.control.Decision;
+import faultline.control.FollowerState;
+import faultline.control.PeriodicController;
+import faultline.control.Telemetry;
+import faultline.control.WallFollower;
+import java.util.Arrays;
+import java.util.List;
+
+/** Makes controllers from their specifications. */
+public final class ControllerFactory {
+
+    private ControllerFactory() {}
+
+    /** Returns a new controller in its initial state. */
+    public static Controller create(ControllerSpec spec) {
+        if (spec instanceof ControllerSpec.WallFollowing wall) {
+            return new PeriodicController(new WallFollower(wall), wall.period());
+        }
+        Telemetry telemetry = Telemetry.ofState(initialState(spec));
+        Decision constant = spec instanceof ControllerSpec.Drive drive
+                ? new Decision(drive.leftVolts(), drive.rightVolts(), telemetry)
+                : new Decision(0, 0, telemetry);
+        return observation -> constant;
+    }
+
+    /** Returns the names of all states of a controller as in {@link Telemetry#state()}, the initial state first. */
+    public static List<String> states(ControllerSpec spec) {
+        if (spec instanceof ControllerSpec.WallFollowing) {
+            return Arrays.stream(FollowerState.values()).map(Enum::name).toList();
+        }
+        return List.of(spec instanceof ControllerSpec.Drive ? "DRIVE" : "NONE");
+    }
+
+    /** Returns the name of the state that a controller starts in. */
+    public static String initialState(ControllerSpec spec) {
+        return states(spec).get(0);
+    }
+}

@@ -1,0 +1,58 @@
+package faultline.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.control.ControllerSpec;
+import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.Decision;
+import faultline.control.Observation;
+import faultline.control.Telemetry;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+
+class ControllerFactoryTest {
+
+    /** The standard robot at tick 0, with nothing in range of its sensors. */
+    private static final Observation OBSERVATION = new Observation(0, 0.01, RobotSpec.DEFAULT, nothingInRange());
+
+    private static double[] nothingInRange() {
+        double[] readings = new double[RobotSpec.DEFAULT.sensors().size()];
+        Arrays.fill(readings, Reading.NOTHING);
+        return readings;
+    }
+
+    private static Decision first(ControllerSpec spec) {
+        return ControllerFactory.create(spec).decide(OBSERVATION);
+    }
+
+    @Test
+    void noneKeepsTheRobotInPlace() {
+        assertEquals(new Decision(0, 0, Telemetry.ofState("NONE")), first(new ControllerSpec.None()));
+    }
+
+    @Test
+    void driveAppliesItsVoltages() {
+        assertEquals(new Decision(2, -3, Telemetry.ofState("DRIVE")), first(new ControllerSpec.Drive(2, -3)));
+    }
+
+    @Test
+    void aWallFollowerStartsWithAStraightSearch() {
+        Decision decision = first(WallFollowing.DEFAULT);
+        assertEquals("SEARCH", decision.telemetry().state());
+        assertEquals(3, decision.leftVolts(), 1e-12, "0.3 m/s at 0.1 m/s per volt");
+        assertEquals(3, decision.rightVolts(), 1e-12);
+    }
+
+    @Test
+    void everyControllerStartsInItsFirstState() {
+        for (ControllerSpec spec :
+                new ControllerSpec[] {new ControllerSpec.None(), new ControllerSpec.Drive(1, 1), WallFollowing.DEFAULT
+                }) {
+            assertEquals(
+                    ControllerFactory.initialState(spec),
+                    first(spec).telemetry().state());
+        }
+    }
+}
