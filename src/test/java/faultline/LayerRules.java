@@ -22,6 +22,7 @@ final class LayerRules {
             "engine.session",
             "engine.metrics",
             "scenario",
+            "floorplan",
             "paint.surface",
             "paint.chart",
             "paint.scene",

@@ -1,0 +1,101 @@
+package faultline.floorplan;
+
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * A map that has been read and traced.
+ *
+ * @param description what the map file says
+ * @param grid the classified cells
+ * @param solid the cells that obstruct the robot
+ * @param rings the outlines of the solid cells, solid by the even-odd rule, in cells
+ */
+public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCells solid, List<GridRing> rings) {
+
+    public FloorPlan {
+        rings = List.copyOf(rings);
+    }
+
+    /**
+     * How a map is traced.
+     *
+     * @param unknownIsSolid whether unknown cells count as solid
+     * @param minCells groups of fewer solid cells are dropped
+     * @param smoothing the bound for simplified outlines, in cells; 0 keeps the exact staircase
+     */
+    public record Options(boolean unknownIsSolid, int minCells, double smoothing) {
+
+        /** Exact outlines of the occupied cells. */
+        public static final Options DEFAULT = new Options(false, 1, 0);
+
+        public Options {
+            if (minCells < 0) {
+                throw new IllegalArgumentException("the number of cells must not be negative: " + minCells);
+            }
+            if (!(smoothing >= 0 && Double.isFinite(smoothing))) {
+                throw new IllegalArgumentException("the smoothing must not be negative: " + smoothing);
+            }
+        }
+    }
+
+    /**
+     * Returns whether a file is a map's YAML file by its name, and not an image.
+     *
+     * @param file any file name
+     * @return true for the endings {@code .yaml} and {@code .yml}
+     */
+    public static boolean isYaml(Path file) {
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        return name.endsWith(".yaml") || name.endsWith(".yml");
+    }
+
+    /**
+     * Reads a map_server YAML file and its image.
+     *
+     * @param yaml the YAML file
+     * @param options how to trace
+     * @return the plan
+     * @throws IOException with one sentence if the files cannot be read
+     */
+    public static FloorPlan readYaml(Path yaml, Options options) throws IOException {
+        return read(MapYamlReader.read(yaml), options);
+    }
+
+    /**
+     * Reads an image of a known resolution.
+     *
+     * @param image a PGM, PNG, BMP, GIF or TIFF file
+     * @param resolution the side of a pixel, metres, positive
+     * @param options how to trace
+     * @return the plan
+     * @throws IOException with one sentence if the file cannot be read
+     */
+    public static FloorPlan readImage(Path image, BigDecimal resolution, Options options) throws IOException {
+        return read(MapDescription.of(image, resolution), options);
+    }
+
+    private static FloorPlan read(MapDescription description, Options options) throws IOException {
+        return trace(description, description.classify(MapImageReader.read(description.image())), options);
+    }
+
+    /** Traces classified cells. */
+    static FloorPlan trace(MapDescription description, OccupancyGrid grid, Options options) {
+        SolidCells solid = grid.solidCells(options.unknownIsSolid()).withoutSpecks(options.minCells());
+        List<GridRing> rings = OutlineTracer.trace(solid);
+        if (options.smoothing() > 0) {
+            rings = rings.stream()
+                    .map(ring -> OutlineSimplifier.simplify(ring, options.smoothing()))
+                    .toList();
+        }
+        return new FloorPlan(description, grid, solid, rings);
+    }
+
+    /** Returns the number of wall segments of all outlines. */
+    public int segmentCount() {
+        return rings.stream().mapToInt(GridRing::size).sum();
+    }
+}

@@ -1,0 +1,81 @@
+package faultline.floorplan;
+
+import java.math.BigDecimal;
+import java.nio.file.Path;
+
+/**
+ * What a map_server YAML file says of a map.
+ *
+ * @param image the image file
+ * @param resolution the side of a cell, metres, positive
+ * @param yaw the direction of the image's rows in the world, radians, counter-clockwise
+ * @param mode how pixel values are meant
+ * @param negate whether white is occupied
+ * @param occupiedThreshold a cell of at least this occupancy is occupied, in [0, 1]
+ * @param freeThreshold a cell of at most this occupancy is free, in [0, 1]
+ */
+public record MapDescription(
+        Path image,
+        BigDecimal resolution,
+        double yaw,
+        MapMode mode,
+        boolean negate,
+        double occupiedThreshold,
+        double freeThreshold) {
+
+    private static final double DEFAULT_OCCUPIED = 0.65;
+    private static final double DEFAULT_FREE = 0.196;
+
+    public MapDescription {
+        if (resolution.signum() <= 0) {
+            throw new IllegalArgumentException("the resolution must be positive: " + resolution);
+        }
+        if (!Double.isFinite(yaw)) {
+            throw new IllegalArgumentException("the yaw must be finite: " + yaw);
+        }
+    }
+
+    /**
+     * Returns the description of an image without a YAML file, with map_server's usual thresholds.
+     *
+     * @param image the image file
+     * @param resolution the side of a cell, metres
+     * @return dark pixels are occupied
+     */
+    public static MapDescription of(Path image, BigDecimal resolution) {
+        return new MapDescription(image, resolution, 0, MapMode.TRINARY, false, DEFAULT_OCCUPIED, DEFAULT_FREE);
+    }
+
+    /** Classifies the pixels of this map's image. */
+    OccupancyGrid classify(MapImage pixels) {
+        byte[] cells = new byte[pixels.width() * pixels.height()];
+        for (int row = 0; row < pixels.height(); row++) {
+            int rowFromTop = pixels.height() - 1 - row;
+            for (int column = 0; column < pixels.width(); column++) {
+                CellState state = pixels.isTransparent(column, rowFromTop)
+                        ? CellState.UNKNOWN
+                        : classify(pixels.value(column, rowFromTop));
+                cells[row * pixels.width() + column] = (byte) state.ordinal();
+            }
+        }
+        return new OccupancyGrid(pixels.width(), pixels.height(), cells);
+    }
+
+    private CellState classify(double value) {
+        if (mode == MapMode.RAW && Math.rint(value) > 100) {
+            return CellState.UNKNOWN;
+        }
+        double occupancy = occupancy(value);
+        if (occupancy >= occupiedThreshold) {
+            return CellState.OCCUPIED;
+        }
+        return occupancy <= freeThreshold ? CellState.FREE : CellState.UNKNOWN;
+    }
+
+    private double occupancy(double value) {
+        if (mode == MapMode.RAW) {
+            return Math.rint(value) / 100;
+        }
+        return (negate ? value : 255 - value) / 255;
+    }
+}

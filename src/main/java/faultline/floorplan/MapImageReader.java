@@ -1,0 +1,116 @@
+package faultline.floorplan;
+
+import faultline.io.MessageText;
+import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Iterator;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+
+/** Reads map images: PGM (P2 and P5) itself, and PNG, BMP, GIF and TIFF with the JDK. */
+final class MapImageReader {
+
+    private static final long MAX_BYTES = 512L << 20;
+
+    private MapImageReader() {}
+
+    /**
+     * Reads an image.
+     *
+     * @param file the image file
+     * @return its pixels
+     * @throws FloorPlanException if the file is missing, no image, or too large
+     */
+    static MapImage read(Path file) throws FloorPlanException {
+        try {
+            if (!Files.exists(file)) {
+                throw new FloorPlanException(file + ": there is no such image file");
+            }
+            if (!Files.isRegularFile(file)) {
+                throw new FloorPlanException(file + ": this is not a regular file, allowed is an image file");
+            }
+            if (Files.size(file) > MAX_BYTES) {
+                throw new FloorPlanException(
+                        file + ": the file has " + Files.size(file) + " bytes, allowed are " + MAX_BYTES + " at most");
+            }
+            byte[] start = readStart(file);
+            if (start.length == 2 && start[0] == 'P' && start[1] >= '1' && start[1] <= '7') {
+                return new PgmReader(file, Files.readAllBytes(file)).read();
+            }
+            return readWithImageIo(file);
+        } catch (FloorPlanException e) {
+            throw e;
+        } catch (IOException | RuntimeException e) {
+            throw new FloorPlanException(file + ": the image cannot be read: " + firstLine(e));
+        }
+    }
+
+    private static byte[] readStart(Path file) throws IOException {
+        try (var in = Files.newInputStream(file)) {
+            return in.readNBytes(2);
+        }
+    }
+
+    private static String firstLine(Exception e) {
+        String message = e.getMessage();
+        return message == null ? e.getClass().getSimpleName() : MessageText.oneLine(message);
+    }
+
+    private static MapImage readWithImageIo(Path file) throws IOException {
+        try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
+            Iterator<ImageReader> readers =
+                    in == null ? java.util.Collections.emptyIterator() : ImageIO.getImageReaders(in);
+            if (!readers.hasNext()) {
+                throw new FloorPlanException(file
+                        + ": the format of the image is not known, allowed are PGM (P2, P5), PNG, BMP, GIF and TIFF");
+            }
+            ImageReader reader = readers.next();
+            try {
+                reader.setInput(in, true, true);
+                requireSize(file, reader.getWidth(0), reader.getHeight(0));
+                return toMapImage(reader.read(0));
+            } finally {
+                reader.dispose();
+            }
+        }
+    }
+
+    static void requireSize(Path file, long width, long height) throws FloorPlanException {
+        if (width < 1 || height < 1 || width > MapImage.MAX_PIXELS || width * height > MapImage.MAX_PIXELS) {
+            throw new FloorPlanException(file + ": the image has " + width + " x " + height
+                    + " pixels, allowed are 1 to " + MapImage.MAX_PIXELS);
+        }
+    }
+
+    private static MapImage toMapImage(BufferedImage image) {
+        MapImage map = new MapImage(image.getWidth(), image.getHeight());
+        ColorModel colors = image.getColorModel();
+        // getRGB would convert grey values from a linear colour space; the file's own numbers are wanted.
+        boolean grey = !(colors instanceof IndexColorModel) && colors.getNumColorComponents() == 1;
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                int index = y * image.getWidth() + x;
+                if (grey) {
+                    setGrey(map, index, image.getRaster(), colors, x, y);
+                } else {
+                    int argb = image.getRGB(x, y);
+                    int sum = (argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff);
+                    map.set(index, sum / 3f, argb >>> 24 < 255);
+                }
+            }
+        }
+        return map;
+    }
+
+    private static void setGrey(MapImage map, int index, Raster raster, ColorModel colors, int x, int y) {
+        float max = (1L << colors.getComponentSize(0)) - 1;
+        boolean transparent = colors.hasAlpha() && raster.getSample(x, y, 1) < (1 << colors.getComponentSize(1)) - 1;
+        map.set(index, raster.getSample(x, y, 0) * 255f / max, transparent);
+    }
+}

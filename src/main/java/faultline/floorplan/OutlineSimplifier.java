@@ -1,0 +1,83 @@
+package faultline.floorplan;
+
+import java.util.ArrayDeque;
+import java.util.BitSet;
+import java.util.Deque;
+
+/**
+ * Replaces the staircase of a slanted wall by straight lines (Douglas and Peucker, 1973): every corner that is left out
+ * is within a bound of the line that replaces it.
+ */
+public final class OutlineSimplifier {
+
+    private record Range(int from, int to) {}
+
+    private OutlineSimplifier() {}
+
+    /**
+     * Simplifies a ring.
+     *
+     * @param ring the outline
+     * @param tolerance the bound, in cells, not negative
+     * @return some of its corners, in their order; the ring itself if fewer than three would be left
+     */
+    public static GridRing simplify(GridRing ring, double tolerance) {
+        BitSet kept = new BitSet(ring.size());
+        int opposite = farthestFromFirst(ring);
+        kept.set(0);
+        kept.set(opposite);
+        Deque<Range> open = new ArrayDeque<>();
+        open.push(new Range(0, opposite));
+        open.push(new Range(opposite, ring.size()));
+        while (!open.isEmpty()) {
+            Range range = open.pop();
+            int farthest = farthestFromChord(ring, range, tolerance);
+            if (farthest >= 0) {
+                kept.set(farthest);
+                open.push(new Range(range.from(), farthest));
+                open.push(new Range(farthest, range.to()));
+            }
+        }
+        return kept.cardinality() < 3 ? ring : ring.select(kept.stream().toArray());
+    }
+
+    private static int farthestFromFirst(GridRing ring) {
+        int farthest = 0;
+        double largest = -1;
+        for (int i = 1; i < ring.size(); i++) {
+            double x = ring.column(i) - ring.column(0);
+            double y = ring.row(i) - ring.row(0);
+            if (x * x + y * y > largest) {
+                largest = x * x + y * y;
+                farthest = i;
+            }
+        }
+        return farthest;
+    }
+
+    /**
+     * Returns the corner strictly between two others that is farthest from their chord; -1 if all are within the bound.
+     */
+    private static int farthestFromChord(GridRing ring, Range range, double tolerance) {
+        int end = range.to() % ring.size();
+        double x0 = ring.column(range.from());
+        double y0 = ring.row(range.from());
+        double dx = ring.column(end) - x0;
+        double dy = ring.row(end) - y0;
+        double lengthSquared = dx * dx + dy * dy;
+        int farthest = -1;
+        double largest = tolerance * tolerance;
+        for (int i = range.from() + 1; i < range.to(); i++) {
+            double x = ring.column(i) - x0;
+            double y = ring.row(i) - y0;
+            double along = lengthSquared == 0 ? 0 : Math.max(0, Math.min(1, (x * dx + y * dy) / lengthSquared));
+            double offX = x - along * dx;
+            double offY = y - along * dy;
+            if (offX * offX + offY * offY > largest) {
+                largest = offX * offX + offY * offY;
+                farthest = i;
+            }
+        }
+        return farthest;
+    }
+}

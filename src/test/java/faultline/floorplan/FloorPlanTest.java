@@ -1,0 +1,213 @@
+package faultline.floorplan;
+
+import static faultline.floorplan.CellState.FREE;
+import static faultline.floorplan.CellState.OCCUPIED;
+import static faultline.floorplan.CellState.UNKNOWN;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Maps from files: which pixels are solid, and what is said of files that are no maps. */
+class FloorPlanTest {
+
+    private static final String PLAIN = "P2\n# made by hand\n3 2\n255\n0 255 205\n255 0 254\n";
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void theFirstRowOfAnImageIsTheTopOfTheMap() throws IOException {
+        OccupancyGrid grid = read(write("m.pgm", PLAIN), "").grid();
+        assertEquals(List.of(FREE, OCCUPIED, FREE), row(grid, 0));
+        assertEquals(List.of(OCCUPIED, FREE, UNKNOWN), row(grid, 1));
+    }
+
+    @Test
+    void rawAndPlainImagesOfAnyDepthAreReadAlike() throws IOException {
+        OccupancyGrid expected = read(write("m.pgm", PLAIN), "").grid();
+        assertEquals(
+                expected,
+                read(writeBytes("r.pgm", "P5 3 2 255\n", 0, 255, 205, 255, 0, 254), "")
+                        .grid());
+        int[] deep = {0, 0, 255, 255, 205, 205, 255, 255, 0, 0, 254, 254};
+        assertEquals(
+                expected, read(writeBytes("d.pgm", "P5 3 2 65535\n", deep), "").grid());
+        assertEquals(
+                expected,
+                read(write("s.pgm", "P2 3 2 100 0 100 80 100 0 99"), "").grid());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"png", "bmp", "gif", "tiff"})
+    void greyImagesKeepTheirNumbers(String format) throws IOException {
+        BufferedImage image = new BufferedImage(256, 1, BufferedImage.TYPE_BYTE_GRAY);
+        for (int x = 0; x < 256; x++) {
+            image.getRaster().setSample(x, 0, 0, x);
+        }
+        Path file = folder.resolve("grey." + format);
+        if (ImageIO.write(image, format, file.toFile())) {
+            OccupancyGrid grid =
+                    read(file, "occupied_thresh: 0.65\nfree_thresh: 0.25\n").grid();
+            for (int value = 0; value < 256; value++) {
+                double p = (255 - value) / 255.0;
+                assertEquals(p >= 0.65 ? OCCUPIED : p <= 0.25 ? FREE : UNKNOWN, grid.state(value, 0), "value " + value);
+            }
+        }
+    }
+
+    @Test
+    void aPixelThatIsNotFullyOpaqueIsUnknown() throws IOException {
+        BufferedImage image = new BufferedImage(3, 1, BufferedImage.TYPE_INT_ARGB);
+        image.setRGB(0, 0, 0xff000000);
+        image.setRGB(1, 0, 0xfe000000);
+        image.setRGB(2, 0, 0x00ffffff);
+        Path file = folder.resolve("a.png");
+        ImageIO.write(image, "png", file.toFile());
+        assertEquals(List.of(OCCUPIED, UNKNOWN, UNKNOWN), row(read(file, "").grid(), 0));
+    }
+
+    @Test
+    void negateAndModesFollowMapServer() throws IOException {
+        Path file = write("m.pgm", "P2 4 1 255 0 50 100 255");
+        assertEquals(
+                List.of(OCCUPIED, OCCUPIED, UNKNOWN, FREE), row(read(file, "").grid(), 0));
+        assertEquals(
+                List.of(FREE, FREE, UNKNOWN, OCCUPIED),
+                row(read(file, "negate: 1\n").grid(), 0));
+        assertEquals(
+                List.of(FREE, UNKNOWN, OCCUPIED, UNKNOWN),
+                row(read(file, "mode: raw\n").grid(), 0));
+        assertEquals(
+                List.of(OCCUPIED, OCCUPIED, UNKNOWN, FREE),
+                row(read(file, "mode: 'scale'\n").grid(), 0));
+    }
+
+    @Test
+    void unknownCellsAreSolidOnRequest() throws IOException {
+        Path yaml = yaml(write("m.pgm", PLAIN), "");
+        assertEquals(
+                2, FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT).solid().count());
+        assertEquals(
+                3,
+                FloorPlan.readYaml(yaml, new FloorPlan.Options(true, 1, 0))
+                        .solid()
+                        .count());
+    }
+
+    @Test
+    void commentsQuotesAndListsInLinesAreUnderstood() throws IOException {
+        write("m.pgm", PLAIN);
+        Path yaml = write(
+                "m.yaml",
+                """
+                # a map
+                ---
+                image: "m.pgm"   # beside this file
+                resolution: 5e-2
+                origin:
+                  - -10
+                  - 2.5
+                  - 0.5
+                free_thresh: 0.196
+                occupied_thresh: 0.65
+                negate: 0
+                author: nobody
+                """);
+        MapDescription description =
+                FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT).description();
+        assertEquals(new BigDecimal("0.05"), description.resolution().stripTrailingZeros());
+        assertEquals(0.5, description.yaw());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            resolution: fast         | m.yaml:2:13: resolution is "fast", allowed is a number
+            resolution: 0            | m.yaml:2:13: resolution is "0", allowed is a number of metres above 0
+            resolution 0.05          | m.yaml:2:1: a line is "resolution 0.05", allowed is "key: value"
+            resolutoin: 0.05         | m.yaml:1:1: there is no "resolution"; "resolutoin" may be meant as "resolution"
+            image: other.pgm         | m.yaml:2:1: "image" is given twice, allowed is once
+            """)
+    void aWrongMapFileIsReportedWithItsPlace(String line, String expected) throws IOException {
+        write("m.pgm", PLAIN);
+        Path yaml = write("m.yaml", "image: m.pgm\n" + line + "\n");
+        IOException e =
+                assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
+        assertEquals(folder + "/" + expected, e.getMessage().replace('\\', '/'));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            P2 2 1 255 0             | pixel 2 is missing at byte 12
+            P2 2 1 255 0 256         | pixel 2 is 256, allowed are 0 to 255
+            P5 2 9 255 0             | the image ends after 1 bytes of pixels, 18 are needed
+            P5 99999 99999 255 0     | the image has 99999 x 99999 pixels, allowed are 1 to 64000000
+            P6 2 1 255 0             | the format of the image is P6, allowed are P2 and P5
+            P2 2 x                   | the height is missing at byte 5
+            not an image             | the format of the image is not known, allowed are PGM (P2, P5), PNG, BMP, GIF and TIFF
+            """)
+    void aDamagedImageIsReportedInOneSentence(String content, String expected) throws IOException {
+        Path image = write("m.pgm", content.strip());
+        IOException e = assertThrows(
+                FloorPlanException.class,
+                () -> FloorPlan.readImage(image, new BigDecimal("0.05"), FloorPlan.Options.DEFAULT));
+        assertEquals(image + ": " + expected, e.getMessage());
+    }
+
+    @Test
+    void aMissingImageIsReported() throws IOException {
+        Path yaml = write("m.yaml", "image: none.png\nresolution: 0.1\n");
+        IOException e =
+                assertThrows(FloorPlanException.class, () -> FloorPlan.readYaml(yaml, FloorPlan.Options.DEFAULT));
+        assertEquals(folder.resolve("none.png") + ": there is no such image file", e.getMessage());
+    }
+
+    private FloorPlan read(Path image, String more) throws IOException {
+        return FloorPlan.readYaml(yaml(image, more), FloorPlan.Options.DEFAULT);
+    }
+
+    private Path yaml(Path image, String more) throws IOException {
+        return write("map.yaml", "image: " + image.getFileName() + "\nresolution: 0.05\n" + more);
+    }
+
+    private Path write(String name, String content) throws IOException {
+        return Files.writeString(folder.resolve(name), content);
+    }
+
+    private Path writeBytes(String name, String header, int... pixels) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        bytes.write(header.getBytes(StandardCharsets.US_ASCII));
+        for (int pixel : pixels) {
+            bytes.write(pixel);
+        }
+        return Files.write(folder.resolve(name), bytes.toByteArray());
+    }
+
+    private static List<CellState> row(OccupancyGrid grid, int row) {
+        List<CellState> states = new ArrayList<>();
+        for (int column = 0; column < grid.width(); column++) {
+            states.add(grid.state(column, row));
+        }
+        return states;
+    }
+}
