@@ -87,7 +87,7 @@ class FloorPlanTest {
         assertEquals(
                 List.of(OCCUPIED, OCCUPIED, UNKNOWN, FREE), row(read(file, "").grid(), 0));
         assertEquals(
-                List.of(FREE, FREE, UNKNOWN, OCCUPIED),
+                List.of(FREE, UNKNOWN, UNKNOWN, OCCUPIED),
                 row(read(file, "negate: 1\n").grid(), 0));
         assertEquals(
                 List.of(FREE, UNKNOWN, OCCUPIED, UNKNOWN),
