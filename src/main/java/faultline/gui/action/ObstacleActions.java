@@ -4,7 +4,7 @@ import static faultline.gui.action.Keystrokes.menuShortcut;
 import static faultline.gui.action.Keystrokes.unmodified;
 
 import faultline.geometry.Degrees;
-import faultline.gui.canvas.CanvasTools;
+import faultline.gui.canvas.tool.CanvasTools;
 import faultline.gui.edit.CommandSink;
 import faultline.gui.edit.ObstacleCopies;
 import faultline.gui.edit.ShapePreset;

@@ -7,6 +7,7 @@ import faultline.gui.canvas.cache.GroundLayer;
 import faultline.gui.canvas.cache.LayerBuffer;
 import faultline.gui.canvas.cache.PathLayer;
 import faultline.gui.canvas.tool.CanvasModel;
+import faultline.gui.canvas.tool.DragGesture;
 import faultline.gui.edit.ShapeHandles;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.PathStyle;
@@ -32,9 +33,6 @@ import java.util.stream.Collectors;
  */
 final class CachedSceneRenderer {
 
-    /** So many obstacles can be painted with each frame. */
-    static final int MAX_UNCACHED_SELECTION = 16;
-
     private final CachedLayer<GroundLayer> ground = new CachedLayer<>();
     private final CachedLayer<PathLayer> path = new CachedLayer<>();
     private final CachedLayer<PathLayer> referencePath = new CachedLayer<>();
@@ -53,7 +51,7 @@ final class CachedSceneRenderer {
         LayerBuffer.View view =
                 new LayerBuffer.View(camera, palette, graphics.getTransform().getScaleX());
         ScenePainter painter = new ScenePainter(layers, LocalizedLabels.create());
-        Set<String> apart = scene.selection().get().size() <= MAX_UNCACHED_SELECTION
+        Set<String> apart = scene.selection().get().size() <= DragGesture.MAX_SEPARATE_PREVIEWS
                 ? scene.selection().get()
                 : Set.of();
         Map<Boolean, List<Obstacle>> byLife = frame.snapshot().obstacles().stream()

@@ -1,10 +1,8 @@
-package faultline.gui.canvas;
+package faultline.gui.canvas.tool;
 
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
-import faultline.gui.canvas.tool.CanvasModel;
-import faultline.gui.canvas.tool.Tool;
 import faultline.gui.edit.PendingEdits;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.world.Command;
@@ -23,7 +21,7 @@ import javax.swing.KeyStroke;
  * What the keyboard does while the canvas has the focus: arrows nudge the selected obstacles, Q and E turn them, Enter
  * ends a tool, Esc lets go.
  */
-final class CanvasKeys {
+public final class CanvasKeys {
 
     private static final double SMALL_NUDGE = 0.01;
     private static final double BIG_NUDGE = 0.1;
@@ -33,13 +31,13 @@ final class CanvasKeys {
     private final PendingEdits pendingEdits;
     private final CanvasMouse mouse;
 
-    CanvasKeys(CanvasModel scene, PendingEdits courier, CanvasMouse hand) {
+    public CanvasKeys(CanvasModel scene, PendingEdits courier, CanvasMouse hand) {
         this.model = scene;
         this.pendingEdits = courier;
         this.mouse = hand;
     }
 
-    void install(JComponent canvas) {
+    public void install(JComponent canvas) {
         bindNudges(canvas, "LEFT", -1, 0);
         bindNudges(canvas, "RIGHT", 1, 0);
         bindNudges(canvas, "UP", 0, 1);

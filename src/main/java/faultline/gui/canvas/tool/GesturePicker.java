@@ -1,16 +1,6 @@
-package faultline.gui.canvas;
+package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
-import faultline.gui.canvas.tool.CanvasListeners;
-import faultline.gui.canvas.tool.CanvasModel;
-import faultline.gui.canvas.tool.ConeHitTest;
-import faultline.gui.canvas.tool.DragOperation;
-import faultline.gui.canvas.tool.Gesture;
-import faultline.gui.canvas.tool.ObstacleFinder;
-import faultline.gui.canvas.tool.PanGesture;
-import faultline.gui.canvas.tool.RubberBandGesture;
-import faultline.gui.canvas.tool.StartPoseGesture;
-import faultline.gui.canvas.tool.Viewport;
 import faultline.gui.edit.PendingEdits;
 import faultline.gui.edit.ShapeHandles;
 import faultline.paint.scene.SelectionPainter;
@@ -26,7 +16,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 
 /** Says what the hand would take hold of at a place of the picture, and how the cursor tells so. */
-final class GesturePicker {
+public final class GesturePicker {
 
     private static final double HANDLE_TOLERANCE = SelectionPainter.HANDLE_RADIUS + Gesture.CLICK_TOLERANCE;
 
@@ -35,7 +25,7 @@ final class GesturePicker {
     private final PendingEdits pendingEdits;
     private final CanvasListeners listeners;
 
-    GesturePicker(CanvasModel scene, Viewport viewpoint, PendingEdits courier, CanvasListeners watchers) {
+    public GesturePicker(CanvasModel scene, Viewport viewpoint, PendingEdits courier, CanvasListeners watchers) {
         this.model = scene;
         this.viewport = viewpoint;
         this.pendingEdits = courier;

@@ -1,4 +1,4 @@
-package faultline.gui.canvas;
+package faultline.gui.canvas.tool;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.canvas.SimulationCanvas;
 import faultline.paint.surface.Camera;
 import faultline.world.Command;
 import faultline.world.Obstacle;

@@ -1,4 +1,4 @@
-package faultline.gui.canvas;
+package faultline.gui.canvas.tool;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
@@ -10,6 +10,7 @@ import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.text.Messages;
 import faultline.world.Command;
 import faultline.world.Obstacle;

@@ -1,12 +1,6 @@
-package faultline.gui.canvas;
+package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
-import faultline.gui.canvas.tool.CanvasModel;
-import faultline.gui.canvas.tool.DragOperation;
-import faultline.gui.canvas.tool.DragPreview;
-import faultline.gui.canvas.tool.Gesture;
-import faultline.gui.canvas.tool.PlacementCheck;
-import faultline.gui.canvas.tool.Viewport;
 import faultline.gui.edit.PendingEdits;
 import faultline.gui.edit.SnapSettings;
 import faultline.gui.text.Messages;
@@ -17,7 +11,10 @@ import java.util.List;
 import java.util.Optional;
 
 /** One drag from the press of the button on: nothing happens before the mouse has moved far enough to mean it. */
-final class DragGesture implements Gesture {
+public final class DragGesture implements Gesture {
+
+    /** The largest number of obstacles that are painted apart from the cached ground while they are dragged. */
+    public static final int MAX_SEPARATE_PREVIEWS = 16;
 
     private final DragOperation operation;
     private final Vector2 pressed;
@@ -90,7 +87,7 @@ final class DragGesture implements Gesture {
     }
 
     private static void paint(DrawContext brush, List<Obstacle> there, List<Obstacle> blocked) {
-        if (there.size() <= CachedSceneRenderer.MAX_UNCACHED_SELECTION) {
+        if (there.size() <= MAX_SEPARATE_PREVIEWS) {
             there.forEach(obstacle -> InteractionPainter.paintPreview(brush, obstacle, blocked.contains(obstacle)));
         } else {
             InteractionPainter.paintPreview(brush, there, !blocked.isEmpty());

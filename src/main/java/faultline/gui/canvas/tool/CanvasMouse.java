@@ -1,12 +1,6 @@
-package faultline.gui.canvas;
+package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
-import faultline.gui.canvas.tool.CanvasListeners;
-import faultline.gui.canvas.tool.Gesture;
-import faultline.gui.canvas.tool.ObservableValue;
-import faultline.gui.canvas.tool.PanGesture;
-import faultline.gui.canvas.tool.Tool;
-import faultline.gui.canvas.tool.Viewport;
 import faultline.gui.edit.SnapSettings;
 import faultline.paint.surface.DrawContext;
 import java.awt.Cursor;
@@ -22,7 +16,7 @@ import javax.swing.SwingUtilities;
  * does, or else what {@link GesturePicker} finds: it moves, turns, resizes, selects, and pans where nothing is. The
  * right button turns, or asks for a menu.
  */
-final class CanvasMouse extends MouseAdapter {
+public final class CanvasMouse extends MouseAdapter {
 
     /** One notch of the wheel zooms by this factor. */
     private static final double WHEEL_ZOOM_FACTOR = 1.15;
@@ -39,14 +33,14 @@ final class CanvasMouse extends MouseAdapter {
 
     private SnapSettings snap = SnapSettings.NONE;
 
-    CanvasMouse(Viewport viewpoint, GesturePicker grips, CanvasListeners watchers) {
+    public CanvasMouse(Viewport viewpoint, GesturePicker grips, CanvasListeners watchers) {
         this.viewport = viewpoint;
         this.gesturePicker = grips;
         this.listeners = watchers;
     }
 
     /** The point of the world under the mouse. */
-    ObservableValue<Optional<Vector2>> cursorPoint() {
+    public ObservableValue<Optional<Vector2>> cursorPoint() {
         return cursorPoint;
     }
 
@@ -74,14 +68,14 @@ final class CanvasMouse extends MouseAdapter {
     }
 
     /** Lets go of what is no longer there. */
-    void releaseIfTargetGone() {
+    public void releaseIfTargetGone() {
         if (gesture.filter(Gesture::isTargetGone).isPresent()) {
             gesture.ifPresent(Gesture::release);
             gesture = Optional.empty();
         }
     }
 
-    void paint(DrawContext brush) {
+    public void paint(DrawContext brush) {
         gesture.ifPresent(held -> held.paint(brush));
         tool.get().ifPresent(t -> t.paint(brush));
     }

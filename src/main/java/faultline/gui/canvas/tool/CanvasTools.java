@@ -1,12 +1,7 @@
-package faultline.gui.canvas;
+package faultline.gui.canvas.tool;
 
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
-import faultline.gui.canvas.tool.MeasureTool;
-import faultline.gui.canvas.tool.PlaceTool;
-import faultline.gui.canvas.tool.PointsTool;
-import faultline.gui.canvas.tool.Tool;
-import faultline.gui.canvas.tool.ToolContext;
 import faultline.gui.edit.IdGenerator;
 import faultline.gui.edit.PointShapes;
 import faultline.gui.edit.ShapePreset;
@@ -37,7 +32,7 @@ public final class CanvasTools {
     private final CanvasMouse mouse;
     private final JComponent canvas;
 
-    CanvasTools(ToolContext desk, CanvasMouse hand, JComponent canvas) {
+    public CanvasTools(ToolContext desk, CanvasMouse hand, JComponent canvas) {
         this.context = desk;
         this.mouse = hand;
         this.canvas = canvas;
