@@ -1,20 +1,21 @@
 package faultline.benchmark;
 
 import faultline.engine.ControllerMode;
-import faultline.engine.SimulationSetup;
 import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
 import faultline.scenario.Scenario;
-import java.nio.file.RobotPath;
+import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
-import org.openjdk.jmh.annotations.TraceLevel;
+import org.openjdk.jmh.annotations.Level;
 import org.openjdk.jmh.annotations.Measurement;
 import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OperationsPerInvocation;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
@@ -41,9 +42,9 @@ public class OfficeBenchmark {
      *
      * @throws Exception if it cannot be read
      */
-    @org.openjdk.jmh.annotations.SimulationSetup(TraceLevel.Trial)
+    @Setup(Level.Trial)
     public void open() throws Exception {
-        setup = Scenario.load(RobotPath.of("scenarios/office.xml")).setup();
+        setup = Scenario.load(Path.of("scenarios/office.xml")).setup();
     }
 
     /** Two minutes of the room from its start, so that every run drives the same way. */
@@ -57,7 +58,7 @@ public class OfficeBenchmark {
     }
 
     /** Ends the run; a collided robot stands still, and its ticks would say nothing. */
-    @TearDown(TraceLevel.Trial)
+    @TearDown(Level.Trial)
     public void close() {
         boolean collided = simulation.collision().isPresent();
         simulation.close();

@@ -6,13 +6,13 @@ import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
-import org.openjdk.jmh.annotations.TraceLevel;
+import org.openjdk.jmh.annotations.Level;
 import org.openjdk.jmh.annotations.Measurement;
 import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
-import org.openjdk.jmh.annotations.SimulationSetup;
+import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
@@ -36,13 +36,13 @@ public class TickBenchmark {
     private Simulation simulation;
 
     /** Makes the room. */
-    @SimulationSetup(TraceLevel.Trial)
+    @Setup(Level.Trial)
     public void open() {
         simulation = new Simulation(BenchmarkRooms.of(segments), ControllerMode.DIRECT);
     }
 
     /** Ends the run; a collided robot stands still, and its ticks would say nothing. */
-    @TearDown(TraceLevel.Trial)
+    @TearDown(Level.Trial)
     public void close() {
         boolean collided = simulation.snapshot().collision().isPresent();
         simulation.close();

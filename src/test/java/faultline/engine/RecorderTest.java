@@ -13,7 +13,6 @@ import faultline.engine.recording.StateTally;
 import faultline.engine.recording.TraceChannels;
 import faultline.engine.session.Session;
 import faultline.geometry.Pose;
-import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;

@@ -5,7 +5,6 @@ import faultline.engine.Journal;
 import faultline.engine.recording.HashTrace;
 import faultline.engine.session.ReferenceRun;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.List;

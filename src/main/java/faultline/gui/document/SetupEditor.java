@@ -9,7 +9,6 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.WorldSpec;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 

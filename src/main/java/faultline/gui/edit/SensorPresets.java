@@ -1,6 +1,5 @@
 package faultline.gui.edit;
 
-import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;

@@ -2,7 +2,6 @@ package faultline.gui.instrument;
 
 import faultline.engine.recording.TraceChannels;
 import faultline.gui.text.Messages;
-import faultline.gui.theme.Theme;
 import faultline.paint.surface.DashPattern;
 import faultline.world.SensorSnapshot;
 import java.util.ArrayList;

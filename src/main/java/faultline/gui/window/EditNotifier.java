@@ -2,7 +2,6 @@ package faultline.gui.window;
 
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
-import faultline.gui.action.UiAction;
 import faultline.gui.document.RunController;
 import faultline.gui.edit.EditListener;
 import faultline.gui.text.Messages;

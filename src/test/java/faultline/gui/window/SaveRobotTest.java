@@ -1,7 +1,6 @@
 package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
-import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -21,7 +21,6 @@ import faultline.world.ObstacleShape;
 import faultline.world.SensorSnapshot;
 import faultline.world.WaypointPath;
 import java.awt.image.BufferedImage;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
