@@ -1,24 +1,21 @@
 package faultline.engine;
 
-import faultline.world.Command;
-import java.util.Optional;
+import faultline.world.CommandResult;
 
 /**
- * Told of every command that a simulation is given, by its timeline or from outside, on the run's own thread; it must
- * change nothing.
+ * Receives the result of every command that a simulation executes or refuses, from its timeline or from outside, on the
+ * run's own thread. It must not change the simulation.
  */
 @FunctionalInterface
 public interface CommandListener {
 
-    /** Listens to nothing. */
-    CommandListener NONE = (tick, command, refusal) -> {};
+    /** Ignores all results. */
+    CommandListener NONE = result -> {};
 
     /**
-     * A command was given at the start of a tick.
+     * Called after a command was executed or refused at the start of a tick.
      *
-     * @param tick the tick
-     * @param command what was to be done
-     * @param refusal why it was refused, empty where it was done
+     * @param result the result
      */
-    void commandHandled(long tick, Command command, Optional<String> refusal);
+    void commandHandled(CommandResult result);
 }

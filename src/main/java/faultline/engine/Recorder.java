@@ -7,8 +7,7 @@ import faultline.engine.recording.RunEvent;
 import faultline.engine.recording.StateTallyRecorder;
 import faultline.engine.recording.TraceChannels;
 import faultline.engine.recording.TraceRecorder;
-import faultline.world.Command;
-import java.util.Optional;
+import faultline.world.CommandResult;
 
 /**
  * Remembers a run as it goes on, on its own thread: frames are looked at some sixty times a second, and what happens
@@ -38,9 +37,11 @@ public final class Recorder implements TickObserver, CommandListener {
     }
 
     @Override
-    public void commandHandled(long tick, Command command, Optional<String> refusal) {
-        events.add(refusal.<RunEvent>map(why -> new RunEvent.CommandRefused(tick, tick * dt, command, why))
-                .orElseGet(() -> new RunEvent.CommandExecuted(tick, tick * dt, command)));
+    public void commandHandled(CommandResult result) {
+        double time = result.tick() * dt;
+        events.add(result.refusal()
+                .<RunEvent>map(reason -> new RunEvent.CommandRefused(result.tick(), time, result.command(), reason))
+                .orElseGet(() -> new RunEvent.CommandExecuted(result.tick(), time, result.command())));
     }
 
     @Override

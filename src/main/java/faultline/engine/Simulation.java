@@ -8,9 +8,9 @@ import faultline.robot.DifferentialDrive;
 import faultline.robot.RobotSpec;
 import faultline.world.Collision;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import faultline.world.Snapshot;
 import faultline.world.World;
-import java.util.List;
 import java.util.Optional;
 
 /**
@@ -69,23 +69,13 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Applies a command from outside at the start of the coming tick, and journals it unless it is refused.
+     * Executes a command from outside at the start of the coming tick, and adds it to the journal unless it is refused.
      *
-     * @param command what is to be done
-     * @return why it was refused, empty where it was done
+     * @param command the command
+     * @return the result
      */
-    public Optional<String> execute(Command command) {
+    public CommandResult execute(Command command) {
         return tickCommands.execute(command);
-    }
-
-    /**
-     * What would take a command back.
-     *
-     * @param command that is not applied yet
-     * @return the commands, in order, that restore what it is about to change
-     */
-    public List<Command> inverseOf(Command command) {
-        return tickCommands.inverseOf(command);
     }
 
     /**

@@ -1,10 +1,10 @@
 package faultline.engine;
 
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import faultline.world.World;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * What is done to the world between two ticks: first what the timeline holds for the coming one, then what comes from
@@ -42,31 +42,24 @@ final class TickCommands {
 
     private void executeDue(long tick) {
         while (timeline.isDue(tick)) {
-            executeAt(timeline.take(), tick);
+            executeNow(timeline.take());
         }
     }
 
-    private Optional<String> executeAt(Command command, long tick) {
-        Optional<String> refusal = world.execute(command);
-        listener.commandHandled(tick, command, refusal);
-        return refusal;
+    private CommandResult executeNow(Command command) {
+        CommandResult result = world.execute(command);
+        listener.commandHandled(result);
+        return result;
     }
 
-    /** Does something from outside, and journals it unless it is refused; says why it was. */
-    Optional<String> execute(Command command) {
+    /** Executes a command from outside, and adds it to the journal unless it is refused. */
+    CommandResult execute(Command command) {
         applyDueCommands();
-        long tick = world.tick() + 1;
-        Optional<String> refusal = executeAt(command, tick);
-        if (refusal.isEmpty()) {
-            journal.add(new Journal.Entry(tick, command));
+        CommandResult result = executeNow(command);
+        if (result.refusal().isEmpty()) {
+            journal.add(new Journal.Entry(result.tick(), command));
         }
-        return refusal;
-    }
-
-    /** What would take a command back that is not done yet. */
-    List<Command> inverseOf(Command command) {
-        applyDueCommands();
-        return world.inverseOf(command);
+        return result;
     }
 
     Journal journal() {

@@ -5,26 +5,27 @@ import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.util.List;
 
-/** Writes the timeline. A fault whose mending comes next in the list is written as one element with {@code until}. */
-final class TimelineWriter {
+/** Writes the timeline. A fault that the next command clears is written as one element with {@code until}. */
+final class TimelineWriter implements Command.Visitor<XmlWriter> {
 
-    private TimelineWriter() {}
+    private final XmlWriter out;
+    private double time;
+
+    private TimelineWriter(XmlWriter out) {
+        this.out = out;
+    }
 
     static void write(List<TimedCommand> commands, XmlWriter out) {
+        TimelineWriter writer = new TimelineWriter(out);
         out.beginElement("timeline");
-        int next = 0;
-        while (next < commands.size()) {
-            TimedCommand timed = commands.get(next);
-            boolean joined = next + 1 < commands.size() && isClearedBy(timed, commands.get(next + 1));
-            if (joined) {
-                Command.InjectFault inject = (Command.InjectFault) timed.command();
-                beginFault("fault", timed.time(), inject.sensor(), inject.fault(), out)
-                        .attribute("until", commands.get(next + 1).time())
-                        .endElement();
-            } else {
-                writeCommand(timed, out);
+        for (int i = 0; i < commands.size(); i++) {
+            writer.time = commands.get(i).time();
+            XmlWriter element = commands.get(i).command().accept(writer);
+            if (i + 1 < commands.size() && isClearedBy(commands.get(i), commands.get(i + 1))) {
+                i++;
+                element.attribute("until", commands.get(i).time());
             }
-            next += joined ? 2 : 1;
+            element.endElement();
         }
         out.endElement();
     }
@@ -35,60 +36,64 @@ final class TimelineWriter {
                 && second.command().equals(new Command.ClearFault(inject.sensor(), inject.fault()));
     }
 
-    private static XmlWriter beginFault(String name, double at, String sensor, Fault fault, XmlWriter out) {
-        beginCommand(name, at, out)
-                .attribute("sensor", sensor)
-                .attribute("kind", fault.kind().fileName());
+    private XmlWriter begin(String name) {
+        return out.beginElement(name).attribute("at", time);
+    }
+
+    private XmlWriter beginFault(String name, String sensor, Fault fault) {
+        begin(name).attribute("sensor", sensor).attribute("kind", fault.kind().fileName());
         return fault.kind().takesValue() ? out.attribute("value", fault.value()) : out;
     }
 
-    private static XmlWriter beginCommand(String name, double at, XmlWriter out) {
-        return out.beginElement(name).attribute("at", at);
+    @Override
+    public XmlWriter visit(Command.SwitchSensor command) {
+        return begin("switch").attribute("sensor", command.sensor()).attribute("on", command.on());
     }
 
-    private static void writeCommand(TimedCommand timed, XmlWriter out) {
-        double at = timed.time();
-        Command command = timed.command();
-        if (command instanceof Command.InjectFault inject) {
-            beginFault("fault", at, inject.sensor(), inject.fault(), out).endElement();
-        } else if (command instanceof Command.ClearFault clear) {
-            beginFault("mend", at, clear.sensor(), clear.fault(), out).endElement();
-        } else if (command instanceof Command.ClearFaults clear) {
-            beginCommand("mend", at, out).attribute("sensor", clear.sensor()).endElement();
-        } else if (command instanceof Command.SwitchSensor change) {
-            beginCommand("switch", at, out)
-                    .attribute("sensor", change.sensor())
-                    .attribute("on", change.on())
-                    .endElement();
-        } else if (command instanceof Command.ConfigureSensor tune) {
-            RobotWriter.writeSettings(
-                            tune.sensor(),
-                            beginCommand("tune", at, out)
-                                    .attribute("sensor", tune.sensor().id()))
-                    .endElement();
-        } else {
-            writeWorldCommand(command, at, out);
-        }
+    @Override
+    public XmlWriter visit(Command.ConfigureSensor command) {
+        return RobotWriter.writeSettings(
+                command.sensor(),
+                begin("tune").attribute("sensor", command.sensor().id()));
     }
 
-    private static void writeWorldCommand(Command command, double at, XmlWriter out) {
-        if (command instanceof Command.MoveObstacle move) {
-            WorldWriter.writePose(move.pose(), beginCommand("move", at, out).attribute("obstacle", move.obstacle()))
-                    .endElement();
-        } else if (command instanceof Command.PlaceObstacle put) {
-            beginCommand("put", at, out);
-            WorldWriter.writeObstacle(put.obstacle(), out);
-            out.endElement();
-        } else if (command instanceof Command.RemoveObstacle remove) {
-            beginCommand("remove", at, out)
-                    .attribute("obstacle", remove.obstacle())
-                    .endElement();
-        } else if (command instanceof Command.SetPlatform platform) {
-            beginCommand("platform", at, out)
-                    .attribute("length", platform.length())
-                    .attribute("width", platform.width())
-                    .attribute("speed", platform.speed())
-                    .endElement();
-        }
+    @Override
+    public XmlWriter visit(Command.InjectFault command) {
+        return beginFault("fault", command.sensor(), command.fault());
+    }
+
+    @Override
+    public XmlWriter visit(Command.ClearFault command) {
+        return beginFault("mend", command.sensor(), command.fault());
+    }
+
+    @Override
+    public XmlWriter visit(Command.ClearFaults command) {
+        return begin("mend").attribute("sensor", command.sensor());
+    }
+
+    @Override
+    public XmlWriter visit(Command.MoveObstacle command) {
+        return WorldWriter.writePose(command.pose(), begin("move").attribute("obstacle", command.obstacle()));
+    }
+
+    @Override
+    public XmlWriter visit(Command.PlaceObstacle command) {
+        begin("put");
+        WorldWriter.writeObstacle(command.obstacle(), out);
+        return out;
+    }
+
+    @Override
+    public XmlWriter visit(Command.RemoveObstacle command) {
+        return begin("remove").attribute("obstacle", command.obstacle());
+    }
+
+    @Override
+    public XmlWriter visit(Command.SetPlatform command) {
+        return begin("platform")
+                .attribute("length", command.length())
+                .attribute("width", command.width())
+                .attribute("speed", command.speed());
     }
 }

@@ -6,12 +6,49 @@ import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
 
 /**
- * Everything that can be done to a running world from outside: by a window, a scenario's timeline or a test. A command
- * is applied at the start of a tick and journaled with it. One that names something unknown, or would put an obstacle
- * or a larger platform where the robot and an obstacle overlap, is refused: it changes nothing, and says why (see
+ * A change to a running world from outside: by a window, a scenario's timeline or a test. A command is a plain value.
+ * It is executed at the start of a tick and recorded in the journal with that tick. A command that names something
+ * unknown, or that would make an obstacle or a larger platform overlap the robot, is refused and changes nothing (see
  * {@link World#execute}).
+ *
+ * <p>Code that depends on the kind of command implements {@link Visitor}, so that a new command does not compile until
+ * it is handled everywhere.
  */
 public sealed interface Command {
+
+    /**
+     * Calls the method of a visitor for this kind of command.
+     *
+     * @param visitor the visitor
+     * @param <R> the visitor's result type
+     * @return the visitor's result
+     */
+    <R> R accept(Visitor<R> visitor);
+
+    /**
+     * An operation with one method for each kind of command.
+     *
+     * @param <R> the result type
+     */
+    interface Visitor<R> {
+        R visit(SwitchSensor command);
+
+        R visit(ConfigureSensor command);
+
+        R visit(InjectFault command);
+
+        R visit(ClearFault command);
+
+        R visit(ClearFaults command);
+
+        R visit(MoveObstacle command);
+
+        R visit(PlaceObstacle command);
+
+        R visit(RemoveObstacle command);
+
+        R visit(SetPlatform command);
+    }
 
     /**
      * Switches a sensor on or off.
@@ -19,60 +56,100 @@ public sealed interface Command {
      * @param sensor the sensor's id
      * @param on the new state
      */
-    record SwitchSensor(String sensor, boolean on) implements Command {}
+    record SwitchSensor(String sensor, boolean on) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
-     * Gives a sensor another seat, bearing, range, cone, switch and noise at once.
+     * Sets a sensor's mounting position, bearing, range, cone, switch and noise.
      *
-     * @param sensor the new values; its id says which sensor
+     * @param sensor the new values; its id names the sensor
      */
-    record ConfigureSensor(SensorSpec sensor) implements Command {}
+    record ConfigureSensor(SensorSpec sensor) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
-     * Breaks a sensor in one more way.
-     *
-     * @param sensor the sensor's id
-     * @param fault the fault, after those that it has already
-     */
-    record InjectFault(String sensor, Fault fault) implements Command {}
-
-    /**
-     * Mends one fault of a sensor.
-     *
-     * @param sensor the sensor's id
-     * @param fault the fault; the oldest one equal to it goes
-     */
-    record ClearFault(String sensor, Fault fault) implements Command {}
-
-    /**
-     * Mends all faults of a sensor.
+     * Adds a fault to a sensor.
      *
      * @param sensor the sensor's id
+     * @param fault the fault, which acts after those that the sensor already has
      */
-    record ClearFaults(String sensor) implements Command {}
+    record InjectFault(String sensor, Fault fault) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
-     * Puts an obstacle somewhere else. One that would land on the robot is slid there along a straight line and stops
+     * Removes one fault from a sensor.
+     *
+     * @param sensor the sensor's id
+     * @param fault the fault; the oldest one equal to it is removed
+     */
+    record ClearFault(String sensor, Fault fault) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
+
+    /**
+     * Removes all faults from a sensor.
+     *
+     * @param sensor the sensor's id
+     */
+    record ClearFaults(String sensor) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
+
+    /**
+     * Moves an obstacle. If its new pose overlaps the robot, the obstacle slides there along a straight line and stops
      * at first contact, which counts as a collision.
      *
      * @param obstacle the obstacle's id
-     * @param pose where to
+     * @param pose the new pose
      */
-    record MoveObstacle(String obstacle, Pose pose) implements Command {}
+    record MoveObstacle(String obstacle, Pose pose) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
-     * Adds an obstacle, or exchanges the one of the same id.
+     * Adds an obstacle, or replaces the one with the same id.
      *
      * @param obstacle the obstacle
      */
-    record PlaceObstacle(Obstacle obstacle) implements Command {}
+    record PlaceObstacle(Obstacle obstacle) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
-     * Takes an obstacle away.
+     * Removes an obstacle.
      *
      * @param obstacle the obstacle's id
      */
-    record RemoveObstacle(String obstacle) implements Command {}
+    record RemoveObstacle(String obstacle) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
 
     /**
      * Changes the robot's platform and linear velocity.
@@ -84,6 +161,11 @@ public sealed interface Command {
     record SetPlatform(double length, double width, double speed) implements Command {
         public SetPlatform {
             RobotSpec.DEFAULT.withPlatform(length, width, speed);
+        }
+
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
         }
     }
 }

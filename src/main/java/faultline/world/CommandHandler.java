@@ -2,80 +2,99 @@ package faultline.world;
 
 import faultline.geometry.OrientedBox;
 import faultline.robot.RobotSpec;
-import java.util.Optional;
+import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
+import faultline.world.Refusal.Reason;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BiFunction;
+import java.util.function.LongSupplier;
 
-/** Carries out commands on the world, or refuses them with one sentence. */
-final class CommandHandler {
-
-    private static final Optional<String> SUCCESS = Optional.empty();
+/** Executes commands on the world, or refuses them, and finds their inverses. */
+final class CommandHandler implements Command.Visitor<CommandResult> {
 
     private final WorldSpec spec;
-    private final ObstacleSet obstacleSet;
+    private final ObstacleSet obstacles;
     private final RobotBody body;
     private final SensorArray sensors;
     private final MotionStep motionStep;
+    private final LongSupplier tick;
 
-    CommandHandler(WorldSpec spec, ObstacleSet field, RobotBody body, SensorArray sensors, MotionStep traffic) {
+    CommandHandler(
+            WorldSpec spec,
+            ObstacleSet obstacles,
+            RobotBody body,
+            SensorArray sensors,
+            MotionStep motionStep,
+            LongSupplier tick) {
         this.spec = spec;
-        this.obstacleSet = field;
+        this.obstacles = obstacles;
         this.body = body;
         this.sensors = sensors;
-        this.motionStep = traffic;
+        this.motionStep = motionStep;
+        this.tick = tick;
     }
 
-    Optional<String> execute(Command command) {
-        if (command instanceof Command.MoveObstacle move) {
-            return moveObstacle(move);
-        }
-        if (command instanceof Command.PlaceObstacle put) {
-            return placeObstacle(put.obstacle());
-        }
-        if (command instanceof Command.RemoveObstacle remove) {
-            return removeObstacle(remove.obstacle());
-        }
-        if (command instanceof Command.SetPlatform platform) {
-            return setPlatform(platform);
-        }
-        return executeOnSensor(command);
+    private CommandResult executed(Command command, Command... inverse) {
+        return new CommandResult.Executed(tick.getAsLong(), command, List.of(inverse));
     }
 
-    private Optional<String> executeOnSensor(Command command) {
-        String id = sensorId(command);
-        int sensor = body.spec().indexOf(id);
-        if (sensor < 0) {
-            return Optional.of("the robot has no sensor " + id);
-        }
-        if (command instanceof Command.SwitchSensor change) {
-            updateRobot(body.spec().withSensor(body.spec().sensors().get(sensor).withOn(change.on())));
-        } else if (command instanceof Command.ConfigureSensor change) {
-            updateRobot(body.spec().withSensor(change.sensor()));
-        } else if (command instanceof Command.InjectFault change) {
-            sensors.faults(sensor).add(change.fault());
-        } else if (command instanceof Command.ClearFault change) {
-            if (!sensors.faults(sensor).remove(change.fault())) {
-                return Optional.of(id + " has no such fault");
-            }
-        } else {
-            sensors.faults(sensor).clear();
-        }
-        return SUCCESS;
+    private CommandResult refused(Command command, Reason reason, String subject) {
+        return new CommandResult.Refused(tick.getAsLong(), command, new Refusal(reason, subject));
     }
 
-    /** The id of the sensor that a command of none of the other kinds is about. */
-    static String sensorId(Command command) {
-        if (command instanceof Command.SwitchSensor change) {
-            return change.sensor();
-        }
-        if (command instanceof Command.ConfigureSensor change) {
-            return change.sensor().id();
-        }
-        if (command instanceof Command.InjectFault change) {
-            return change.sensor();
-        }
-        if (command instanceof Command.ClearFault change) {
-            return change.sensor();
-        }
-        return ((Command.ClearFaults) command).sensor();
+    @Override
+    public CommandResult visit(Command.SwitchSensor command) {
+        return withSensor(command, command.sensor(), (index, old) -> {
+            updateRobot(body.spec().withSensor(old.withOn(command.on())));
+            return executed(command, new Command.SwitchSensor(old.id(), old.on()));
+        });
+    }
+
+    @Override
+    public CommandResult visit(Command.ConfigureSensor command) {
+        return withSensor(command, command.sensor().id(), (index, old) -> {
+            updateRobot(body.spec().withSensor(command.sensor()));
+            return executed(command, new Command.ConfigureSensor(old));
+        });
+    }
+
+    @Override
+    public CommandResult visit(Command.InjectFault command) {
+        return withFaults(command, command.sensor(), faults -> faults.add(command.fault()));
+    }
+
+    @Override
+    public CommandResult visit(Command.ClearFault command) {
+        return withFaults(command, command.sensor(), faults -> faults.remove(command.fault()));
+    }
+
+    @Override
+    public CommandResult visit(Command.ClearFaults command) {
+        return withFaults(command, command.sensor(), faults -> {
+            faults.clear();
+            return true;
+        });
+    }
+
+    private CommandResult withSensor(
+            Command command, String id, BiFunction<Integer, SensorSpec, CommandResult> change) {
+        int index = body.spec().indexOf(id);
+        return index < 0
+                ? refused(command, Reason.UNKNOWN_SENSOR, id)
+                : change.apply(index, body.spec().sensors().get(index));
+    }
+
+    /** Changes a sensor's faults. They act in the order in which they were added; the inverse restores that order. */
+    private CommandResult withFaults(Command command, String id, java.util.function.Predicate<List<Fault>> change) {
+        return withSensor(command, id, (index, sensor) -> {
+            List<Command> restore = new ArrayList<>();
+            restore.add(new Command.ClearFaults(id));
+            sensors.faults(index).forEach(fault -> restore.add(new Command.InjectFault(id, fault)));
+            return change.test(sensors.faults(index))
+                    ? executed(command, restore.toArray(Command[]::new))
+                    : refused(command, Reason.UNKNOWN_FAULT, id);
+        });
     }
 
     private void updateRobot(RobotSpec changed) {
@@ -83,68 +102,67 @@ final class CommandHandler {
         sensors.configure(changed);
     }
 
-    private Optional<String> moveObstacle(Command.MoveObstacle move) {
-        int owner = obstacleSet.indexOf(move.obstacle());
+    @Override
+    public CommandResult visit(Command.MoveObstacle command) {
+        int owner = obstacles.indexOf(command.obstacle());
         if (owner < 0) {
-            return unknownObstacleRefusal(move.obstacle());
+            return refused(command, Reason.UNKNOWN_OBSTACLE, command.obstacle());
         }
-        ObstacleGeometry there =
-                ObstacleGeometry.of(obstacleSet.obstacles().get(owner).withPose(move.pose()));
-        if (ObstacleSet.isClear(body.box(), there)) {
-            obstacleSet.move(owner, move.pose());
-            return SUCCESS;
+        Obstacle old = obstacles.obstacles().get(owner);
+        if (ObstacleSet.isClear(body.box(), ObstacleGeometry.of(old.withPose(command.pose())))) {
+            obstacles.move(owner, command.pose());
+        } else if (!motionStep.slideUntilContact(owner, command.pose())) {
+            return refused(command, Reason.OVERLAPS_ROBOT, command.obstacle());
         }
-        return motionStep.slideUntilContact(owner, move.pose())
-                ? SUCCESS
-                : Optional.of(overlapRefusal(move.obstacle()));
+        return executed(command, new Command.MoveObstacle(old.id(), old.pose()));
     }
 
-    private Optional<String> placeObstacle(Obstacle obstacle) {
+    @Override
+    public CommandResult visit(Command.PlaceObstacle command) {
+        Obstacle obstacle = command.obstacle();
         if (obstacle.id().equals(WorldSpec.ENCLOSURE)) {
-            return Optional.of(WorldSpec.ENCLOSURE + " is the name of the enclosing wall");
+            return refused(command, Reason.RESERVED_ID, WorldSpec.ENCLOSURE);
         }
         if (!ObstacleSet.isClear(body.box(), ObstacleGeometry.of(obstacle))) {
-            return Optional.of(overlapRefusal(obstacle.id()));
+            return refused(command, Reason.OVERLAPS_ROBOT, obstacle.id());
         }
         if (obstacle.motion().isPresent() && countOthersMoving(obstacle.id()) >= spec.maxMoving()) {
-            return Optional.of("at most " + spec.maxMoving() + " obstacles may move");
+            return refused(command, Reason.TOO_MANY_MOVING, Integer.toString(spec.maxMoving()));
         }
-        obstacleSet.put(obstacle);
-        return SUCCESS;
+        Command inverse = obstacles
+                .obstacle(obstacle.id())
+                .<Command>map(Command.PlaceObstacle::new)
+                .orElse(new Command.RemoveObstacle(obstacle.id()));
+        obstacles.put(obstacle);
+        return executed(command, inverse);
     }
 
     private long countOthersMoving(String id) {
-        return obstacleSet.obstacles().stream()
+        return obstacles.obstacles().stream()
                 .filter(other -> other.motion().isPresent() && !other.id().equals(id))
                 .count();
     }
 
-    private Optional<String> removeObstacle(String id) {
-        int owner = obstacleSet.indexOf(id);
+    @Override
+    public CommandResult visit(Command.RemoveObstacle command) {
+        int owner = obstacles.indexOf(command.obstacle());
         if (owner < 0) {
-            return unknownObstacleRefusal(id);
+            return refused(command, Reason.UNKNOWN_OBSTACLE, command.obstacle());
         }
-        obstacleSet.remove(owner);
-        return SUCCESS;
+        Command inverse = new Command.PlaceObstacle(obstacles.obstacles().get(owner));
+        obstacles.remove(owner);
+        return executed(command, inverse);
     }
 
-    private Optional<String> setPlatform(Command.SetPlatform platform) {
-        OrientedBox grown = new OrientedBox(body.pose(), platform.length(), platform.width());
-        String obstructing = obstacleSet.findObstruction(grown);
-        boolean grows = platform.length() > body.spec().length()
-                || platform.width() > body.spec().width();
-        if (grows && !obstructing.isEmpty()) {
-            return Optional.of("the robot has no room for that platform: it would overlap " + obstructing);
+    @Override
+    public CommandResult visit(Command.SetPlatform command) {
+        RobotSpec old = body.spec();
+        String obstruction = obstacles.findObstruction(new OrientedBox(body.pose(), command.length(), command.width()));
+        boolean grows = command.length() > old.length() || command.width() > old.width();
+        if (grows && !obstruction.isEmpty()) {
+            return refused(command, Reason.PLATFORM_OVERLAPS, obstruction);
         }
-        updateRobot(body.spec().withPlatform(platform.length(), platform.width(), platform.speed()));
-        return SUCCESS;
-    }
-
-    private static Optional<String> unknownObstacleRefusal(String id) {
-        return Optional.of("there is no obstacle " + id);
-    }
-
-    private static String overlapRefusal(String id) {
-        return id + " cannot be put there: it would overlap the robot";
+        updateRobot(old.withPlatform(command.length(), command.width(), command.speed()));
+        return executed(command, new Command.SetPlatform(old.length(), old.width(), old.speed()));
     }
 }

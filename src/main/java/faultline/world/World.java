@@ -20,9 +20,9 @@ public final class World {
     private final SensorArray sensors;
     private final MotionStep motionStep;
     private final CommandHandler commandHandler;
-    private final CommandInverter commandInverter;
     private final double decay;
     private long tick;
+    private boolean sensed;
     private Optional<Collision> collision = Optional.empty();
     private List<Vector2> contacts = List.of();
 
@@ -42,32 +42,21 @@ public final class World {
         this.body = new RobotBody(robot, start);
         this.sensors = new SensorArray(robot, seed);
         this.motionStep = new MotionStep(obstacleSet, body);
-        this.commandHandler = new CommandHandler(spec, obstacleSet, body, sensors, motionStep);
-        this.commandInverter = new CommandInverter(obstacleSet, body, sensors);
+        this.commandHandler =
+                new CommandHandler(spec, obstacleSet, body, sensors, motionStep, () -> sensed ? tick + 1 : 0);
         this.decay = robot.motor().decay(dt);
     }
 
     /**
-     * What would take a command back.
+     * Executes a command: step 1 of a tick.
      *
-     * @param command that is not applied yet
-     * @return the commands, in order, that restore what it is about to change; a collision that it brings about stays.
-     *     Empty where it will be refused because it names something unknown
+     * @param command the command
+     * @return the result; a refused command has changed nothing
      */
-    public List<Command> inverseOf(Command command) {
-        return commandInverter.inverseOf(command);
-    }
-
-    /**
-     * Applies a command: step 1 of a tick.
-     *
-     * @param command what is to be done
-     * @return why it was refused, empty where it was done
-     */
-    public Optional<String> execute(Command command) {
-        Optional<String> refusal = commandHandler.execute(command);
+    public CommandResult execute(Command command) {
+        CommandResult result = command.accept(commandHandler);
         motionStep.pollContact().ifPresent(contact -> recordCollision(contact, tick, tick * dt));
-        return refusal;
+        return result;
     }
 
     /**
@@ -118,6 +107,7 @@ public final class World {
     /** Reads all sensors, then lets their faults act: step 6. */
     public void sense() {
         sensors.sense(obstacleSet, body.pose(), tick);
+        sensed = true;
     }
 
     /**

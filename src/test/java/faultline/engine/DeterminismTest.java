@@ -123,7 +123,9 @@ class DeterminismTest {
             while (simulation.ticks() < journal.ticks()) {
                 for (Journal.Entry entry : journal.entries()) {
                     if (entry.tick() == simulation.ticks() + 1) {
-                        assertEquals(Optional.empty(), simulation.execute(entry.command()));
+                        assertEquals(
+                                Optional.empty(),
+                                simulation.execute(entry.command()).refusal());
                     }
                 }
                 simulation.tick();

@@ -18,6 +18,7 @@ import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.Refusal;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
@@ -151,7 +152,8 @@ class RecorderTest {
                             new RunEvent.CommandExecuted(0, 0, OFF),
                             new RunEvent.CommandExecuted(
                                     150, 1.5, new Command.InjectFault("left", new Fault.Bias(0.02))),
-                            new RunEvent.CommandRefused(200, 2, UNKNOWN, "the robot has no sensor nose")),
+                            new RunEvent.CommandRefused(
+                                    200, 2, UNKNOWN, new Refusal(Refusal.Reason.UNKNOWN_SENSOR, "nose"))),
                     commands);
         }
     }
@@ -167,7 +169,8 @@ class RecorderTest {
             assertEquals(
                     List.of(
                             new RunEvent.CommandExecuted(1, 0.01, OFF),
-                            new RunEvent.CommandRefused(1, 0.01, UNKNOWN, "the robot has no sensor nose")),
+                            new RunEvent.CommandRefused(
+                                    1, 0.01, UNKNOWN, new Refusal(Refusal.Reason.UNKNOWN_SENSOR, "nose"))),
                     events(session.frame()));
         }
     }

@@ -187,6 +187,7 @@ class SweptCollisionTest {
                 for (int tick = 0; tick < TICKS; tick++) {
                     refused += simulation
                                     .execute(randomCommand(random, yards, simulation))
+                                    .refusal()
                                     .isPresent()
                             ? 1
                             : 0;

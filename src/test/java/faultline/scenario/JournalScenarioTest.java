@@ -14,6 +14,7 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -43,7 +44,7 @@ class JournalScenarioTest {
             while (simulation.ticks() < 3333) {
                 Command command = COMMANDS.get((int) simulation.ticks());
                 if (command != null) {
-                    assertEquals("", simulation.execute(command).orElse(""));
+                    assertEquals(Optional.empty(), simulation.execute(command).refusal());
                 }
                 simulation.tick();
             }

@@ -50,7 +50,9 @@ class MovingObstaclesTest {
         World world = world(new Pose(5, 3.5, 0), visitor);
         assertAt(1, 0.5, positionAfter(world, 3));
         Obstacle faster = visitor(1, 0.5, 1, false, new Vector2(1, 0), new Vector2(1, 1));
-        assertEquals(Optional.empty(), world.execute(new Command.PlaceObstacle(faster)));
+        assertEquals(
+                Optional.empty(),
+                world.execute(new Command.PlaceObstacle(faster)).refusal());
         assertAt(1, 0.75, positionAfter(world, 0.25));
     }
 
@@ -61,7 +63,8 @@ class MovingObstaclesTest {
         assertEquals(
                 Optional.empty(),
                 world.execute(new Command.PlaceObstacle(
-                        visitor(1, 0.5, 0.5, false, new Vector2(0, 0.5), new Vector2(1, 1)))));
+                                visitor(1, 0.5, 0.5, false, new Vector2(0, 0.5), new Vector2(1, 1))))
+                        .refusal());
         assertAt(0.5, 0.5, positionAfter(world, 1));
     }
 

@@ -37,7 +37,7 @@ class WorldCommandsTest {
 
     @Test
     void aMovedObstacleIsSeenWhereItIs() {
-        assertEquals(SUCCESS, world.execute(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0))));
+        assertEquals(SUCCESS, refusal(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0))));
         world.sense();
         // The desk's near side is at 2.625, the front sensor's seat at 2.125.
         assertEquals(0.5, world.trueReading(FRONT), 1e-12);
@@ -60,7 +60,7 @@ class WorldCommandsTest {
     @Test
     void aSensorThatIsSwitchedOffReportsOffAndStillHasATrueReading() {
         world.execute(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0)));
-        assertEquals(SUCCESS, world.execute(new Command.SwitchSensor("front", false)));
+        assertEquals(SUCCESS, refusal(new Command.SwitchSensor("front", false)));
         world.sense();
         assertTrue(Reading.isOff(world.reportedReading(FRONT)));
         assertEquals(0.5, world.trueReading(FRONT), 1e-12);
@@ -85,14 +85,14 @@ class WorldCommandsTest {
         world.execute(new Command.InjectFault("front", new Fault.Stuck(0.3)));
         world.sense();
         assertTrue(Reading.isOff(world.reportedReading(FRONT)));
-        assertEquals(SUCCESS, world.execute(new Command.ClearFault("front", new Fault.Dead())));
+        assertEquals(SUCCESS, refusal(new Command.ClearFault("front", new Fault.Dead())));
         world.sense();
         assertEquals(0.3, world.reportedReading(FRONT), 1e-12);
     }
 
     @Test
     void anObstacleMovedOntoTheRobotSlidesUntilItTouchesAndThatIsACollision() {
-        assertEquals(SUCCESS, world.execute(new Command.MoveObstacle("desk", new Pose(2, 2, 0))));
+        assertEquals(SUCCESS, refusal(new Command.MoveObstacle("desk", new Pose(2, 2, 0))));
         Collision collision = world.collision().orElseThrow();
         assertEquals("desk", collision.obstacle());
         // The body's front is at 2.125; the middle of the 0.2 m wide flush contact is on the axis.
@@ -106,7 +106,7 @@ class WorldCommandsTest {
     void anObstacleThatOverlapsAsSoonAsItIsTurnedIsRefused() {
         world.execute(new Command.PlaceObstacle(
                 new Obstacle("beam", new ObstacleShape.Rectangle(0.1, 3.9), new Pose(2.3, 2, 0))));
-        Optional<String> refusal = world.execute(new Command.MoveObstacle("beam", new Pose(2.3, 2, StrictMath.PI / 2)));
+        Optional<String> refusal = refusal(new Command.MoveObstacle("beam", new Pose(2.3, 2, StrictMath.PI / 2)));
         assertEquals(Optional.of("beam cannot be put there: it would overlap the robot"), refusal);
         assertTrue(world.collision().isEmpty());
         assertEquals(0, world.snapshot().obstacles().get(1).pose().heading());
@@ -125,13 +125,11 @@ class WorldCommandsTest {
 
     @Test
     void unknownIdsAreNamedInTheRefusal() {
+        assertEquals(Optional.of("there is no obstacle sofa"), refusal(new Command.MoveObstacle("sofa", Pose.ORIGIN)));
+        assertEquals(Optional.of("there is no obstacle sofa"), refusal(new Command.RemoveObstacle("sofa")));
+        assertEquals(Optional.of("the robot has no sensor top"), refusal(new Command.SwitchSensor("top", true)));
         assertEquals(
-                Optional.of("there is no obstacle sofa"), world.execute(new Command.MoveObstacle("sofa", Pose.ORIGIN)));
-        assertEquals(Optional.of("there is no obstacle sofa"), world.execute(new Command.RemoveObstacle("sofa")));
-        assertEquals(Optional.of("the robot has no sensor top"), world.execute(new Command.SwitchSensor("top", true)));
-        assertEquals(
-                Optional.of("front has no such fault"),
-                world.execute(new Command.ClearFault("front", new Fault.Dead())));
+                Optional.of("front has no such fault"), refusal(new Command.ClearFault("front", new Fault.Dead())));
     }
 
     @Test
@@ -139,16 +137,16 @@ class WorldCommandsTest {
         WaypointPath motion = new WaypointPath(0.1, true, List.of(new Vector2(1, 1), new Vector2(5, 1)));
         Obstacle one = new Obstacle("one", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0), Optional.of(motion));
         Obstacle two = new Obstacle("two", new ObstacleShape.Circle(0.1), new Pose(5, 1, 0), Optional.of(motion));
-        assertEquals(SUCCESS, world.execute(new Command.PlaceObstacle(one)));
-        assertEquals(SUCCESS, world.execute(new Command.PlaceObstacle(one)));
-        assertEquals(Optional.of("at most 1 obstacles may move"), world.execute(new Command.PlaceObstacle(two)));
+        assertEquals(SUCCESS, refusal(new Command.PlaceObstacle(one)));
+        assertEquals(SUCCESS, refusal(new Command.PlaceObstacle(one)));
+        assertEquals(Optional.of("at most 1 obstacles may move"), refusal(new Command.PlaceObstacle(two)));
     }
 
     @Test
     void aPlatformGrowsOnlyWhereItHasRoom() {
-        assertEquals(SUCCESS, world.execute(new Command.SetPlatform(1, 0.5, 0.2)));
+        assertEquals(SUCCESS, refusal(new Command.SetPlatform(1, 0.5, 0.2)));
         assertEquals(1, world.robot().length());
-        Optional<String> refusal = world.execute(new Command.SetPlatform(2.5, 0.5, 0.2));
+        Optional<String> refusal = refusal(new Command.SetPlatform(2.5, 0.5, 0.2));
         assertEquals(Optional.of("the robot has no room for that platform: it would overlap desk"), refusal);
         assertEquals(1, world.robot().length());
     }
@@ -156,18 +154,26 @@ class WorldCommandsTest {
     @Test
     void anObstacleThatIsTakenAwayIsNotSeen() {
         world.execute(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0)));
-        assertEquals(SUCCESS, world.execute(new Command.RemoveObstacle("desk")));
+        assertEquals(SUCCESS, refusal(new Command.RemoveObstacle("desk")));
         world.sense();
         assertFalse(Double.isFinite(world.trueReading(FRONT)));
     }
 
-    /** Takes what it finds back and forth: a command, its undoing and the command again. */
+    private Optional<String> refusal(Command command) {
+        return world.execute(command).refusal().map(Refusal::message);
+    }
+
+    private List<Command> inverse(Command command) {
+        return world.execute(command).inverse();
+    }
+
+    /** Executes a command and its inverse, which restores the world exactly. */
     private void assertInvertedExactly(Command command) {
         Snapshot before = world.snapshot();
-        List<Command> undo = world.inverseOf(command);
-        assertEquals(SUCCESS, world.execute(command));
+        CommandResult result = world.execute(command);
+        assertEquals(SUCCESS, result.refusal());
         assertNotEquals(before, world.snapshot());
-        undo.forEach(back -> assertEquals(SUCCESS, world.execute(back)));
+        result.inverse().forEach(back -> assertEquals(SUCCESS, refusal(back)));
         assertEquals(before, world.snapshot());
     }
 
@@ -195,9 +201,9 @@ class WorldCommandsTest {
     }
 
     @Test
-    void commandsOnUnknownIdsHaveNoInverse() {
-        assertEquals(List.of(), world.inverseOf(new Command.MoveObstacle("sofa", new Pose(1, 3, 0))));
-        assertEquals(List.of(), world.inverseOf(new Command.RemoveObstacle("sofa")));
-        assertEquals(List.of(), world.inverseOf(new Command.SwitchSensor("nose", false)));
+    void refusedCommandsHaveNoInverse() {
+        assertEquals(List.of(), inverse(new Command.MoveObstacle("sofa", new Pose(1, 3, 0))));
+        assertEquals(List.of(), inverse(new Command.RemoveObstacle("sofa")));
+        assertEquals(List.of(), inverse(new Command.SwitchSensor("nose", false)));
     }
 }

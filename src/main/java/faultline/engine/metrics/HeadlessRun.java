@@ -35,8 +35,8 @@ public final class HeadlessRun {
         all.add(simulation -> states.add(simulation.telemetry().state()));
         long start = System.nanoTime();
         List<String> refused = new ArrayList<>();
-        CommandListener noting = (tick, command, refusal) ->
-                refusal.ifPresent(why -> refused.add("at " + tick * setup.dt() + " s: " + why));
+        CommandListener noting = result -> result.refusal()
+                .ifPresent(refusal -> refused.add("at " + result.tick() * setup.dt() + " s: " + refusal.message()));
         try (Simulation simulation = new Simulation(setup, mode, noting)) {
             long ticks = setup.ticks();
             all.forEach(observer -> observer.observe(simulation));

@@ -2,6 +2,7 @@ package faultline.engine.recording;
 
 import faultline.world.Collision;
 import faultline.world.Command;
+import faultline.world.Refusal;
 
 /** Something that happened in a run at one moment. */
 public sealed interface RunEvent {
@@ -46,9 +47,9 @@ public sealed interface RunEvent {
      * @param tick at whose start it was
      * @param time of that tick, seconds
      * @param command what was not done
-     * @param reason one sentence
+     * @param refusal the reason
      */
-    record CommandRefused(long tick, double time, Command command, String reason) implements RunEvent {}
+    record CommandRefused(long tick, double time, Command command, Refusal refusal) implements RunEvent {}
 
     /**
      * The robot touched an obstacle for the first time.

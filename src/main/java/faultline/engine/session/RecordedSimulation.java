@@ -6,8 +6,7 @@ import faultline.engine.Journal;
 import faultline.engine.Recorder;
 import faultline.engine.Simulation;
 import faultline.world.Command;
-import java.util.List;
-import java.util.Optional;
+import faultline.world.CommandResult;
 import java.util.concurrent.CancellationException;
 import java.util.function.LongPredicate;
 
@@ -50,17 +49,12 @@ final class RecordedSimulation implements AutoCloseable {
     }
 
     /** Carries out a command from outside; unless it is refused, this is a run of its own from now on. */
-    Optional<String> execute(Command command) {
-        Optional<String> refusal = simulation.execute(command);
-        if (refusal.isEmpty()) {
+    CommandResult execute(Command command) {
+        CommandResult result = simulation.execute(command);
+        if (result.refusal().isEmpty()) {
             player.discardPending();
         }
-        return refusal;
-    }
-
-    /** What would take a command back. */
-    List<Command> inverseOf(Command command) {
-        return simulation.inverseOf(command);
+        return result;
     }
 
     void resample() {

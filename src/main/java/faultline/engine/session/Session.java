@@ -5,6 +5,8 @@ import faultline.engine.Journal;
 import faultline.engine.RunFailedException;
 import faultline.engine.SimulationSetup;
 import faultline.world.Command;
+import faultline.world.CommandResult;
+import faultline.world.Refusal;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -168,20 +170,6 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * What became of a command.
-     *
-     * @param tick the tick at whose start it was carried out
-     * @param command what was to be done
-     * @param inverse the commands, in order, that restore what it changed
-     * @param refusal why it was refused, empty where it was done
-     */
-    public record CommandResult(long tick, Command command, List<Command> inverse, Optional<String> refusal) {
-        public CommandResult {
-            inverse = List.copyOf(inverse);
-        }
-    }
-
-    /**
      * How a session is at one moment.
      *
      * @param running whether time runs
@@ -196,6 +184,6 @@ public final class Session implements AutoCloseable {
             double speed,
             double achievedSpeed,
             int refusals,
-            Optional<String> lastRefusal,
+            Optional<Refusal> lastRefusal,
             Optional<String> failure) {}
 }

@@ -2,10 +2,10 @@ package faultline.engine.session;
 
 import faultline.engine.Frame;
 import faultline.engine.RunFailedException;
-import faultline.engine.session.Session.CommandResult;
 import faultline.engine.session.Session.Status;
 import faultline.world.Command;
-import java.util.List;
+import faultline.world.CommandResult;
+import faultline.world.Refusal;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -35,7 +35,7 @@ final class SimulationThread implements Runnable {
     private long pauseTick = NO_PAUSE_TICK;
     private boolean frameOutdated;
     private int refusals;
-    private Optional<String> lastRefusal = Optional.empty();
+    private Optional<Refusal> lastRefusal = Optional.empty();
     private Optional<String> failure = Optional.empty();
 
     SimulationThread(RecordedSimulation run) {
@@ -162,14 +162,13 @@ final class SimulationThread implements Runnable {
     }
 
     CommandResult execute(Command command) {
-        List<Command> undo = run.inverseOf(command);
-        Optional<String> refusal = run.execute(command);
-        if (refusal.isPresent()) {
+        CommandResult result = run.execute(command);
+        if (result.refusal().isPresent()) {
             refusals++;
-            lastRefusal = refusal;
+            lastRefusal = result.refusal();
         }
         frameOutdated = true;
-        return new CommandResult(run.ticks() + 1, command, undo, refusal);
+        return result;
     }
 
     void resume() {

@@ -7,6 +7,7 @@ import faultline.engine.session.Session;
 import faultline.geometry.Pose;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
@@ -133,7 +134,7 @@ public final class RunController {
      * @param commands what is to be done, in order
      * @param told gets what became of each, on the event dispatch thread, soon; never, where there is no run
      */
-    public void send(List<Command> commands, Consumer<List<Session.CommandResult>> told) {
+    public void send(List<Command> commands, Consumer<List<CommandResult>> told) {
         submit(session -> session.send(
                 commands,
                 outcomes -> EventQueue.invokeLater(() -> {
@@ -142,7 +143,7 @@ public final class RunController {
                 })));
     }
 
-    private void commandsExecuted(List<Session.CommandResult> outcomes) {
+    private void commandsExecuted(List<CommandResult> outcomes) {
         if (outcomes.stream().anyMatch(outcome -> outcome.refusal().isEmpty())) {
             dirtyTracker.markStale();
             navigator.discardFuture();

@@ -16,7 +16,7 @@ import java.util.Optional;
  * What a scenario becomes by what was done to its run. Obstacles, platform, and the sensors' range and cone are the
  * scenario's, and a change of them is kept; switching a sensor and breaking it is what happens in one run, and is not.
  */
-final class SetupEditor {
+final class SetupEditor implements Command.Visitor<Boolean> {
 
     private final SimulationSetup base;
     /**
@@ -42,36 +42,66 @@ final class SetupEditor {
      */
     static SimulationSetup setupAfter(Journal journal) {
         SetupEditor edited = new SetupEditor(journal.setup());
-        journal.entries().forEach(entry -> edited.apply(entry.command()));
+        journal.entries().forEach(entry -> entry.command().accept(edited));
         edited.clearStartPose();
         return edited.setup();
     }
 
-    /** Whether a scenario holds all that was done to a run of it. */
+    /** Returns whether the scenario keeps every command of a journal. */
     static boolean coversAll(Journal journal) {
-        return journal.entries().stream().map(Journal.Entry::command).noneMatch(SetupEditor::isRunOnly);
+        SetupEditor edited = new SetupEditor(journal.setup());
+        return journal.entries().stream().allMatch(entry -> entry.command().accept(edited));
     }
 
-    private static boolean isRunOnly(Command command) {
-        return command instanceof Command.SwitchSensor
-                || command instanceof Command.InjectFault
-                || command instanceof Command.ClearFault
-                || command instanceof Command.ClearFaults;
+    @Override
+    public Boolean visit(Command.SwitchSensor command) {
+        return false;
     }
 
-    private void apply(Command command) {
-        if (command instanceof Command.MoveObstacle move) {
-            obstacles.computeIfPresent(
-                    move.obstacle(), (id, obstacle) -> obstacle.map(moved -> moved.withPose(move.pose())));
-        } else if (command instanceof Command.PlaceObstacle put) {
-            obstacles.put(put.obstacle().id(), Optional.of(put.obstacle()));
-        } else if (command instanceof Command.RemoveObstacle remove) {
-            obstacles.replace(remove.obstacle(), Optional.empty());
-        } else if (command instanceof Command.SetPlatform platform) {
-            robot = robot.withPlatform(platform.length(), platform.width(), platform.speed());
-        } else if (command instanceof Command.ConfigureSensor tune) {
-            robot = robot.withSensor(withOriginalSwitch(tune.sensor()));
-        }
+    @Override
+    public Boolean visit(Command.ConfigureSensor command) {
+        robot = robot.withSensor(withOriginalSwitch(command.sensor()));
+        return true;
+    }
+
+    @Override
+    public Boolean visit(Command.InjectFault command) {
+        return false;
+    }
+
+    @Override
+    public Boolean visit(Command.ClearFault command) {
+        return false;
+    }
+
+    @Override
+    public Boolean visit(Command.ClearFaults command) {
+        return false;
+    }
+
+    @Override
+    public Boolean visit(Command.MoveObstacle command) {
+        obstacles.computeIfPresent(
+                command.obstacle(), (id, obstacle) -> obstacle.map(moved -> moved.withPose(command.pose())));
+        return true;
+    }
+
+    @Override
+    public Boolean visit(Command.PlaceObstacle command) {
+        obstacles.put(command.obstacle().id(), Optional.of(command.obstacle()));
+        return true;
+    }
+
+    @Override
+    public Boolean visit(Command.RemoveObstacle command) {
+        obstacles.replace(command.obstacle(), Optional.empty());
+        return true;
+    }
+
+    @Override
+    public Boolean visit(Command.SetPlatform command) {
+        robot = robot.withPlatform(command.length(), command.width(), command.speed());
+        return true;
     }
 
     /** The switch stays as the scenario has it. */

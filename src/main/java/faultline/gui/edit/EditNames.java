@@ -8,92 +8,53 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What edits are called in menus. */
-final class EditNames {
+/** Names edits for menus, from each command and the commands that undo it. */
+final class EditNames implements Command.Visitor<EditNames.EditName> {
 
-    private EditNames() {}
+    private static final String SEVERAL = "edit.several";
+
+    private final Command undo;
+
+    private EditNames(ReversibleCommand step) {
+        this.undo = step.undo().get(0);
+    }
+
+    /**
+     * The name of one command's edit.
+     *
+     * @param key of the message for one such command
+     * @param severalKey of the message for several such commands
+     * @param subject the id of what is edited
+     */
+    record EditName(String key, String severalKey, String subject) {
+        EditName(String key, String subject) {
+            this(key, SEVERAL, subject);
+        }
+    }
 
     static String nameOf(List<ReversibleCommand> steps) {
         ReversibleCommand first = steps.get(0);
+        EditName name = first.redo().accept(new EditNames(first));
         if (steps.size() == 1) {
-            return nameOf(first.redo(), first.undo());
+            return Messages.get(name.key(), name.subject());
         }
         boolean alike = steps.stream()
                 .allMatch(step -> step.redo().getClass() == first.redo().getClass());
-        return Messages.get(alike ? severalKey(first) : "edit.several", Integer.toString(steps.size()));
+        return Messages.get(alike ? name.severalKey() : SEVERAL, Integer.toString(steps.size()));
     }
 
-    private static String severalKey(ReversibleCommand first) {
-        if (first.redo() instanceof Command.MoveObstacle) {
-            return isTurn(first.redo(), first.undo()) ? "edit.turnSeveral" : "edit.moveSeveral";
-        }
-        if (first.redo() instanceof Command.RemoveObstacle) {
-            return "edit.removeSeveral";
-        }
-        if (first.redo() instanceof Command.ClearFaults) {
-            return "edit.mendSeveral";
-        }
-        boolean adds =
-                first.redo() instanceof Command.PlaceObstacle && first.undo().get(0) instanceof Command.RemoveObstacle;
-        return adds
-                ? "edit.addSeveral"
-                : first.redo() instanceof Command.PlaceObstacle ? "edit.changeSeveral" : "edit.several";
+    @Override
+    public EditName visit(Command.SwitchSensor command) {
+        return new EditName(command.on() ? "edit.switchOn" : "edit.switchOff", command.sensor());
     }
 
-    private static String nameOf(Command redo, List<Command> undo) {
-        if (redo instanceof Command.MoveObstacle move) {
-            return Messages.get(isTurn(redo, undo) ? "edit.turn" : "edit.move", move.obstacle());
-        }
-        if (redo instanceof Command.PlaceObstacle put) {
-            return Messages.get(
-                    obstacleKey(put.obstacle(), undo.get(0)), put.obstacle().id());
-        }
-        if (redo instanceof Command.RemoveObstacle remove) {
-            return Messages.get("edit.remove", remove.obstacle());
-        }
-        return redo instanceof Command.SetPlatform platform
-                ? Messages.get(platformKey(platform, undo))
-                : sensorEditName(redo, undo);
+    @Override
+    public EditName visit(Command.ConfigureSensor command) {
+        return new EditName(sensorKey(command.sensor()), command.sensor().id());
     }
 
-    private static boolean isTurn(Command redo, List<Command> undo) {
-        return redo instanceof Command.MoveObstacle move
-                && undo.get(0) instanceof Command.MoveObstacle back
-                && back.pose().heading() != move.pose().heading();
-    }
-
-    private static String obstacleKey(Obstacle now, Command undo) {
-        boolean speed = undo instanceof Command.PlaceObstacle back
-                && !back.obstacle().motion().equals(now.motion())
-                && back.obstacle()
-                        .motion()
-                        .flatMap(before -> now.motion().map(way -> before.withSpeed(way.speed())))
-                        .equals(now.motion());
-        return undo instanceof Command.RemoveObstacle ? "edit.add" : speed ? "edit.waySpeed" : "edit.change";
-    }
-
-    private static String platformKey(Command.SetPlatform platform, List<Command> undo) {
-        boolean speed = undo.get(0) instanceof Command.SetPlatform back && back.speed() != platform.speed();
-        return speed ? "edit.speed" : "edit.platform";
-    }
-
-    private static String sensorEditName(Command redo, List<Command> undo) {
-        if (redo instanceof Command.SwitchSensor change) {
-            return Messages.get(change.on() ? "edit.switchOn" : "edit.switchOff", change.sensor());
-        }
-        if (redo instanceof Command.ConfigureSensor tune) {
-            return Messages.get(sensorKey(tune.sensor(), undo), tune.sensor().id());
-        }
-        if (redo instanceof Command.InjectFault fault) {
-            return Messages.get("edit.fault", fault.sensor());
-        }
-        return Messages.get(
-                "edit.mend",
-                redo instanceof Command.ClearFault one ? one.sensor() : ((Command.ClearFaults) redo).sensor());
-    }
-
-    private static String sensorKey(SensorSpec now, List<Command> undo) {
-        SensorSpec before = undo.get(0) instanceof Command.ConfigureSensor back ? back.sensor() : now;
+    private String sensorKey(SensorSpec now) {
+        SensorSpec before = undo instanceof Command.ConfigureSensor back ? back.sensor() : now;
         Map<String, SensorSpec> single = new LinkedHashMap<>();
         single.put("edit.range", before.withRange(now.range()));
         single.put("edit.cone", before.withCone(now.cone()));
@@ -105,5 +66,57 @@ final class EditNames {
                 .map(Map.Entry::getKey)
                 .findFirst()
                 .orElse("edit.tune");
+    }
+
+    @Override
+    public EditName visit(Command.InjectFault command) {
+        return new EditName("edit.fault", command.sensor());
+    }
+
+    @Override
+    public EditName visit(Command.ClearFault command) {
+        return new EditName("edit.mend", command.sensor());
+    }
+
+    @Override
+    public EditName visit(Command.ClearFaults command) {
+        return new EditName("edit.mend", "edit.mendSeveral", command.sensor());
+    }
+
+    @Override
+    public EditName visit(Command.MoveObstacle command) {
+        boolean turns = undo instanceof Command.MoveObstacle back
+                && back.pose().heading() != command.pose().heading();
+        return turns
+                ? new EditName("edit.turn", "edit.turnSeveral", command.obstacle())
+                : new EditName("edit.move", "edit.moveSeveral", command.obstacle());
+    }
+
+    @Override
+    public EditName visit(Command.PlaceObstacle command) {
+        Obstacle now = command.obstacle();
+        if (!(undo instanceof Command.PlaceObstacle back)) {
+            return new EditName("edit.add", "edit.addSeveral", now.id());
+        }
+        String key = changesOnlySpeed(back.obstacle(), now) ? "edit.waySpeed" : "edit.change";
+        return new EditName(key, "edit.changeSeveral", now.id());
+    }
+
+    private static boolean changesOnlySpeed(Obstacle before, Obstacle now) {
+        return !before.motion().equals(now.motion())
+                && before.motion()
+                        .flatMap(old -> now.motion().map(path -> old.withSpeed(path.speed())))
+                        .equals(now.motion());
+    }
+
+    @Override
+    public EditName visit(Command.RemoveObstacle command) {
+        return new EditName("edit.remove", "edit.removeSeveral", command.obstacle());
+    }
+
+    @Override
+    public EditName visit(Command.SetPlatform command) {
+        boolean speed = undo instanceof Command.SetPlatform back && back.speed() != command.speed();
+        return new EditName(speed ? "edit.speed" : "edit.platform", "");
     }
 }

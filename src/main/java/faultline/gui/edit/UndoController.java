@@ -1,7 +1,7 @@
 package faultline.gui.edit;
 
-import faultline.engine.session.Session.CommandResult;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import java.awt.EventQueue;
 import java.util.List;
 import java.util.Optional;
@@ -28,7 +28,7 @@ public final class UndoController implements CommandSink {
     private int gestureId;
     private boolean gestureActive;
     private int generation;
-    private List<Object> lastTargets = List.of();
+    private List<EditTarget> lastTargets = List.of();
     private long lastMillis;
 
     /** The way to the run. */
@@ -82,13 +82,11 @@ public final class UndoController implements CommandSink {
 
     /** A new gesture, unless a hand holds on or the commands repeat the last ones. */
     private int gestureIdOf(List<Command> commands) {
-        List<Object> about = commands.stream()
-                .map(command -> new ReversibleCommand(command, List.of()).target())
-                .toList();
+        List<EditTarget> about = commands.stream().map(EditTarget::of).toList();
         long now = millis.getAsLong();
         boolean repeated = about.equals(lastTargets)
                 && now - lastMillis <= REPEAT_MILLIS
-                && commands.stream().allMatch(ReversibleCommand::isRepeatable);
+                && about.stream().allMatch(EditTarget::repeatable);
         if (!gestureActive && !repeated) {
             gestureId++;
         }

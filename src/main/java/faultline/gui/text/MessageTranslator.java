@@ -8,18 +8,15 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * What the floors below say, in the user's language: why the world refused something, and what is wrong with a file.
- * They say it in English, as journals, reports and the command line keep it; here each sentence, and each phrase within
- * one, is known by its English text.
+ * What the packages below say, in the user's language: what is wrong with a file. They say it in English, as journals,
+ * reports and the command line keep it; here each sentence, and each phrase within one, is known by its English text.
  */
 public final class MessageTranslator {
 
     /** The keys of all texts that are known by their wording begin like one of these. */
-    private static final List<String> KEY_PREFIXES = List.of("refused.", "complaint.", "allowed.");
+    private static final List<String> KEY_PREFIXES = List.of("complaint.", "allowed.");
 
     private static final Pattern PLACEHOLDER = Pattern.compile("([\"<]?)\\{(\\d)}");
-    /** What fills the gaps of these are names. */
-    private static final String NAMES_PREFIX = "refused.";
 
     /** Those that say most come first, because others would take their words for what fills a gap. */
     private static final List<MessagePattern> PATTERNS = Messages.keys(Language.ENGLISH)
@@ -57,7 +54,7 @@ public final class MessageTranslator {
                 pattern.append(Pattern.quote(text.substring(end, gap.end(1))))
                         .append(gap.group(1).equals("\"") ? "(.*)" : "(.*?)");
                 gaps.add(Integer.valueOf(gap.group(2)));
-                quoted.add(!gap.group(1).isEmpty() || key.startsWith(NAMES_PREFIX));
+                quoted.add(!gap.group(1).isEmpty());
             }
             pattern.append(Pattern.quote(text.substring(end)));
             return new MessagePattern(

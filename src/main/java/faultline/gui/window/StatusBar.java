@@ -5,7 +5,7 @@ import faultline.engine.Frame;
 import faultline.engine.session.Session;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
-import faultline.gui.text.MessageTranslator;
+import faultline.gui.text.RefusalText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.SeparatorBorder;
@@ -97,7 +97,7 @@ final class StatusBar extends JPanel {
         status.failure().ifPresent(this::showNote);
         if (status.refusals() != shownRefusals) {
             shownRefusals = status.refusals();
-            status.lastRefusal().map(MessageTranslator::translate).ifPresent(this::showNote);
+            status.lastRefusal().map(RefusalText::format).ifPresent(this::showNote);
         } else if (noteFramesLeft > 0 && --noteFramesLeft == 0) {
             note.setText("");
         }

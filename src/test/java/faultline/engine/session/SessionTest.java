@@ -11,6 +11,7 @@ import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
@@ -91,7 +92,8 @@ class SessionTest {
         session.send(new Command.RemoveObstacle("ghost"));
         await(() -> session.status().refusals() == 1);
         assertEquals(
-                "there is no obstacle ghost", session.status().lastRefusal().orElseThrow());
+                "there is no obstacle ghost",
+                session.status().lastRefusal().orElseThrow().message());
         assertTrue(session.journal().get().entries().isEmpty());
     }
 
@@ -134,11 +136,11 @@ class SessionTest {
     @Test
     void inverseCommandsComeWithTheResultsAndAreJournaledLikeThem() throws Exception {
         Pose elsewhere = new Pose(4, 3, 0);
-        CompletableFuture<List<Session.CommandResult>> told = new CompletableFuture<>();
+        CompletableFuture<List<CommandResult>> told = new CompletableFuture<>();
         session.send(
                 List.of(new Command.MoveObstacle("pole", elsewhere), new Command.RemoveObstacle("sofa")),
                 told::complete);
-        List<Session.CommandResult> outcomes = told.get();
+        List<CommandResult> outcomes = told.get();
         assertEquals(
                 List.of(new Command.MoveObstacle("pole", POLE.pose())),
                 outcomes.get(0).inverse());

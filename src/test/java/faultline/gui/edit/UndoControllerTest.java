@@ -4,12 +4,12 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import faultline.engine.session.Session.CommandResult;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.Snapshot;
@@ -34,9 +34,7 @@ class UndoControllerTest {
     private final UndoController controller = callOnEdt(() -> new UndoController(this::execute, () -> {}, () -> now));
 
     private void execute(List<Command> commands, Consumer<List<CommandResult>> told) {
-        told.accept(commands.stream()
-                .map(command -> new CommandResult(1, command, world.inverseOf(command), world.execute(command)))
-                .toList());
+        told.accept(commands.stream().map(world::execute).toList());
     }
 
     private static Command moveTo(double x) {
@@ -196,7 +194,10 @@ class UndoControllerTest {
 
     /** A robot so long that it reaches where the obstacles were, or of its usual length. */
     private void longRobot(boolean isLong) {
-        assertEquals(Optional.empty(), world.execute(new Command.SetPlatform(isLong ? 3.9 : 0.25, 0.2, 0.3)));
+        assertEquals(
+                Optional.empty(),
+                world.execute(new Command.SetPlatform(isLong ? 3.9 : 0.25, 0.2, 0.3))
+                        .refusal());
     }
 
     @Test

@@ -13,6 +13,7 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
+import faultline.world.Refusal;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JLabel;
@@ -49,8 +50,8 @@ class StatusBarTest {
     @Test
     void aRefusalShowsForAWhile() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
-        Session.Status refused =
-                new Session.Status(true, 1, 1, 1, Optional.of("there is no obstacle box"), Optional.empty());
+        Session.Status refused = new Session.Status(
+                true, 1, 1, 1, Optional.of(new Refusal(Refusal.Reason.UNKNOWN_OBSTACLE, "box")), Optional.empty());
         show(frame, refused);
         assertTrue(texts().contains("there is no obstacle box"));
         for (int i = 0; i < 400; i++) {

@@ -1,0 +1,88 @@
+package faultline.gui.instrument;
+
+import faultline.gui.panel.ReadingText;
+import faultline.gui.text.Messages;
+import faultline.world.Command;
+import java.util.Locale;
+
+/** Describes commands in the user's language. */
+final class CommandText implements Command.Visitor<String> {
+
+    private static final CommandText INSTANCE = new CommandText();
+
+    private CommandText() {}
+
+    /** Returns what a command does, as one sentence. */
+    static String format(Command command) {
+        return command.accept(INSTANCE);
+    }
+
+    /** Returns whether a command adds or removes a fault. */
+    static boolean isFaultChange(Command command) {
+        return command instanceof Command.InjectFault
+                || command instanceof Command.ClearFault
+                || command instanceof Command.ClearFaults;
+    }
+
+    @Override
+    public String visit(Command.SwitchSensor command) {
+        return Messages.get(command.on() ? "command.on" : "command.off", command.sensor());
+    }
+
+    @Override
+    public String visit(Command.ConfigureSensor command) {
+        return Messages.get(
+                "command.tune",
+                command.sensor().id(),
+                number("%.2f", command.sensor().range()),
+                number("%.1f", Math.toDegrees(command.sensor().cone())));
+    }
+
+    @Override
+    public String visit(Command.InjectFault command) {
+        return Messages.get("command.inject", command.sensor(), ReadingText.format(command.fault()));
+    }
+
+    @Override
+    public String visit(Command.ClearFault command) {
+        return Messages.get("command.clear", command.sensor(), ReadingText.format(command.fault()));
+    }
+
+    @Override
+    public String visit(Command.ClearFaults command) {
+        return Messages.get("command.clearAll", command.sensor());
+    }
+
+    @Override
+    public String visit(Command.MoveObstacle command) {
+        return Messages.get(
+                "command.move",
+                command.obstacle(),
+                number("%.3f", command.pose().x()),
+                number("%.3f", command.pose().y()),
+                number("%.1f", Math.toDegrees(command.pose().heading())));
+    }
+
+    @Override
+    public String visit(Command.PlaceObstacle command) {
+        return Messages.get("command.put", command.obstacle().id());
+    }
+
+    @Override
+    public String visit(Command.RemoveObstacle command) {
+        return Messages.get("command.remove", command.obstacle());
+    }
+
+    @Override
+    public String visit(Command.SetPlatform command) {
+        return Messages.get(
+                "command.platform",
+                number("%.3f", command.length()),
+                number("%.3f", command.width()),
+                number("%.2f", command.speed()));
+    }
+
+    private static String number(String format, double value) {
+        return String.format(Locale.ROOT, format, value);
+    }
+}

@@ -1,0 +1,26 @@
+package faultline.gui.text;
+
+import faultline.world.Refusal;
+
+/** Refusals of commands in the user's language. */
+public final class RefusalText {
+
+    private RefusalText() {}
+
+    /** Returns a refusal as one sentence. */
+    public static String format(Refusal refusal) {
+        return Messages.get(key(refusal.reason()), refusal.subject());
+    }
+
+    private static String key(Refusal.Reason reason) {
+        return switch (reason) {
+            case UNKNOWN_OBSTACLE -> "refused.obstacle";
+            case UNKNOWN_SENSOR -> "refused.sensor";
+            case UNKNOWN_FAULT -> "refused.fault";
+            case OVERLAPS_ROBOT -> "refused.robot";
+            case PLATFORM_OVERLAPS -> "refused.platform";
+            case TOO_MANY_MOVING -> "refused.moving";
+            case RESERVED_ID -> "refused.enclosure";
+        };
+    }
+}

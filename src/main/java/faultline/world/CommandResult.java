@@ -1,0 +1,60 @@
+package faultline.world;
+
+import java.util.List;
+import java.util.Optional;
+
+/** The result of a command: executed with its inverse, or refused with the reason. */
+public sealed interface CommandResult {
+
+    /** Returns the tick at whose start the command was handled; 0 before the first sensing. */
+    long tick();
+
+    /** Returns the command. */
+    Command command();
+
+    /**
+     * Returns the commands, in order, that restore what the command has changed. A collision that it has caused is not
+     * undone. Empty for a refused command.
+     */
+    List<Command> inverse();
+
+    /** Returns the reason for a refusal; empty for an executed command. */
+    Optional<Refusal> refusal();
+
+    /**
+     * The command was executed.
+     *
+     * @param tick the tick at whose start it was executed
+     * @param command the command
+     * @param inverse the commands, in order, that undo it
+     */
+    record Executed(long tick, Command command, List<Command> inverse) implements CommandResult {
+        public Executed {
+            inverse = List.copyOf(inverse);
+        }
+
+        @Override
+        public Optional<Refusal> refusal() {
+            return Optional.empty();
+        }
+    }
+
+    /**
+     * The command was refused and changed nothing.
+     *
+     * @param tick the tick at whose start it was refused
+     * @param command the command
+     * @param reason the reason
+     */
+    record Refused(long tick, Command command, Refusal reason) implements CommandResult {
+        @Override
+        public List<Command> inverse() {
+            return List.of();
+        }
+
+        @Override
+        public Optional<Refusal> refusal() {
+            return Optional.of(reason);
+        }
+    }
+}
