@@ -249,13 +249,7 @@ public final class Simulation implements AutoCloseable {
      */
     public Frame frame() {
         return new Frame(
-                world.snapshot(),
-                telemetry(),
-                leftVolts(),
-                rightVolts(),
-                trajectoryRecorder.path(),
-                trajectoryHash(),
-                Recording.EMPTY);
+                world.snapshot(), telemetry(), leftVolts(), rightVolts(), trajectoryRecorder.path(), trajectoryHash());
     }
 
     /**

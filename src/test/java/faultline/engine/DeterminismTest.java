@@ -77,7 +77,7 @@ class DeterminismTest {
             Map<Long, Long> seen = new TreeMap<>();
             long tick = 0;
             while (tick < TICKS) {
-                Frame frame = session.frame();
+                Frame frame = session.frame().frame();
                 tick = frame.snapshot().tick();
                 if (tick <= TICKS) {
                     seen.put(tick, frame.trajectoryHash());
@@ -96,8 +96,8 @@ class DeterminismTest {
             session.resume();
             for (int sent = 0; sent < COMMANDS; sent++) {
                 session.send(randomCommand(random));
-                long reached = session.frame().snapshot().tick();
-                while (sent % 10 == 0 && session.frame().snapshot().tick() == reached) {
+                long reached = session.frame().frame().snapshot().tick();
+                while (sent % 10 == 0 && session.frame().frame().snapshot().tick() == reached) {
                     Thread.onSpinWait();
                 }
             }
@@ -111,10 +111,10 @@ class DeterminismTest {
                     journal.entries().size() + session.status().refusals(),
                     "every command is either done or refused");
             assertFalse(journal.entries().isEmpty());
-            while (session.frame().snapshot().tick() < journal.ticks()) {
+            while (session.frame().frame().snapshot().tick() < journal.ticks()) {
                 Thread.onSpinWait();
             }
-            assertEquals(session.frame().trajectoryHash(), replay(journal));
+            assertEquals(session.frame().frame().trajectoryHash(), replay(journal));
         }
     }
 

@@ -50,7 +50,7 @@ public final class SampleFrames {
             Optional<Collision> collision) {
         Snapshot world =
                 new Snapshot(1, 0.01, 6, 4, true, SENSORLESS, robot, 0, 0, sensors, obstacles, contacts, collision);
-        return new Frame(world, Telemetry.ofState("FOLLOW"), 0, 0, path, 0, Recording.EMPTY);
+        return new Frame(world, Telemetry.ofState("FOLLOW"), 0, 0, path, 0);
     }
 
     /** A path through points. */

@@ -1,9 +1,9 @@
 package faultline.scenario;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.ControllerFactory;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
+import faultline.engine.ControllerFactory;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Degrees;

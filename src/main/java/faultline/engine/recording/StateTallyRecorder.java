@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Counts the ticks in each state and the ways between states. */
-public final class StateTallyRecorder {
+final class StateTallyRecorder {
 
     private static final class Counter {
         private long ticks;

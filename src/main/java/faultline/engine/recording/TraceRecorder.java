@@ -7,7 +7,7 @@ import java.util.List;
  * Records all channels tick by tick, at full resolution for a while and ever coarser farther back. Some 21 MB with
  * eight sensors at most.
  */
-public final class TraceRecorder {
+final class TraceRecorder {
 
     /** Each level's buckets have so many times the ticks of the next finer one. */
     static final int FACTOR = 4;

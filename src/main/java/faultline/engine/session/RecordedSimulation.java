@@ -1,10 +1,9 @@
 package faultline.engine.session;
 
 import faultline.engine.ControllerMode;
-import faultline.engine.Frame;
 import faultline.engine.Journal;
-import faultline.engine.Recorder;
 import faultline.engine.Simulation;
+import faultline.engine.recording.Recorder;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.util.concurrent.CancellationException;
@@ -61,8 +60,8 @@ final class RecordedSimulation implements AutoCloseable {
         simulation.resample();
     }
 
-    Frame frame() {
-        return simulation.frame().withRecording(recorder.view());
+    SessionFrame frame() {
+        return new SessionFrame(simulation.frame(), recorder.view());
     }
 
     Journal journal() {

@@ -1,6 +1,5 @@
 package faultline.engine.session;
 
-import faultline.engine.Frame;
 import faultline.engine.Journal;
 import faultline.engine.RunFailedException;
 import faultline.engine.SimulationSetup;
@@ -60,7 +59,7 @@ public final class Session implements AutoCloseable {
      *
      * @return the frame
      */
-    public Frame frame() {
+    public SessionFrame frame() {
         return simulationThread.frame();
     }
 

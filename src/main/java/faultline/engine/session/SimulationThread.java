@@ -1,6 +1,5 @@
 package faultline.engine.session;
 
-import faultline.engine.Frame;
 import faultline.engine.RunFailedException;
 import faultline.engine.session.Session.Status;
 import faultline.world.Command;
@@ -22,7 +21,7 @@ final class SimulationThread implements Runnable {
     private static final long NO_PAUSE_TICK = -1;
 
     private final Queue<Consumer<SimulationThread>> tasks = new ConcurrentLinkedQueue<>();
-    private final AtomicReference<Frame> latestFrame;
+    private final AtomicReference<SessionFrame> latestFrame;
     private final AtomicReference<Status> status;
     private final Thread thread = new Thread(this, "faultline-world");
     private volatile boolean frameWanted;
@@ -56,7 +55,7 @@ final class SimulationThread implements Runnable {
     }
 
     /** The newest frame; asking orders the next one. */
-    Frame frame() {
+    SessionFrame frame() {
         frameWanted = true;
         return latestFrame.get();
     }

@@ -1,6 +1,6 @@
 package faultline.gui.document;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.Journal;
 import faultline.engine.recording.HashTrace;
 import faultline.engine.session.ReferenceRun;
@@ -129,7 +129,7 @@ public final class ComparisonController {
      * @return the earlier run and how the two differ so far, empty where none is kept; the same object as before where
      *     nothing is new
      */
-    public Optional<RunComparison> update(Frame frame) {
+    public Optional<RunComparison> update(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         HashTrace now = frame.recording().hashTrace();
         int from = now.isContinuationOf(comparedHashes) ? comparedHashes.size() : 0;

@@ -1,6 +1,6 @@
 package faultline.gui.document;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
@@ -111,11 +111,11 @@ public final class RunController {
      *
      * @return empty before the first session
      */
-    public Optional<Frame> frame() {
+    public Optional<SessionFrame> frame() {
         dirtyTracker.refresh();
-        Optional<Frame> newest =
+        Optional<SessionFrame> newest =
                 workspace.openDocument().map(now -> now.session().frame());
-        newest.ifPresent(navigator::frameReached);
+        newest.ifPresent(frame -> navigator.frameReached(frame.frame()));
         return newest;
     }
 

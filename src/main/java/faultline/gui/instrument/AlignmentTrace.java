@@ -2,7 +2,7 @@ package faultline.gui.instrument;
 
 import faultline.control.FollowerState;
 import faultline.control.Telemetry;
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.recording.TraceChannels;
@@ -79,14 +79,14 @@ record AlignmentTrace(
      * The newest manoeuvre; empty before the first, and when it is so long ago that its single ticks are no longer
      * recorded.
      */
-    static Optional<AlignmentTrace> latest(Frame frame) {
+    static Optional<AlignmentTrace> latest(SessionFrame frame) {
         TraceLevel level = frame.recording().trace().finestLevel();
         return PhaseTicks.of(frame.recording().events(), level.endBucket())
                 .filter(ticks -> ticks.turn() - 1 >= level.firstBucket())
                 .map(ticks -> of(frame, level, ticks));
     }
 
-    private static AlignmentTrace of(Frame frame, TraceLevel level, PhaseTicks ticks) {
+    private static AlignmentTrace of(SessionFrame frame, TraceLevel level, PhaseTicks ticks) {
         double start = headingAt(level, ticks.turn() - 1);
         double turnedBy = headingAt(level, ticks.align() - 1) - start;
         double rate = Math.copySign(frame.snapshot().robot().turnRate(), turnedBy == 0 ? -1 : turnedBy);

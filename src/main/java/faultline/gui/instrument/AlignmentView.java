@@ -1,6 +1,6 @@
 package faultline.gui.instrument;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
@@ -48,7 +48,7 @@ public final class AlignmentView extends JComponent {
      *
      * @param frame with the recording of its run
      */
-    public void setFrame(Frame frame) {
+    public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         trace = AlignmentTrace.latest(frame);
         String words = accessibleText();

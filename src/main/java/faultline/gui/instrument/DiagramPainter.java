@@ -3,7 +3,7 @@ package faultline.gui.instrument;
 import faultline.control.FollowerState;
 import faultline.control.StateDiagram;
 import faultline.control.StateDiagram.Arrow;
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.recording.StateTally;
@@ -33,11 +33,11 @@ final class DiagramPainter {
     private final Graphics2D g;
     private final ThemeColours colours;
     private final DiagramLayout layout;
-    private final Frame frame;
+    private final SessionFrame frame;
     private final StateTally tally;
     private final double dt;
 
-    DiagramPainter(Graphics2D g, DiagramLayout layout, Theme theme, Frame frame) {
+    DiagramPainter(Graphics2D g, DiagramLayout layout, Theme theme, SessionFrame frame) {
         this.g = g;
         this.layout = layout;
         this.colours = theme.colours();
@@ -76,7 +76,7 @@ final class DiagramPainter {
     }
 
     /** The newest transition that the log still has. */
-    static Optional<RunEvent.StateChanged> lastTransition(Frame frame) {
+    static Optional<RunEvent.StateChanged> lastTransition(SessionFrame frame) {
         EventLog log = frame.recording().events();
         for (long i = log.endIndex() - 1; i >= log.firstIndex(); i--) {
             if (log.get(i) instanceof RunEvent.StateChanged transition) {

@@ -1,6 +1,6 @@
 package faultline.gui.instrument;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.RunEvent;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
@@ -138,7 +138,7 @@ public final class EventLogView extends JPanel {
      *
      * @param frame with the recording of its run
      */
-    public void setFrame(Frame frame) {
+    public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         int chosen = table.getSelectedRow();
         boolean added = events.update(frame.recording().events());

@@ -1,6 +1,6 @@
 package faultline.gui.instrument;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.RunEvent;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
@@ -27,7 +27,7 @@ public final class InstrumentDock extends JTabbedPane {
     private final AlignmentView alignment = new AlignmentView();
     private final EventLogView events;
     private final PositionedSplitPane split;
-    private transient Optional<Frame> newestFrame = Optional.empty();
+    private transient Optional<SessionFrame> newestFrame = Optional.empty();
     private int skippedFrames;
 
     /**
@@ -57,7 +57,7 @@ public final class InstrumentDock extends JTabbedPane {
      *
      * @param frame the newest; the same one again is shown for sure before long
      */
-    public void setFrame(Frame frame) {
+    public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         skippedFrames++;
         boolean isNew = newestFrame.isEmpty() || newestFrame.get() != frame;
@@ -77,7 +77,7 @@ public final class InstrumentDock extends JTabbedPane {
         events.setDivergence(divergence);
     }
 
-    private void update(Frame frame) {
+    private void update(SessionFrame frame) {
         if (getSelectedComponent() == split) {
             chart.setFrame(frame);
             diagram.setFrame(frame);

@@ -3,7 +3,7 @@ package faultline.gui.instrument;
 import faultline.control.FollowerState;
 import faultline.control.StateDiagram;
 import faultline.control.StateDiagram.Arrow;
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Antialiasing;
@@ -29,7 +29,7 @@ public final class StateDiagramView extends JComponent {
     private static final Dimension MIN_SIZE = new Dimension(330, 150);
     private static final int PICK_WIDTH = 10;
 
-    private transient Optional<Frame> frame = Optional.empty();
+    private transient Optional<SessionFrame> frame = Optional.empty();
 
     /** A diagram that shows nothing yet. */
     public StateDiagramView() {
@@ -45,7 +45,7 @@ public final class StateDiagramView extends JComponent {
      *
      * @param newest with the recording of its run
      */
-    public void setFrame(Frame newest) {
+    public void setFrame(SessionFrame newest) {
         assert EventQueue.isDispatchThread();
         boolean moved = frame.isEmpty()
                 || frame.get().telemetry().transitions() != newest.telemetry().transitions()
@@ -57,14 +57,14 @@ public final class StateDiagramView extends JComponent {
         repaint();
     }
 
-    private static String accessibleText(Frame newest) {
+    private static String accessibleText(SessionFrame newest) {
         return Messages.get("diagram.now", StateText.name(newest.telemetry().state()))
                 + DiagramPainter.lastTransition(newest)
                         .map(last -> ". " + DiagramPainter.transitionText(last))
                         .orElse("");
     }
 
-    private static boolean isFollower(Frame shown) {
+    private static boolean isFollower(SessionFrame shown) {
         return Arrays.stream(FollowerState.values())
                 .anyMatch(state -> state.name().equals(shown.telemetry().state()));
     }

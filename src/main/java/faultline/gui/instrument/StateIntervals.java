@@ -1,6 +1,6 @@
 package faultline.gui.instrument;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import java.util.ArrayList;
@@ -21,7 +21,7 @@ final class StateIntervals {
     private StateIntervals() {}
 
     /** The stays that reach into a span, in order. */
-    static List<StateInterval> within(Frame frame, TimeSpan span) {
+    static List<StateInterval> within(SessionFrame frame, TimeSpan span) {
         List<StateInterval> stays = new ArrayList<>();
         String state = frame.telemetry().state();
         double end = frame.snapshot().time();

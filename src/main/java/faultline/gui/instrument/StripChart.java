@@ -1,6 +1,6 @@
 package faultline.gui.instrument;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.TextSize;
@@ -84,7 +84,7 @@ public final class StripChart extends JPanel {
      *
      * @param frame with the recording of its run
      */
-    public void setFrame(Frame frame) {
+    public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         updateChoices(frame.snapshot().sensors());
         view.setFrame(frame);

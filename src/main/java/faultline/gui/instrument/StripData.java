@@ -1,6 +1,6 @@
 package faultline.gui.instrument;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.Trace;
 import faultline.engine.recording.TraceLevel;
 import java.util.stream.DoubleStream;
@@ -19,7 +19,7 @@ record StripData(TraceLevel level, long from, long to, double dt) {
     private static final int MAX_BUCKETS_PER_PIXEL = 3;
 
     /** What of a frame's recording lies in a span, for a chart of so many pixels. */
-    static StripData of(Frame frame, TimeSpan span, int pixels) {
+    static StripData of(SessionFrame frame, TimeSpan span, int pixels) {
         Trace trace = frame.recording().trace();
         // At tick 0 the length of a tick does not show, nor matter.
         double dt = frame.snapshot().tick() > 0

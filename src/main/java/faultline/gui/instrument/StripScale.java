@@ -1,6 +1,6 @@
 package faultline.gui.instrument;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.paint.chart.Axis;
 import java.awt.geom.Rectangle2D;
 import java.util.stream.DoubleStream;
@@ -22,7 +22,7 @@ record StripScale(SignalGroup signal, TimeSpan span, Rectangle2D plot, StripData
     private static final int BOTTOM_MARGIN = 22;
 
     /** A chart of a width and height in pixels. */
-    static StripScale of(Frame frame, SignalGroup signal, TimeSpan span, int width, int height) {
+    static StripScale of(SessionFrame frame, SignalGroup signal, TimeSpan span, int width, int height) {
         Rectangle2D plot = new Rectangle2D.Double(
                 LEFT_MARGIN,
                 TOP_MARGIN,

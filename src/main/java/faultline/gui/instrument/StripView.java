@@ -1,6 +1,6 @@
 package faultline.gui.instrument;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
@@ -21,7 +21,7 @@ final class StripView extends JComponent {
 
     private static final Dimension MIN_SIZE = new Dimension(220, 110);
 
-    private transient Optional<Frame> frame = Optional.empty();
+    private transient Optional<SessionFrame> frame = Optional.empty();
     private transient Optional<SignalGroup> signal = Optional.empty();
     private transient TimeSpan span = TimeSpan.DEFAULT;
     private transient OptionalDouble pointer = OptionalDouble.empty();
@@ -36,7 +36,7 @@ final class StripView extends JComponent {
     }
 
     /** Shows a newer frame. */
-    void setFrame(Frame newest) {
+    void setFrame(SessionFrame newest) {
         assert EventQueue.isDispatchThread();
         frame = Optional.of(newest);
         if (!frozen) {

@@ -1,6 +1,6 @@
 package faultline.gui.window;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.RunEvent;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
@@ -41,7 +41,7 @@ final class ComparisonActions {
     }
 
     /** Compares the newest frame, and shows what is new. */
-    void update(Frame frame) {
+    void update(SessionFrame frame) {
         Optional<RunComparison> now = comparisonController.update(frame);
         removeAction.setEnabled(now.isPresent() || comparisonController.isLoading());
         if (!now.equals(shownComparison)) {

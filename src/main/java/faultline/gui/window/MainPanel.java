@@ -1,8 +1,8 @@
 package faultline.gui.window;
 
-import faultline.engine.Frame;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.Session;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.canvas.SimulationCanvas;
@@ -42,7 +42,7 @@ final class MainPanel extends JPanel {
     private final PositionedSplitPane dockSplit;
     private final PositionedSplitPane panelSplit;
     private int dockHeight;
-    private transient Optional<Frame> shownFrame = Optional.empty();
+    private transient Optional<SessionFrame> shownFrame = Optional.empty();
 
     /**
      * Shows nothing yet.
@@ -87,17 +87,17 @@ final class MainPanel extends JPanel {
     }
 
     /** Shows how the run is; the picture is painted anew only where there is a new one. */
-    void setFrame(Frame frame, Session.Status now) {
+    void setFrame(SessionFrame frame, Session.Status now) {
         assert EventQueue.isDispatchThread();
         if (!timeBar.isAdjusting() && (shownFrame.isEmpty() || shownFrame.get() != frame)) {
             shownFrame = Optional.of(frame);
-            canvas.setFrame(frame);
+            canvas.setFrame(frame.frame());
         }
         if (instruments.isVisible()) {
             instruments.setFrame(frame);
         }
         controlPanel.setSnapshot(frame.snapshot());
-        statusBar.setFrame(frame, now);
+        statusBar.setFrame(frame.frame(), now);
     }
 
     /** Shows, from now on, an earlier run beside this one, and where the two first differ. */

@@ -259,7 +259,7 @@ public final class MainWindow extends JFrame {
         runController.status().ifPresent(status -> runController.frame().ifPresent(frame -> {
             mainPanel.setFrame(frame, status);
             undoController.runAdvanced(frame.snapshot().tick());
-            replayNotifier.update(frame);
+            replayNotifier.update(frame.frame());
             comparisonActions.update(frame);
             workspace.scenario().ifPresent(open -> mainPanel
                     .timeBar()

@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.engine.session.SessionFrame;
 import faultline.engine.Frame;
 import faultline.engine.recording.RunEvent;
 import faultline.gui.text.Messages;
@@ -26,7 +27,7 @@ final class TimeBar extends JPanel {
     private final JLabel endTimeLabel = new JLabel(timeText(0));
     private final transient LongConsumer seekHandler;
     private final transient Consumer<Frame> previewHandler;
-    private transient Optional<Frame> newestFrame = Optional.empty();
+    private transient Optional<SessionFrame> newestFrame = Optional.empty();
     private double dt;
     private boolean updating;
 
@@ -56,7 +57,7 @@ final class TimeBar extends JPanel {
     }
 
     /** Shows where the run is, and how far it has been, ticks of {@code newDt} seconds. */
-    void setFrame(Frame frame, long furthest, double newDt) {
+    void setFrame(SessionFrame frame, long furthest, double newDt) {
         assert EventQueue.isDispatchThread();
         newestFrame = Optional.of(frame);
         dt = newDt;

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
@@ -47,7 +47,7 @@ class MemoryGrowthTest {
     void anHourAtFullSpeedNeedsHardlyMoreMemoryThanTwentyMinutes() {
         Map<Long, Long> live = new TreeMap<>();
         try (RecordedSimulation run = RecordedSimulation.replayTo(new Journal(room(), List.of(), 0), 0, tick -> true)) {
-            Frame newest = run.frame();
+            SessionFrame newest = run.frame();
             while (run.ticks() < HOUR_MINUTES * TICKS_PER_MINUTE) {
                 run.tick();
                 newest = run.ticks() % TICKS_PER_FRAME == 0 ? run.frame() : newest;

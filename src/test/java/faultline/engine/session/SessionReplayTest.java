@@ -7,10 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.Journal;
-import faultline.engine.Recording;
 import faultline.engine.SimulationSetup;
+import faultline.engine.recording.Recording;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
@@ -57,7 +57,7 @@ class SessionReplayTest {
 
     private static final ReferenceRun ORIGINAL = ReferenceRun.replay(JOURNAL);
 
-    private static Frame stepTo(Session session, long tick) {
+    private static SessionFrame stepTo(Session session, long tick) {
         while (session.frame().snapshot().tick() < tick) {
             long before = session.frame().snapshot().tick();
             session.step();
@@ -73,7 +73,10 @@ class SessionReplayTest {
         for (long tick : new long[] {0, 1, 399, 400, 401, 699, 700, 1000}) {
             try (Session session = Session.replay(JOURNAL, tick, onward -> true)) {
                 assertEquals(tick, session.frame().snapshot().tick());
-                assertEquals(ORIGINAL.hashTrace().hashAt(tick), session.frame().trajectoryHash(), "at tick " + tick);
+                assertEquals(
+                        ORIGINAL.hashTrace().hashAt(tick),
+                        session.frame().frame().trajectoryHash(),
+                        "at tick " + tick);
                 assertFalse(session.status().running());
             }
         }
@@ -82,7 +85,9 @@ class SessionReplayTest {
     @Test
     void steppingOnDoesAgainWhatWasDone() {
         try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
-            assertEquals(ORIGINAL.hashTrace().hashAt(420), stepTo(session, 420).trajectoryHash());
+            assertEquals(
+                    ORIGINAL.hashTrace().hashAt(420),
+                    stepTo(session, 420).frame().trajectoryHash());
         }
     }
 
@@ -103,7 +108,9 @@ class SessionReplayTest {
         try (Session session = Session.replay(JOURNAL, 398, onward -> true)) {
             session.send(new Command.RemoveObstacle("ghost"));
             assertEquals(JOURNAL, session.fullJournal().get());
-            assertEquals(ORIGINAL.hashTrace().hashAt(420), stepTo(session, 420).trajectoryHash());
+            assertEquals(
+                    ORIGINAL.hashTrace().hashAt(420),
+                    stepTo(session, 420).frame().trajectoryHash());
         }
     }
 
@@ -124,7 +131,7 @@ class SessionReplayTest {
     void steppingBackTwiceLosesNothing() throws Exception {
         try (Session once = Session.replay(JOURNAL, 999, onward -> true);
                 Session twice = Session.replay(once.fullJournal().get(), 398, onward -> true)) {
-            assertEquals(ORIGINAL.hashTrace().hashAt(398), twice.frame().trajectoryHash());
+            assertEquals(ORIGINAL.hashTrace().hashAt(398), twice.frame().frame().trajectoryHash());
             assertEquals(JOURNAL, twice.fullJournal().get());
         }
     }

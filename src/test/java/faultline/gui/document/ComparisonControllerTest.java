@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.session.ReferenceRun;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
@@ -120,7 +120,7 @@ class ComparisonControllerTest {
         runDifferently();
         assertEquals(OptionalLong.of(CHANGED), divergence());
         ReferenceRun ghost = callOnEdt(() -> update().orElseThrow().reference().run());
-        Frame frame = callOnEdt(() -> run.frame().orElseThrow());
+        SessionFrame frame = callOnEdt(() -> run.frame().orElseThrow());
         assertTrue(LongStream.range(0, CHANGED)
                 .allMatch(tick -> ghost.hashTrace().hashAt(tick)
                         == frame.recording().hashTrace().hashAt(tick)));

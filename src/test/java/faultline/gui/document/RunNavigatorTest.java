@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
@@ -239,7 +239,7 @@ class RunNavigatorTest {
 
     private void edit(Command command) {
         Optional<String> before = callOnEdt(edits::undoName);
-        Frame frame = callOnEdt(() -> run.frame().orElseThrow());
+        SessionFrame frame = callOnEdt(() -> run.frame().orElseThrow());
         runOnEdt(() -> {
             edits.beginGesture();
             edits.send(command);

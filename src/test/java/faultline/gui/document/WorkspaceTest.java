@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.scenario.Scenario;
@@ -150,7 +150,7 @@ class WorkspaceTest {
 
     @Test
     void aBrokenFileIsReportedWithItsProblemsAndLeavesTheOldRunUnchanged() throws IOException {
-        Frame before = frame();
+        SessionFrame before = frame();
         Path broken = Files.writeString(folder.resolve("broken.xml"), "<scenario/>");
         runOnEdt(() -> documentStore.open(broken));
         waitFor("the failure", () -> !failures.isEmpty());
@@ -186,7 +186,7 @@ class WorkspaceTest {
                 "the last frame",
                 () -> run.frame().orElseThrow().snapshot().robot().length() == 0.3);
         String hash = Scenario.load(journal).run().trajectoryHash();
-        assertEquals(String.format("%016x", frame().trajectoryHash()), hash);
+        assertEquals(String.format("%016x", frame().frame().trajectoryHash()), hash);
     }
 
     @Test
@@ -266,7 +266,7 @@ class WorkspaceTest {
         runOnEdt(() -> send(new Command.MoveObstacle(OBSTACLE, ELSEWHERE)));
     }
 
-    private Frame frame() {
+    private SessionFrame frame() {
         return callOnEdt(() -> run.frame().orElseThrow());
     }
 

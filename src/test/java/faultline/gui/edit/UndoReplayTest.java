@@ -66,7 +66,7 @@ class UndoReplayTest {
             Journal journal = session.journal().get();
             assertEquals(5, journal.entries().size());
             await(() -> session.frame().snapshot().tick() == journal.ticks());
-            assertEquals(session.frame().trajectoryHash(), replayed(JournalScenario.create(office, journal)));
+            assertEquals(session.frame().frame().trajectoryHash(), replayed(JournalScenario.create(office, journal)));
         }
     }
 

@@ -98,7 +98,7 @@ class ExportControllerTest {
             runOnEdt(run::step);
         }
         Await.until("the last tick", () -> run.frame().orElseThrow().snapshot().tick() == tick);
-        runOnEdt(() -> canvas.setFrame(run.frame().orElseThrow()));
+        runOnEdt(() -> canvas.setFrame(run.frame().orElseThrow().frame()));
     }
 
     @AfterEach

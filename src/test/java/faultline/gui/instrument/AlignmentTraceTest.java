@@ -9,7 +9,7 @@ import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
@@ -22,10 +22,10 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** The t_D/2 instrument: its numbers are the controller's and the run's own. */
 class AlignmentTraceTest {
 
-    private static final Frame FRAME = SampleRuns.frame(2000);
+    private static final SessionFrame FRAME = SampleRuns.frame(2000);
 
     /** The tick of the newest transition to a state. */
-    private static long arrival(Frame frame, FollowerState state) {
+    private static long arrival(SessionFrame frame, FollowerState state) {
         EventLog log = frame.recording().events();
         for (long i = log.endIndex() - 1; i >= 0; i--) {
             if (log.get(i) instanceof RunEvent.StateChanged transition
@@ -54,7 +54,7 @@ class AlignmentTraceTest {
     void theAchievedHeadingIsThatOfTheHandOverAndCloseToThePredictedOne(WallSide hand) {
         SimulationSetup setup =
                 SampleRuns.setup(new ControllerSpec.WallFollowing(0.25, hand, 0, TimingRule.EQUAL_READINGS));
-        Frame frame = SampleRuns.frame(setup, 2000);
+        SessionFrame frame = SampleRuns.frame(setup, 2000);
         AlignmentTrace spin = AlignmentTrace.latest(frame).orElseThrow();
         double handOver = SampleRuns.frame(setup, arrival(frame, FollowerState.ALIGN) + 1)
                 .snapshot()

@@ -5,7 +5,7 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.RunEvent;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -83,7 +83,7 @@ class EventLogViewTest {
 
     @Test
     void enterAndADoubleClickGoToTheMoment() {
-        Frame frame = SampleRuns.frame(310);
+        SessionFrame frame = SampleRuns.frame(310);
         runOnEdt(() -> {
             view.setFrame(frame);
             view.table().setRowSelectionInterval(1, 1);

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.ComponentFinder;
 import java.util.List;
 import java.util.stream.Stream;
@@ -20,11 +20,11 @@ import org.junit.jupiter.api.Test;
 /** The dock without a display. */
 class InstrumentDockTest {
 
-    private static final Frame FRAME = SampleRuns.frame(1000);
+    private static final SessionFrame FRAME = SampleRuns.frame(1000);
 
     private final InstrumentDock dock = callOnEdt(() -> new InstrumentDock(tick -> {}));
 
-    private void poll(Frame frame, int times) {
+    private void poll(SessionFrame frame, int times) {
         runOnEdt(() -> {
             for (int i = 0; i < times; i++) {
                 dock.setFrame(frame);

@@ -1,7 +1,7 @@
 package faultline.gui.instrument;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
@@ -41,11 +41,11 @@ final class SampleRuns {
                 60);
     }
 
-    static Frame frame(long tick) {
+    static SessionFrame frame(long tick) {
         return frame(ROOM_SETUP, tick);
     }
 
-    static Frame frame(SimulationSetup setup, long tick) {
+    static SessionFrame frame(SimulationSetup setup, long tick) {
         try (Session session = Session.replay(new Journal(setup, List.of(), tick), tick, onward -> true)) {
             return session.frame();
         }

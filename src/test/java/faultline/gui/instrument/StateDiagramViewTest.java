@@ -11,7 +11,7 @@ import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
 import faultline.control.StateDiagram;
 import faultline.control.StateDiagram.Arrow;
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Theme;
@@ -27,11 +27,11 @@ class StateDiagramViewTest {
     private static final int WIDTH = 480;
     private static final int HEIGHT = 200;
     private static final DiagramLayout LAYOUT = new DiagramLayout(WIDTH, HEIGHT);
-    private static final Frame FRAME = SampleRuns.frame(2000);
+    private static final SessionFrame FRAME = SampleRuns.frame(2000);
 
     private final StateDiagramView view = callOnEdt(StateDiagramView::new);
 
-    private BufferedImage picture(Frame frame) {
+    private BufferedImage picture(SessionFrame frame) {
         return callOnEdt(() -> {
             view.setFrame(frame);
             return SampleRuns.render(view, WIDTH, HEIGHT);
@@ -46,7 +46,7 @@ class StateDiagramViewTest {
     @Test
     void onlyTheStateThatHoldsIsFilled() {
         for (long tick : new long[] {0, 500, 800, 2000}) {
-            Frame frame = SampleRuns.frame(tick);
+            SessionFrame frame = SampleRuns.frame(tick);
             BufferedImage picture = picture(frame);
             for (FollowerState state : FollowerState.values()) {
                 boolean holds = state.name().equals(frame.telemetry().state());

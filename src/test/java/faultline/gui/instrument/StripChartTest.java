@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.TraceChannels;
 import faultline.gui.ComponentFinder;
 import faultline.gui.theme.Theme;
@@ -28,7 +28,7 @@ class StripChartTest {
 
     private static final int WIDTH = 560;
     private static final int HEIGHT = 220;
-    private static final Frame FRAME = SampleRuns.frame(2000);
+    private static final SessionFrame FRAME = SampleRuns.frame(2000);
 
     private final StripChart chart = callOnEdt(StripChart::new);
 

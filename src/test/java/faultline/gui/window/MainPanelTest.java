@@ -5,7 +5,8 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.Frame;
+import faultline.engine.recording.Recording;
+import faultline.engine.session.SessionFrame;
 import faultline.engine.SampleFrames;
 import faultline.engine.session.Session;
 import faultline.gui.ComponentFinder;
@@ -121,7 +122,7 @@ class MainPanelTest {
             new ComparisonActions(new ComparisonController(bench, run.navigator()), mainPanel)
                     .addTo(actions, Optional::empty);
             menus = Menus.createMenuBar(actions);
-            mainPanel.setFrame(SampleFrames.fullFrame(), PAUSED);
+            mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED);
         });
     }
 
@@ -161,7 +162,7 @@ class MainPanelTest {
     void nothingMovesWhenNumbersChange() {
         runOnEdt(() -> setSizeAndLayOut(1360, 840));
         Map<Component, Rectangle> before = callOnEdt(this::places);
-        Frame frame = SampleFrames.fullFrame();
+        SessionFrame frame = new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY);
         runOnEdt(() -> {
             mainPanel.setFrame(frame, FAST);
             setSizeAndLayOut(1360, 840);

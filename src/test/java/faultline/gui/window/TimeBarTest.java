@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
@@ -70,13 +71,13 @@ class TimeBarTest {
 
     @Test
     void releasingTheThumbSeeksExactlyAndKeepsTheFuture() {
-        long hash = callOnEdt(() -> run.frame().orElseThrow().trajectoryHash());
+        long hash = callOnEdt(() -> run.frame().orElseThrow().frame().trajectoryHash());
         runOnEdt(() -> slider.setValue(15));
         waitForTick(15);
         assertEquals(TICKS, callOnEdt(slider::getMaximum));
         runOnEdt(() -> slider.setValue(TICKS));
         waitForTick(TICKS);
-        assertEquals(hash, callOnEdt(() -> run.frame().orElseThrow().trajectoryHash()));
+        assertEquals(hash, callOnEdt(() -> run.frame().orElseThrow().frame().trajectoryHash()));
     }
 
     @Test
@@ -129,7 +130,7 @@ class TimeBarTest {
 
     private void waitForTick(long tick) {
         Await.until("tick " + tick, () -> {
-            Frame frame = run.frame().orElseThrow();
+            SessionFrame frame = run.frame().orElseThrow();
             bar.setFrame(frame, run.navigator().furthestTick(), DT);
             return frame.snapshot().tick() == tick;
         });

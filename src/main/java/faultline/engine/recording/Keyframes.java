@@ -1,5 +1,6 @@
-package faultline.engine;
+package faultline.engine.recording;
 
+import faultline.engine.Frame;
 import java.util.Optional;
 
 /**

@@ -1,12 +1,11 @@
-package faultline.engine;
+package faultline.engine.recording;
 
 import faultline.control.Telemetry;
-import faultline.engine.recording.EventRecorder;
-import faultline.engine.recording.HashTraceRecorder;
-import faultline.engine.recording.RunEvent;
-import faultline.engine.recording.StateTallyRecorder;
-import faultline.engine.recording.TraceChannels;
-import faultline.engine.recording.TraceRecorder;
+import faultline.engine.CommandListener;
+import faultline.engine.ControllerFactory;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.TickObserver;
 import faultline.world.CommandResult;
 
 /**

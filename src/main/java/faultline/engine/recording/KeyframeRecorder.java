@@ -1,4 +1,6 @@
-package faultline.engine;
+package faultline.engine.recording;
+
+import faultline.engine.Frame;
 
 /** Keeps frames at evenly spaced ticks; whenever there are too many, every second one goes. */
 final class KeyframeRecorder {

@@ -1,9 +1,4 @@
-package faultline.engine;
-
-import faultline.engine.recording.EventLog;
-import faultline.engine.recording.HashTrace;
-import faultline.engine.recording.StateTally;
-import faultline.engine.recording.Trace;
+package faultline.engine.recording;
 
 /**
  * What is remembered of a run up to one moment. Immutable; taking one copies next to nothing.
