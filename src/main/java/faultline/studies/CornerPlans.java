@@ -40,7 +40,7 @@ final class CornerPlans implements Figure {
         }
         plan(sheet, ANGLES.get(0), 0, ROW_HEIGHT * (ROWS.size() - 1))
                 .drawScaleBar(0.5, ANGLES.size() * COLUMN_WIDTH - VIEW_AREA.x() - 24, ROW_HEIGHT - 20);
-        folder.writeSvg("fig6-corners", sheet.drawing());
+        folder.writeSvg("fig6-corners", sheet.surface());
     }
 
     private static void draw(
@@ -54,7 +54,8 @@ final class CornerPlans implements Figure {
         Pose stop = journey.poses().get(secondWallTick(journey));
         journey.setup().robot().sensors().stream()
                 .filter(sensor -> sensor.on() && !sensor.id().equals("left"))
-                .forEach(sensor -> plan.drawCone(nearCone(stop, sensor), 1));
+                .forEach(sensor -> plan.drawCone(
+                        nearCone(stop, sensor), journey.setup().robot().indexOf(sensor.id())));
         plan.drawLine(shown.stream().map(Pose::position).toList(), FigureCanvas.PATH_LINE);
         plan.drawRobot(journey.setup().robot(), shown.get(0), 0.4);
         plan.drawRobot(journey.setup().robot(), shown.get(shown.size() - 1), 1);

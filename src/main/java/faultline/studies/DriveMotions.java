@@ -47,7 +47,7 @@ final class DriveMotions implements Figure {
         for (int i = 0; i < MOTIONS.size(); i++) {
             draw(sheet, MOTIONS.get(i), COLUMN_WIDTH * (i % 4), ROW_HEIGHT * (i / 4));
         }
-        folder.writeSvg("fig2-moves", sheet.drawing());
+        folder.writeSvg("fig2-moves", sheet.surface());
     }
 
     private static void draw(FigureCanvas sheet, DriveMotion move, double x, double y) {

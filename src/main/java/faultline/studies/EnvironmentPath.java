@@ -4,7 +4,6 @@ import faultline.geometry.Vector2;
 import faultline.paint.scene.PlanView;
 import faultline.paint.surface.PixelRectangle;
 import faultline.world.Collision;
-import faultline.world.WorldSpec;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 
@@ -28,15 +27,11 @@ record EnvironmentPath(String name, String scenario, Rectangle2D bounds) impleme
         double height = scale * bounds.getHeight();
         FigureCanvas sheet = new FigureCanvas(WIDTH, (int) Math.ceil(height + 2 * MARGIN + FOOTER));
         PlanView plan = sheet.addPlan(new PixelRectangle(MARGIN, MARGIN, WIDTH - 2 * MARGIN, height), bounds);
-        WorldSpec world = journey.setup().world();
-        if (world.enclosed()) {
-            plan.drawEnclosure(world.width(), world.height());
-        }
-        world.obstacles().forEach(plan::drawObstacle);
+        plan.drawWorld(journey.setup().world());
         plan.drawLine(journey.path(), FigureCanvas.PATH_LINE);
         plan.drawRobot(journey.setup().robot(), journey.setup().start(), 0.4);
         plan.drawRobot(journey.setup().robot(), journey.lastPose(), 1);
-        journey.result().collision().ifPresent(collision -> plan.drawCircle(collision.point(), 7));
+        journey.result().collision().ifPresent(collision -> plan.drawRing(collision.point(), 7));
         plan.drawLabel(
                 "start",
                 journey.setup().start().position().plus(new Vector2(0.1, -0.3)),
@@ -45,7 +40,7 @@ record EnvironmentPath(String name, String scenario, Rectangle2D bounds) impleme
                 FigureCanvas.SMALL_TEXT);
         plan.drawScaleBar(bounds.getWidth() > 5 ? 1 : 0.5, WIDTH - 2 * MARGIN, height + 40);
         sheet.addText(captionOf(journey), MARGIN, height + MARGIN + 40, FigureCanvas.TEXT_STYLE);
-        folder.writeSvg(name, sheet.drawing());
+        folder.writeSvg(name, sheet.surface());
     }
 
     private static String captionOf(RunTrace journey) {

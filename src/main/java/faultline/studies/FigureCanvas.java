@@ -7,7 +7,7 @@ import faultline.paint.scene.PlanView;
 import faultline.paint.surface.ChartStyle;
 import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;
-import faultline.paint.surface.SvgDrawing;
+import faultline.paint.surface.SvgSurface;
 import faultline.paint.surface.TextStyle;
 import faultline.paint.surface.TextStyle.Anchor;
 import java.awt.Color;
@@ -24,27 +24,27 @@ final class FigureCanvas {
     static final LineStyle THIN_LINE = LineStyle.solid(FOREGROUND, 1);
     static final LineStyle PATH_LINE = LineStyle.solid(THEME.series().get(0), 1.8);
 
-    private final SvgDrawing drawing;
+    private final SvgSurface surface;
 
     FigureCanvas(int width, int height) {
-        drawing = new SvgDrawing(width, height, THEME.palette().canvas());
+        surface = new SvgSurface(width, height, THEME.palette().canvas());
     }
 
-    SvgDrawing drawing() {
-        return drawing;
+    SvgSurface surface() {
+        return surface;
     }
 
     /** A part of the world in an area. */
     PlanView addPlan(PixelRectangle area, Rectangle2D bounds) {
-        return new PlanView(drawing, area, bounds, THEME);
+        return new PlanView(surface, area, bounds, THEME);
     }
 
     void addChart(Chart chart, PixelRectangle area) {
-        ChartPainter.paint(drawing, chart, area, THEME);
+        ChartPainter.paint(surface, chart, area, THEME);
     }
 
     void addText(String text, double x, double y, TextStyle style) {
-        drawing.drawText(text, new Vector2(x, y), style);
+        surface.drawText(text, new Vector2(x, y), style);
     }
 
     /** Lines of text, one below the other, about a middle. */
@@ -55,9 +55,9 @@ final class FigureCanvas {
     }
 
     /** A chart on a sheet of its own. */
-    static SvgDrawing drawChart(Chart chart, int width, int height) {
+    static SvgSurface drawChart(Chart chart, int width, int height) {
         FigureCanvas sheet = new FigureCanvas(width, height);
         sheet.addChart(chart, new PixelRectangle(0, 4, width, height - 8));
-        return sheet.drawing;
+        return sheet.surface;
     }
 }

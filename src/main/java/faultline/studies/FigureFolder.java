@@ -1,7 +1,7 @@
 package faultline.studies;
 
 import faultline.io.AtomicFile;
-import faultline.paint.surface.SvgDrawing;
+import faultline.paint.surface.SvgSurface;
 import faultline.paint.surface.SvgTheme;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -24,8 +24,8 @@ record FigureFolder(Path path, SvgTheme appearance) {
     }
 
     /** Writes a picture. */
-    void writeSvg(String name, SvgDrawing drawing) throws IOException {
-        write(name + ".svg", drawing.toSvg(appearance));
+    void writeSvg(String name, SvgSurface surface) throws IOException {
+        write(name + ".svg", surface.toSvg(appearance));
     }
 
     /** Writes a table. */

@@ -5,7 +5,7 @@ import faultline.geometry.Vector2;
 import faultline.paint.chart.Axis;
 import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
-import faultline.paint.surface.SvgDrawing;
+import faultline.paint.surface.SvgSurface;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -87,7 +87,7 @@ record ParameterSweep(
         return table;
     }
 
-    private SvgDrawing createFigure(List<TrialPoint> points) {
+    private SvgSurface createFigure(List<TrialPoint> points) {
         List<TrialPoint> letter = points.stream()
                 .filter(point -> point.timing() == TimingRule.RANGE)
                 .toList();

@@ -30,7 +30,7 @@ final class PoseAndReferenceFrames implements Figure {
         ownFrame(plan);
         coordinates(plan);
         velocities(plan);
-        folder.writeSvg("fig3-frames", sheet.drawing());
+        folder.writeSvg("fig3-frames", sheet.surface());
     }
 
     private static void globalFrame(PlanView plan) {

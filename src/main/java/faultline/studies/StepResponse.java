@@ -36,7 +36,7 @@ final class StepResponse implements Figure {
         FigureCanvas sheet = new FigureCanvas(920, 360);
         sheet.addChart(controllerChart(table), new PixelRectangle(0, 4, 460, 352));
         sheet.addChart(followerChart(table), new PixelRectangle(460, 4, 460, 352));
-        folder.writeSvg("pd-step", sheet.drawing());
+        folder.writeSvg("pd-step", sheet.surface());
         folder.writeCsv("pd-step", table);
     }
 

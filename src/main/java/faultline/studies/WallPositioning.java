@@ -46,7 +46,7 @@ final class WallPositioning implements Figure {
             draw(sheet, journey, moments.get(i), COLUMN_WIDTH * i);
         }
         sheet.addChart(chart(journey, run, moments), new PixelRectangle(0, 272, 5 * COLUMN_WIDTH, 264));
-        folder.writeSvg("fig4-positioning", sheet.drawing());
+        folder.writeSvg("fig4-positioning", sheet.surface());
         folder.writeCsv("fig4-positioning", table(journey, moments));
     }
 
@@ -85,7 +85,7 @@ final class WallPositioning implements Figure {
         plan.drawLine(
                 List.of(new Vector2(left, 2.5), new Vector2(left + SHOWN_LENGTH, 2.5)),
                 LineStyle.solid(FigureCanvas.THEME.palette().obstacleOutline(), 3));
-        plan.drawCone(cone, 1);
+        plan.drawCone(cone, journey.setup().robot().indexOf(sensor.id()));
         plan.drawRobot(journey.setup().robot(), pose, 1);
         double middle = x + COLUMN_WIDTH / 2.0;
         sheet.addText(

@@ -1,8 +1,10 @@
 package faultline.gui.instrument;
 
+import faultline.geometry.Vector2;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.ThemeColours;
+import faultline.paint.surface.Shapes;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -10,7 +12,6 @@ import java.awt.Stroke;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 
 /**
  * The headings of a spin seen from above, as on the canvas: the sector of t_D, its middle broken, the robot's heading
@@ -82,17 +83,8 @@ final class AlignmentDial {
 
     private void paintNeedle(double heading) {
         paintRay(heading, theme.palette().robotOutline(), Antialiasing.roundStroke(2.5));
-        double dx = Math.cos(heading);
-        double dy = -Math.sin(heading);
-        Path2D head = new Path2D.Double();
-        head.moveTo(x + radius * dx, y + radius * dy);
-        head.lineTo(
-                x + (radius - ARROWHEAD_SIZE) * dx - ARROWHEAD_SIZE / 2 * dy,
-                y + (radius - ARROWHEAD_SIZE) * dy + ARROWHEAD_SIZE / 2 * dx);
-        head.lineTo(
-                x + (radius - ARROWHEAD_SIZE) * dx + ARROWHEAD_SIZE / 2 * dy,
-                y + (radius - ARROWHEAD_SIZE) * dy - ARROWHEAD_SIZE / 2 * dx);
-        head.closePath();
-        g.fill(head);
+        Vector2 direction = new Vector2(Math.cos(heading), -Math.sin(heading));
+        g.fill(Shapes.arrowhead(
+                new Vector2(x, y).plus(direction.times(radius)), direction, ARROWHEAD_SIZE, ARROWHEAD_SIZE));
     }
 }

@@ -5,12 +5,13 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.GraphicsSurface;
+import faultline.paint.surface.PixelRectangle;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Font;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -89,12 +90,12 @@ public final class AlignmentView extends JComponent {
         double radius = Math.min(90, height / 2 - 16);
         double numbers = width - NUMBERS_WIDTH;
         double dial = numbers - GAP - radius;
-        Rectangle2D plot = new Rectangle2D.Double(
+        PixelRectangle plot = new PixelRectangle(
                 LEFT_MARGIN,
                 TOP_MARGIN,
                 Math.max(1, dial - radius - GAP - LEFT_MARGIN),
                 Math.max(1, height - TOP_MARGIN - BOTTOM_MARGIN));
-        new AlignmentChart(g, Theme.current(), shown, plot).paint();
+        new AlignmentChart(new GraphicsSurface(g), Theme.current(), shown, plot).paint();
         new AlignmentDial(g, Theme.current(), dial, height / 2, radius).paint(shown);
         paintNumbers(g, numbers, height);
     }

@@ -1,10 +1,10 @@
 package faultline.gui.instrument;
 
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.ChartStyle;
 import faultline.paint.surface.DashPattern;
-import java.awt.BasicStroke;
+import faultline.paint.surface.LineStyle;
 import java.awt.Color;
-import java.awt.Stroke;
 import java.util.List;
 import java.util.function.Function;
 
@@ -18,7 +18,7 @@ import java.util.function.Function;
  */
 record ChartLine(String name, int channel, Function<Theme, Color> colour, DashPattern dash) {
 
-    private static final float LINE_WIDTH = 1.6f;
+    private static final double LINE_WIDTH = 1.6;
 
     /** A line in one of the colours of charts, counted from 0. */
     static ChartLine seriesLine(String name, int channel, int series, DashPattern dash) {
@@ -26,20 +26,11 @@ record ChartLine(String name, int channel, Function<Theme, Color> colour, DashPa
     }
 
     private static List<Color> series(Theme theme) {
-        return (theme == Theme.DARK
-                        ? faultline.paint.surface.ChartStyle.DARK
-                        : faultline.paint.surface.ChartStyle.LIGHT)
-                .series();
+        return (theme == Theme.DARK ? ChartStyle.DARK : ChartStyle.LIGHT).series();
     }
 
-    Stroke stroke() {
-        if (dash == DashPattern.SOLID) {
-            return new BasicStroke(LINE_WIDTH, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
-        }
-        float[] lengths = new float[dash.lengths().size()];
-        for (int i = 0; i < lengths.length; i++) {
-            lengths[i] = dash.lengths().get(i).floatValue();
-        }
-        return new BasicStroke(LINE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, lengths, 0);
+    /** Returns the style of this line in the colours of a theme. */
+    LineStyle style(Theme theme) {
+        return new LineStyle(colour.apply(theme), LINE_WIDTH, dash);
     }
 }

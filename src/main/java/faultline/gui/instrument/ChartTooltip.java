@@ -2,6 +2,7 @@ package faultline.gui.instrument;
 
 import faultline.engine.recording.TraceLevel;
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.PixelRectangle;
 import java.awt.BasicStroke;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
@@ -61,19 +62,23 @@ final class ChartTooltip {
     }
 
     void paint(Graphics2D g, Theme theme) {
-        double x = chart.x(chart.data().timeOf(bucket));
+        double x = chart.plot().x(chart.data().timeOf(bucket));
         g.setColor(theme.palette().muted());
         g.setStroke(new BasicStroke(1));
-        g.draw(new Line2D.Double(x, chart.plot().getY(), x, chart.plot().getMaxY()));
+        g.draw(new Line2D.Double(x, area().y(), x, area().y() + area().height()));
         chart.signal().lines().forEach(curve -> paintDot(g, theme, curve, x));
         paintBackground(g, theme, x);
+    }
+
+    private PixelRectangle area() {
+        return chart.plot().area();
     }
 
     private void paintDot(Graphics2D g, Theme theme, ChartLine curve, double x) {
         float value = chart.data().level().max(curve.channel(), bucket);
         if (Float.isFinite(value)) {
             g.setColor(curve.colour().apply(theme));
-            g.fill(new Ellipse2D.Double(x - 3, chart.y(value) - 3, 6, 6));
+            g.fill(new Ellipse2D.Double(x - 3, chart.plot().y(value) - 3, 6, 6));
         }
     }
 
@@ -82,20 +87,19 @@ final class ChartTooltip {
         FontMetrics metrics = g.getFontMetrics();
         List<String> lines = lines();
         double width = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0) + 2 * PADDING;
-        double beside = x + POINTER_DISTANCE + width < chart.plot().getMaxX()
+        double beside = x + POINTER_DISTANCE + width < area().x() + area().width()
                 ? x + POINTER_DISTANCE
                 : x - POINTER_DISTANCE - width;
-        double left = Math.max(beside, chart.plot().getX());
-        Shape plate = new RoundRectangle2D.Double(
-                left, chart.plot().getY() + 4, width, lines.size() * ROW_HEIGHT + PADDING, 6, 6);
+        double left = Math.max(beside, area().x());
+        Shape plate =
+                new RoundRectangle2D.Double(left, area().y() + 4, width, lines.size() * ROW_HEIGHT + PADDING, 6, 6);
         g.setColor(theme.palette().canvas());
         g.fill(plate);
         g.setColor(theme.colours().border());
         g.draw(plate);
         g.setColor(theme.palette().text());
         for (int i = 0; i < lines.size(); i++) {
-            g.drawString(lines.get(i), (float) (left + PADDING), (float)
-                    (chart.plot().getY() + 4 + (i + 1) * ROW_HEIGHT - 1));
+            g.drawString(lines.get(i), (float) (left + PADDING), (float) (area().y() + 4 + (i + 1) * ROW_HEIGHT - 1));
         }
     }
 }

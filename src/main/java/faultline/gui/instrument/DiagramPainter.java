@@ -13,10 +13,12 @@ import faultline.gui.text.StateText;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.ThemeColours;
+import faultline.paint.chart.StateDiagramLayout;
+import faultline.paint.surface.GraphicsSurface;
+import faultline.paint.surface.LineStyle;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Locale;
 import java.util.Optional;
@@ -32,12 +34,12 @@ final class DiagramPainter {
 
     private final Graphics2D g;
     private final ThemeColours colours;
-    private final DiagramLayout layout;
+    private final StateDiagramLayout layout;
     private final SessionFrame frame;
     private final StateTally tally;
     private final double dt;
 
-    DiagramPainter(Graphics2D g, DiagramLayout layout, Theme theme, SessionFrame frame) {
+    DiagramPainter(Graphics2D g, StateDiagramLayout layout, Theme theme, SessionFrame frame) {
         this.g = g;
         this.layout = layout;
         this.colours = theme.colours();
@@ -102,12 +104,11 @@ final class DiagramPainter {
     }
 
     private void paintArrow(Arrow arrow, boolean lit) {
-        DiagramLayout.ArrowRoute route = layout.route(arrow);
-        Color colour = lit ? colours.accent() : colours.border();
-        g.setColor(colour);
-        g.setStroke(Antialiasing.roundStroke(lit ? 3 : 1.3));
-        g.draw(route.shaft());
-        g.fill(arrowhead(route, lit ? ARROWHEAD_SIZE * 1.4 : ARROWHEAD_SIZE));
+        StateDiagramLayout.ArrowRoute route = layout.route(arrow);
+        route.paint(
+                new GraphicsSurface(g),
+                LineStyle.solid(lit ? colours.accent() : colours.border(), lit ? 3 : 1.3),
+                lit ? ARROWHEAD_SIZE * 1.4 : ARROWHEAD_SIZE);
         long count = tally.transitionCount(arrow.from().name(), arrow.to().name());
         if (count > 0) {
             drawCentred(
@@ -117,19 +118,6 @@ final class DiagramPainter {
                     lit ? SMALL_FONT.deriveFont(Font.BOLD) : SMALL_FONT,
                     lit ? colours.accent() : colours.muted());
         }
-    }
-
-    private static Path2D arrowhead(DiagramLayout.ArrowRoute route, double size) {
-        double x = route.tip().x();
-        double y = route.tip().y();
-        double dx = route.direction().x() * size;
-        double dy = route.direction().y() * size;
-        Path2D head = new Path2D.Double();
-        head.moveTo(x, y);
-        head.lineTo(x - dx - dy / 2, y - dy + dx / 2);
-        head.lineTo(x - dx + dy / 2, y - dy - dx / 2);
-        head.closePath();
-        return head;
     }
 
     private void paintState(FollowerState state) {

@@ -9,6 +9,8 @@ import faultline.gui.text.StateText;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.paint.chart.StateDiagramLayout;
+import faultline.paint.surface.PixelRectangle;
 import java.awt.BasicStroke;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -73,8 +75,8 @@ public final class StateDiagramView extends JComponent {
         return TextSize.imageScale(getWidth(), getHeight(), MIN_SIZE);
     }
 
-    private DiagramLayout currentLayout() {
-        return new DiagramLayout(getWidth() / scale(), getHeight() / scale());
+    private StateDiagramLayout currentLayout() {
+        return new StateDiagramLayout(new PixelRectangle(0, 0, getWidth() / scale(), getHeight() / scale()));
     }
 
     @Override

@@ -66,7 +66,7 @@ final class StripLegend extends JComponent {
 
     private double paint(Graphics2D g, ChartLine curve, double x) {
         g.setColor(curve.colour().apply(Theme.current()));
-        g.setStroke(curve.stroke());
+        g.setStroke(curve.style(Theme.current()).stroke());
         double middle = getHeight() / 2.0;
         g.draw(new Line2D.Double(x, middle, x + SAMPLE_WIDTH, middle));
         g.setColor(Theme.currentColours().text());

@@ -1,18 +1,18 @@
 package faultline.gui.instrument;
 
+import faultline.geometry.Vector2;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Theme;
-import faultline.paint.chart.Axis;
-import java.awt.BasicStroke;
-import java.awt.Color;
-import java.awt.Font;
-import java.awt.FontMetrics;
-import java.awt.Graphics2D;
-import java.awt.Shape;
-import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
+import faultline.paint.chart.PlotPainter;
+import faultline.paint.chart.TickStyle;
+import faultline.paint.surface.LineStyle;
+import faultline.paint.surface.PixelRectangle;
+import faultline.paint.surface.Surface;
+import faultline.paint.surface.TextStyle;
+import faultline.paint.surface.TextStyle.Anchor;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.List;
 
 /** Paints a strip chart: the ribbon of states, axes and lines. */
@@ -21,118 +21,69 @@ final class StripPainter {
     private static final int RIBBON_GAP = 6;
     private static final int RIBBON_HEIGHT = 15;
 
-    private final Graphics2D g;
+    private final Surface surface;
     private final Theme theme;
     private final StripScale scale;
-    private final Rectangle2D plot;
+    private final PixelRectangle area;
+    private final TextStyle textStyle;
+    private final TextStyle mutedStyle;
 
-    /** A painter of one picture; the graphics paints smooth edges. */
-    StripPainter(Graphics2D g, Theme theme, StripScale scale) {
-        this.g = g;
+    StripPainter(Surface surface, Theme theme, StripScale scale) {
+        this.surface = surface;
         this.theme = theme;
         this.scale = scale;
-        this.plot = scale.plot();
-        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 11));
+        this.area = scale.plot().area();
+        textStyle = TextStyle.plain(11, theme.palette().text());
+        mutedStyle = TextStyle.plain(11, theme.palette().muted());
     }
 
-    void paint(List<StateIntervals.StateInterval> stays) {
-        stays.forEach(this::paintState);
-        paintGrid();
-        Shape clip = g.getClip();
-        g.clip(plot);
-        scale.signal().lines().forEach(this::paintLine);
-        g.setClip(clip);
+    void paint(List<StateIntervals.StateInterval> intervals) {
+        intervals.forEach(this::paintState);
+        PlotPainter painter = new PlotPainter(surface, scale.plot());
+        painter.paintGrid(LineStyle.solid(theme.palette().gridMajor(), 1));
+        painter.paintTicks(new TickStyle(mutedStyle, 0, 6, 15, " s"));
+        surface.drawText(scale.signal().unit(), new Vector2(4, RIBBON_GAP + 12), mutedStyle);
+        scale.signal().lines().forEach(line -> painter.paintLine(values(line), line.style(theme)));
         if (scale.isEmpty()) {
-            String none = Messages.get("strip.none");
-            drawText(
-                    none,
-                    plot.getCenterX() - g.getFontMetrics().stringWidth(none) / 2.0,
-                    plot.getCenterY() - 4,
-                    theme.palette().muted());
+            surface.drawText(
+                    Messages.get("strip.none"),
+                    area.pointAt(0.5, 0.5).minus(new Vector2(0, 4)),
+                    mutedStyle.withAnchor(Anchor.MIDDLE));
         }
     }
 
-    private void drawText(String text, double x, double y, Color colour) {
-        g.setColor(colour);
-        g.drawString(text, (float) x, (float) y);
-    }
-
-    /** A state's name stands in its piece of the ribbon where there is room. */
-    private void paintState(StateIntervals.StateInterval stay) {
-        double from = Math.max(plot.getX(), scale.x(stay.start()));
-        double to = Math.min(plot.getMaxX(), scale.x(stay.end()));
+    /** Paints a section of the ribbon, with the name of the state if there is room for it. */
+    private void paintState(StateIntervals.StateInterval interval) {
+        double from = Math.max(area.x(), scale.plot().x(interval.start()));
+        double to = Math.min(area.x() + area.width(), scale.plot().x(interval.end()));
         if (to <= from) {
             return;
         }
-        g.setColor(theme.colours().hover());
-        g.fill(new Rectangle2D.Double(from, RIBBON_GAP, to - from, RIBBON_HEIGHT));
-        g.setColor(theme.palette().muted());
-        g.fill(new Rectangle2D.Double(from, RIBBON_GAP, 1.5, RIBBON_HEIGHT));
-        String name = StateText.name(stay.state());
-        double room = to - from - g.getFontMetrics().stringWidth(name);
-        if (room > 8) {
-            drawText(name, from + room / 2, RIBBON_GAP + 12, theme.palette().text());
+        surface.fill(
+                new Rectangle2D.Double(from, RIBBON_GAP, to - from, RIBBON_HEIGHT),
+                theme.colours().hover());
+        surface.fill(
+                new Rectangle2D.Double(from, RIBBON_GAP, 1.5, RIBBON_HEIGHT),
+                theme.palette().muted());
+        String name = StateText.name(interval.state());
+        if (to - from - textStyle.estimateWidth(name) > 8) {
+            surface.drawText(name, new Vector2((from + to) / 2, RIBBON_GAP + 12), textStyle.withAnchor(Anchor.MIDDLE));
         }
     }
 
-    private void paintGrid() {
-        FontMetrics metrics = g.getFontMetrics();
-        g.setStroke(new BasicStroke(1));
-        for (double tick : scale.values().ticks()) {
-            drawGridLine(plot.getX(), scale.y(tick), plot.getMaxX(), scale.y(tick));
-            String name = Axis.formatTick(tick);
-            drawText(
-                    name,
-                    plot.getX() - 6 - metrics.stringWidth(name),
-                    scale.y(tick) + 4,
-                    theme.palette().muted());
+    /** Returns the values of a line, each bucket from its least to its greatest; a bucket without any is a gap. */
+    private List<Vector2> values(ChartLine line) {
+        StripData data = scale.data();
+        List<Vector2> values = new ArrayList<>();
+        for (long bucket = data.from(); bucket < data.to(); bucket++) {
+            double time = data.timeOf(bucket);
+            float low = data.level().min(line.channel(), bucket);
+            float high = data.level().max(line.channel(), bucket);
+            values.add(new Vector2(time, low));
+            if (high > low) {
+                values.add(new Vector2(time, high));
+            }
         }
-        for (double tick :
-                Axis.linear("s", scale.span().start(), scale.span().end()).ticks()) {
-            drawGridLine(scale.x(tick), plot.getY(), scale.x(tick), plot.getMaxY());
-            String name = Axis.formatTick(tick) + " s";
-            drawText(
-                    name,
-                    scale.x(tick) - metrics.stringWidth(name) / 2.0,
-                    plot.getMaxY() + 15,
-                    theme.palette().muted());
-        }
-        drawText(scale.signal().unit(), 4, RIBBON_GAP + 12, theme.palette().muted());
-    }
-
-    private void drawGridLine(double x0, double y0, double x1, double y1) {
-        g.setColor(theme.palette().gridMajor());
-        g.draw(new Line2D.Double(x0, y0, x1, y1));
-    }
-
-    private void paintLine(ChartLine curve) {
-        g.setColor(curve.colour().apply(theme));
-        g.setStroke(curve.stroke());
-        Path2D line = new Path2D.Double();
-        boolean drawing = false;
-        for (long bucket = scale.data().from(); bucket < scale.data().to(); bucket++) {
-            float low = scale.data().level().min(curve.channel(), bucket);
-            drawing = Float.isFinite(low)
-                    && appendRange(
-                            line,
-                            drawing,
-                            scale.data().timeOf(bucket),
-                            low,
-                            scale.data().level().max(curve.channel(), bucket));
-        }
-        g.draw(line);
-    }
-
-    private boolean appendRange(Path2D line, boolean drawing, double time, float low, float high) {
-        if (drawing) {
-            line.lineTo(scale.x(time), scale.y(low));
-        } else {
-            line.moveTo(scale.x(time), scale.y(low));
-            line.lineTo(scale.x(time), scale.y(low));
-        }
-        if (high > low) {
-            line.lineTo(scale.x(time), scale.y(high));
-        }
-        return true;
+        return values;
     }
 }

@@ -2,37 +2,37 @@ package faultline.gui.instrument;
 
 import faultline.engine.session.SessionFrame;
 import faultline.paint.chart.Axis;
-import java.awt.geom.Rectangle2D;
+import faultline.paint.chart.Plot;
+import faultline.paint.surface.PixelRectangle;
 import java.util.stream.DoubleStream;
 
 /**
- * What a strip chart of a certain size shows, and where on it times and values are.
+ * The content of a strip chart and its plot.
  *
- * @param signal what is shown
- * @param span when
- * @param plot the rectangle of the lines, pixels
- * @param data what is recorded of it
- * @param values the axis upwards
+ * @param signal the lines
+ * @param data their recorded values
+ * @param plot the rectangle of the lines, with its axes of time and value
  */
-record StripScale(SignalGroup signal, TimeSpan span, Rectangle2D plot, StripData data, Axis values) {
+record StripScale(SignalGroup signal, StripData data, Plot plot) {
 
     static final int LEFT_MARGIN = 46;
     static final int RIGHT_MARGIN = 14;
     private static final int TOP_MARGIN = 28;
     private static final int BOTTOM_MARGIN = 22;
 
-    /** A chart of a width and height in pixels. */
+    /** Returns the scale of a chart; width and height in pixels. */
     static StripScale of(SessionFrame frame, SignalGroup signal, TimeSpan span, int width, int height) {
-        Rectangle2D plot = new Rectangle2D.Double(
+        PixelRectangle area = new PixelRectangle(
                 LEFT_MARGIN,
                 TOP_MARGIN,
                 Math.max(1, width - LEFT_MARGIN - RIGHT_MARGIN),
                 Math.max(1, height - TOP_MARGIN - BOTTOM_MARGIN));
-        StripData data = StripData.of(frame, span, (int) plot.getWidth());
-        return new StripScale(signal, span, plot, data, createAxis(signal, data));
+        StripData data = StripData.of(frame, span, (int) area.width());
+        Axis time = Axis.linear("s", span.start(), span.end());
+        return new StripScale(signal, data, new Plot(area, time, createAxis(signal, data)));
     }
 
-    /** Zero is always shown, so that the chart's heights are honest. */
+    /** Returns an axis that includes zero, so that the heights of the chart can be compared. */
     private static Axis createAxis(SignalGroup signal, StripData data) {
         double[] values = values(signal, data).toArray();
         boolean flat = DoubleStream.of(values).allMatch(value -> value == 0);
@@ -45,16 +45,8 @@ record StripScale(SignalGroup signal, TimeSpan span, Rectangle2D plot, StripData
         return signal.lines().stream().flatMapToDouble(data::values);
     }
 
-    /** Whether there is nothing to draw. */
+    /** Returns whether there is nothing to draw. */
     boolean isEmpty() {
         return values(signal, data).findAny().isEmpty();
-    }
-
-    double x(double time) {
-        return plot.getX() + span.shareOf(time) * plot.getWidth();
-    }
-
-    double y(double value) {
-        return plot.getMaxY() - values.fractionOf(value) * plot.getHeight();
     }
 }

@@ -5,6 +5,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.GraphicsSurface;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
@@ -106,7 +107,8 @@ final class StripView extends JComponent {
     }
 
     private void paint(Graphics2D g, StripScale scale) {
-        new StripPainter(g, Theme.current(), scale).paint(StateIntervals.within(frame.get(), span));
+        new StripPainter(new GraphicsSurface(g), Theme.current(), scale)
+                .paint(StateIntervals.within(frame.get(), span));
         tooltip(scale).ifPresent(out -> out.paint(g, Theme.current()));
     }
 

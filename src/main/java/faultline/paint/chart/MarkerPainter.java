@@ -2,41 +2,40 @@ package faultline.paint.chart;
 
 import faultline.geometry.Vector2;
 import faultline.paint.surface.ChartStyle;
-import faultline.paint.surface.Drawing;
 import faultline.paint.surface.LineStyle;
+import faultline.paint.surface.Shapes;
+import faultline.paint.surface.Surface;
 import java.util.List;
 
-/** The shapes of single points, told apart without colour. */
+/** Paints the markers of single points. Their shapes differ, so that they can be distinguished without colour. */
 final class MarkerPainter {
 
     private static final double RADIUS = 3;
 
     private MarkerPainter() {}
 
-    static void paint(Drawing drawing, Vector2 at, int style, ChartStyle theme) {
-        LineStyle pen = LineStyle.solid(theme.series(style), 1.3);
-        switch (style % 4) {
-            case 0 -> drawing.fillCircle(at, RADIUS - 0.3, theme.series(style));
+    static void paint(Surface surface, Vector2 at, int index, ChartStyle style) {
+        LineStyle line = LineStyle.solid(style.series(index), 1.3);
+        switch (index % 4) {
+            case 0 -> surface.fill(Shapes.circle(at, RADIUS - 0.3), style.series(index));
             case 1 ->
-                drawing.drawPolyline(
-                        List.of(
+                surface.draw(
+                        Shapes.polygon(List.of(
                                 offset(at, -RADIUS, -RADIUS),
                                 offset(at, RADIUS, -RADIUS),
                                 offset(at, RADIUS, RADIUS),
-                                offset(at, -RADIUS, RADIUS)),
-                        true,
-                        pen);
+                                offset(at, -RADIUS, RADIUS))),
+                        line);
             case 2 ->
-                drawing.drawPolyline(
-                        List.of(
+                surface.draw(
+                        Shapes.polygon(List.of(
                                 offset(at, 0, -RADIUS - 1),
                                 offset(at, RADIUS + 0.6, RADIUS),
-                                offset(at, -RADIUS - 0.6, RADIUS)),
-                        true,
-                        pen);
+                                offset(at, -RADIUS - 0.6, RADIUS))),
+                        line);
             default -> {
-                drawing.drawPolyline(List.of(offset(at, -RADIUS, -RADIUS), offset(at, RADIUS, RADIUS)), false, pen);
-                drawing.drawPolyline(List.of(offset(at, -RADIUS, RADIUS), offset(at, RADIUS, -RADIUS)), false, pen);
+                surface.draw(Shapes.polyline(List.of(offset(at, -RADIUS, -RADIUS), offset(at, RADIUS, RADIUS))), line);
+                surface.draw(Shapes.polyline(List.of(offset(at, -RADIUS, RADIUS), offset(at, RADIUS, -RADIUS))), line);
             }
         }
     }

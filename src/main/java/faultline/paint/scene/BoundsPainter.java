@@ -1,7 +1,6 @@
 package faultline.paint.scene;
 
 import faultline.paint.surface.DrawContext;
-import faultline.world.Snapshot;
 import java.awt.BasicStroke;
 import java.awt.Stroke;
 import java.awt.geom.Rectangle2D;
@@ -21,10 +20,10 @@ final class BoundsPainter {
 
     private BoundsPainter() {}
 
-    static void paint(DrawContext brush, Snapshot world) {
-        Rectangle2D inside = brush.toScreen(new Rectangle2D.Double(0, 0, world.width(), world.height()))
-                .getBounds2D();
-        if (world.enclosed()) {
+    static void paint(DrawContext brush, double width, double height, boolean enclosed) {
+        Rectangle2D inside =
+                brush.toScreen(new Rectangle2D.Double(0, 0, width, height)).getBounds2D();
+        if (enclosed) {
             brush.draw(expanded(inside, BAND_WIDTH / 2), brush.palette().obstacle(), BAND_STROKE);
             brush.draw(inside, brush.palette().obstacleOutline(), EDGE_STROKE);
             brush.draw(expanded(inside, BAND_WIDTH), brush.palette().obstacleOutline(), EDGE_STROKE);

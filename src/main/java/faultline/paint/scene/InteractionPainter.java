@@ -5,6 +5,7 @@ import faultline.geometry.RigidMotion;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
+import faultline.paint.surface.Shapes;
 import faultline.robot.RobotSpec;
 import faultline.world.Obstacle;
 import java.awt.Color;
@@ -100,7 +101,7 @@ public final class InteractionPainter {
      */
     public static void paintSketch(DrawContext brush, List<Vector2> points, boolean closed) {
         List<Vector2> places = points.stream().map(brush.camera()::toScreen).toList();
-        Path2D line = ObstacleOutlines.polyline(places);
+        Path2D line = Shapes.polyline(places);
         if (closed) {
             line.closePath();
         }

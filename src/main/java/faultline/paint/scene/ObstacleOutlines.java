@@ -3,6 +3,7 @@ package faultline.paint.scene;
 import faultline.geometry.Pose;
 import faultline.geometry.RigidMotion;
 import faultline.geometry.Vector2;
+import faultline.paint.surface.Shapes;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.Shape;
@@ -47,13 +48,10 @@ public final class ObstacleOutlines {
         return shape;
     }
 
-    /** An open path; even-odd, as the world fills polygons. */
-    static Path2D polyline(List<Vector2> points) {
-        Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD, points.size() + 1);
-        path.moveTo(points.get(0).x(), points.get(0).y());
-        for (Vector2 point : points.subList(1, points.size())) {
-            path.lineTo(point.x(), point.y());
-        }
+    /** Returns an open path with the even-odd rule, by which the world fills polygons. */
+    private static Path2D polyline(List<Vector2> points) {
+        Path2D path = Shapes.polyline(points);
+        path.setWindingRule(Path2D.WIND_EVEN_ODD);
         return path;
     }
 

@@ -3,170 +3,82 @@ package faultline.paint.scene;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
-import faultline.paint.chart.Axis;
-import faultline.paint.surface.Arrowhead;
+import faultline.paint.surface.Camera;
 import faultline.paint.surface.ChartStyle;
-import faultline.paint.surface.Drawing;
+import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;
+import faultline.paint.surface.Shapes;
+import faultline.paint.surface.Surface;
 import faultline.paint.surface.TextStyle;
 import faultline.robot.RobotSpec;
 import faultline.world.Obstacle;
-import faultline.world.ObstacleShape;
-import java.awt.geom.PathIterator;
+import faultline.world.WorldSpec;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** A part of the world drawn to scale, seen from above: what scenes in figures are made of. */
+/**
+ * A part of the world seen from above in a figure, to scale. Robots, cones and obstacles look as in the window, because
+ * the same painters paint them; lines, arrows and labels are added in world coordinates. No text is measured.
+ */
 public final class PlanView {
 
-    private static final double FLATNESS = 0.001;
-    /** Points of a path nearer than this to the last one are left out, pixels. */
+    /** Points of a line nearer than this to the last one are left out, pixels. */
     private static final double THINNING = 0.5;
 
     private static final int ARC_POINTS = 24;
+    private static final double ARROWHEAD_LENGTH = 8;
+    private static final double ARROWHEAD_WIDTH = 6;
 
-    private final Drawing drawing;
-    private final ChartStyle theme;
+    private final Surface surface;
     private final PixelRectangle area;
-    private final Rectangle2D bounds;
-    private final double scale;
+    private final DrawContext context;
 
     /**
-     * A plan.
+     * Creates a view.
      *
-     * @param drawing where to
-     * @param area that it fills as far as its proportions allow
-     * @param bounds what part of the world it shows, metres, y the lower edge
-     * @param theme its colours
+     * @param surface the target
+     * @param area filled as far as the proportions of {@code bounds} allow
+     * @param bounds the part of the world, metres, y the lower edge
+     * @param style its colours
      */
-    public PlanView(Drawing drawing, PixelRectangle area, Rectangle2D bounds, ChartStyle theme) {
-        this.drawing = drawing;
-        this.theme = theme;
+    public PlanView(Surface surface, PixelRectangle area, Rectangle2D bounds, ChartStyle style) {
+        this.surface = surface;
         this.area = area;
-        this.bounds = bounds;
-        this.scale = Math.min(area.width() / bounds.getWidth(), area.height() / bounds.getHeight());
+        this.context = new DrawContext(surface, Camera.fit(bounds, area), style.palette(), DrawContext.DEFAULT_FONT);
     }
 
-    /**
-     * Where a point of the world is in the picture.
-     *
-     * @param world metres
-     * @return pixels
-     */
+    /** Returns the position of a point of the world in the picture, pixels. */
     public Vector2 toPicture(Vector2 world) {
-        return new Vector2(
-                area.x() + area.width() / 2 + scale * (world.x() - bounds.getCenterX()),
-                area.y() + area.height() / 2 - scale * (world.y() - bounds.getCenterY()));
+        return context.camera().toScreen(world);
     }
 
-    /**
-     * Draws an obstacle.
-     *
-     * @param obstacle as it stands
-     */
+    /** Draws the bounds of a world and its obstacles. */
+    public void drawWorld(WorldSpec world) {
+        if (world.enclosed()) {
+            BoundsPainter.paint(context, world.width(), world.height(), true);
+        }
+        world.obstacles().forEach(this::drawObstacle);
+    }
+
+    /** Draws an obstacle. */
     public void drawObstacle(Obstacle obstacle) {
-        List<Vector2> outline = new ArrayList<>();
-        double[] point = new double[6];
-        for (PathIterator path = ObstacleOutlines.worldShape(obstacle).getPathIterator(null, FLATNESS);
-                !path.isDone();
-                path.next()) {
-            if (path.currentSegment(point) != PathIterator.SEG_CLOSE) {
-                outline.add(new Vector2(point[0], point[1]));
-            }
-        }
-        boolean open = obstacle.shape() instanceof ObstacleShape.Wall;
-        if (!open) {
-            drawing.fillPolygon(toPicturePoints(outline), theme.palette().obstacle());
-        }
-        drawing.drawPolyline(
-                toPicturePoints(outline), !open, LineStyle.solid(theme.palette().obstacleOutline(), open ? 2.5 : 1.2));
+        ObstaclePainter.paint(context, obstacle);
     }
 
-    /**
-     * Draws the wall around a world.
-     *
-     * @param width of the world, metres
-     * @param height of the world, metres
-     */
-    public void drawEnclosure(double width, double height) {
-        drawLine(
-                List.of(
-                        Vector2.ZERO,
-                        new Vector2(width, 0),
-                        new Vector2(width, height),
-                        new Vector2(0, height),
-                        Vector2.ZERO),
-                LineStyle.solid(theme.palette().obstacleOutline(), 2.5));
-    }
-
-    /**
-     * Draws a robot: platform, wheels, and an arrow ahead.
-     *
-     * @param robot as built
-     * @param pose where it stands
-     * @param opacity from 0, not there, to 1
-     */
+    /** Draws a robot; opacity in [0, 1]. */
     public void drawRobot(RobotSpec robot, Pose pose, double opacity) {
-        LineStyle outline =
-                LineStyle.solid(ChartStyle.withOpacity(theme.palette().robotOutline(), opacity), 1.2);
-        for (double x : new double[] {-0.28, 0.28}) {
-            for (double y : new double[] {-0.5, 0.5}) {
-                Vector2 hub = new Vector2(x * robot.length(), y * robot.track());
-                drawing.fillPolygon(
-                        rectangle(pose, hub, 0.26 * robot.length(), 0.14 * robot.width()),
-                        ChartStyle.withOpacity(theme.palette().robotOutline(), opacity));
-            }
-        }
-        List<Vector2> body = rectangle(pose, Vector2.ZERO, robot.length(), robot.width());
-        drawing.fillPolygon(body, ChartStyle.withOpacity(theme.palette().robot(), 0.55 * opacity));
-        drawing.drawPolyline(body, true, outline);
-        drawArrow(
-                pose.toParent(new Vector2(-0.15 * robot.length(), 0)),
-                pose.toParent(new Vector2(0.38 * robot.length(), 0)),
-                outline);
+        RobotPainter.paint(context, robot, pose, opacity);
     }
 
-    private List<Vector2> rectangle(Pose pose, Vector2 middle, double length, double width) {
-        double x = length / 2;
-        double y = width / 2;
-        return toPicturePoints(
-                List.of(new Vector2(x, y), new Vector2(-x, y), new Vector2(-x, -y), new Vector2(x, -y)).stream()
-                        .map(middle::plus)
-                        .map(pose::toParent)
-                        .toList());
+    /** Draws a sensor's cone in the colour of a sensor, whose index in the robot is given. */
+    public void drawCone(Sector cone, int index) {
+        SensorPainter.paintCone(context, cone, context.palette().sensorColours(index));
     }
 
-    /**
-     * Draws a sensor's cone.
-     *
-     * @param cone in the world
-     * @param style of its colour, from 0
-     */
-    public void drawCone(Sector cone, int style) {
-        double half = StrictMath.atan2(cone.sinHalf(), cone.cosHalf());
-        List<Vector2> outline = new ArrayList<>();
-        outline.add(cone.apex());
-        outline.addAll(arcPoints(
-                cone.apex(),
-                cone.range(),
-                cone.axis().angle() - half,
-                cone.axis().angle() + half));
-        drawing.fillPolygon(toPicturePoints(outline), ChartStyle.withOpacity(theme.series(style), 0.16));
-        drawing.drawPolyline(toPicturePoints(outline), true, LineStyle.solid(theme.series(style), 0.9));
-    }
-
-    /**
-     * Points along an arc.
-     *
-     * @param centre metres
-     * @param radius metres
-     * @param from radians
-     * @param to radians
-     * @return from the one end to the other
-     */
+    /** Returns points along an arc from one angle to another, radians; centre and radius in metres. */
     public static List<Vector2> arcPoints(Vector2 centre, double radius, double from, double to) {
         return IntStream.rangeClosed(0, ARC_POINTS)
                 .mapToObj(i -> centre.plus(
@@ -174,87 +86,69 @@ public final class PlanView {
                 .toList();
     }
 
-    /**
-     * Draws a line through points of the world; points that lie all but on one another are left out.
-     *
-     * @param points metres
-     * @param pen what with
-     */
-    public void drawLine(List<Vector2> points, LineStyle pen) {
+    /** Draws a line through points of the world, metres; points that almost coincide are left out. */
+    public void drawLine(List<Vector2> points, LineStyle style) {
         List<Vector2> thinned = new ArrayList<>();
-        for (Vector2 point : toPicturePoints(points)) {
-            if (thinned.isEmpty() || point.distanceTo(thinned.get(thinned.size() - 1)) >= THINNING) {
-                thinned.add(point);
+        for (Vector2 point : points) {
+            Vector2 next = toPicture(point);
+            if (thinned.isEmpty() || next.distanceTo(thinned.get(thinned.size() - 1)) >= THINNING) {
+                thinned.add(next);
             }
         }
-        drawing.drawPolyline(thinned, false, pen);
+        if (thinned.size() > 1) {
+            surface.draw(Shapes.polyline(thinned), style);
+        }
+    }
+
+    /** Draws an arrow from one point of the world to another, metres. */
+    public void drawArrow(Vector2 from, Vector2 to, LineStyle style) {
+        drawLine(List.of(from, to), style);
+        Vector2 shaft = toPicture(to).minus(toPicture(from));
+        Vector2 direction = shaft.times(1 / shaft.length());
+        surface.fill(Shapes.arrowhead(toPicture(to), direction, ARROWHEAD_LENGTH, ARROWHEAD_WIDTH), style.colour());
     }
 
     /**
-     * Draws an arrow.
+     * Draws a text beside a point of the world.
      *
-     * @param from metres
-     * @param to metres, where its head is
-     * @param pen what with
-     */
-    public void drawArrow(Vector2 from, Vector2 to, LineStyle pen) {
-        drawLine(List.of(from, to), pen);
-        Arrowhead.paint(drawing, toPicture(from), toPicture(to), pen);
-    }
-
-    /**
-     * Writes beside a point of the world.
-     *
-     * @param text what
-     * @param at metres
-     * @param right how far to the right, pixels
-     * @param down how far down, pixels
-     * @param style how
+     * @param text the text
+     * @param at the point, metres
+     * @param right offset to the right, pixels
+     * @param down offset downwards, pixels
+     * @param style of the text
      */
     public void drawLabel(String text, Vector2 at, double right, double down, TextStyle style) {
-        drawing.drawText(text, toPicture(at).plus(new Vector2(right, down)), style);
+        surface.drawText(text, toPicture(at).plus(new Vector2(right, down)), style);
     }
 
-    /**
-     * Marks a point of the world.
-     *
-     * @param at metres
-     * @param radius pixels
-     */
+    /** Draws a dot at a point of the world; radius in pixels. */
     public void drawDot(Vector2 at, double radius) {
-        drawing.fillCircle(toPicture(at), radius, theme.palette().text());
+        surface.fill(Shapes.circle(toPicture(at), radius), context.palette().text());
+    }
+
+    /** Draws a ring around a point of the world; radius in pixels. */
+    public void drawRing(Vector2 at, double radius) {
+        surface.draw(
+                Shapes.circle(toPicture(at), radius),
+                LineStyle.solid(context.palette().contact(), 1.8));
     }
 
     /**
-     * Circles a point of the world.
+     * Draws a scale bar with its length above.
      *
-     * @param at metres
-     * @param radius pixels
-     */
-    public void drawCircle(Vector2 at, double radius) {
-        drawing.drawCircle(
-                toPicture(at), radius, LineStyle.solid(theme.palette().contact(), 1.8));
-    }
-
-    /**
-     * Draws a bar of a length.
-     *
-     * @param metres how long it is
-     * @param right of its right end, from the area's left, pixels
-     * @param bottom from the area's upper edge, pixels
+     * @param metres its length, a round one
+     * @param right from the left edge of the area to its right end, pixels
+     * @param bottom from the upper edge of the area down to it, pixels
      */
     public void drawScaleBar(double metres, double right, double bottom) {
+        double length = metres * context.camera().scale();
         Vector2 end = new Vector2(area.x() + right, area.y() + bottom);
-        Vector2 start = end.minus(new Vector2(metres * scale, 0));
-        LineStyle pen = LineStyle.solid(theme.palette().text(), 1.5);
-        Vector2 tick = new Vector2(0, 4);
-        drawing.drawPolyline(List.of(start.minus(tick), start, end, end.minus(tick)), false, pen);
-        TextStyle style = TextStyle.plain(11, theme.palette().text()).withAnchor(TextStyle.Anchor.MIDDLE);
-        drawing.drawText(
-                Axis.formatTick(metres) + " m", start.plus(end).times(0.5).minus(new Vector2(0, 6)), style);
-    }
-
-    private List<Vector2> toPicturePoints(List<Vector2> points) {
-        return points.stream().map(this::toPicture).toList();
+        surface.draw(
+                ScaleBarPainter.barShape(end.x() - length, end.x(), end.y()),
+                LineStyle.solid(context.palette().text(), 1.5));
+        surface.drawText(
+                NiceSteps.format(metres),
+                end.minus(new Vector2(length / 2, 6)),
+                TextStyle.plain(11, context.palette().text()).withAnchor(TextStyle.Anchor.MIDDLE));
     }
 }

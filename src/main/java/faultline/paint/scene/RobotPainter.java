@@ -2,9 +2,10 @@ package faultline.paint.scene;
 
 import faultline.geometry.Pose;
 import faultline.geometry.RigidMotion;
+import faultline.paint.surface.ChartStyle;
 import faultline.paint.surface.DrawContext;
-import faultline.paint.surface.Palette;
 import faultline.robot.RobotSpec;
+import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
@@ -22,17 +23,22 @@ final class RobotPainter {
 
     private RobotPainter() {}
 
-    static void paint(DrawContext brush, RobotSpec robot, Pose pose) {
+    static void paint(DrawContext context, RobotSpec robot, Pose pose) {
+        paint(context, robot, pose, 1);
+    }
+
+    /** Paints the robot; opacity in [0, 1]. */
+    static void paint(DrawContext context, RobotSpec robot, Pose pose, double opacity) {
         AffineTransform frame = RigidMotion.poseTransform(pose);
-        Palette palette = brush.palette();
+        Color dark = ChartStyle.withOpacity(context.palette().robotOutline(), opacity);
         for (Shape wheel : wheels(robot)) {
-            brush.fill(brush.toScreen(wheel, frame), palette.robotOutline());
+            context.fill(context.toScreen(wheel, frame), dark);
         }
-        Shape body = brush.toScreen(body(robot), frame);
-        brush.fill(body, palette.robot());
-        brush.fill(brush.toScreen(front(robot), frame), palette.robotOutline());
-        brush.fill(brush.toScreen(arrow(robot), frame), palette.robotOutline());
-        brush.draw(body, palette.robotOutline(), OUTLINE_STROKE);
+        Shape body = context.toScreen(body(robot), frame);
+        context.fill(body, ChartStyle.withOpacity(context.palette().robot(), opacity));
+        context.fill(context.toScreen(front(robot), frame), dark);
+        context.fill(context.toScreen(arrow(robot), frame), dark);
+        context.draw(body, dark, OUTLINE_STROKE);
     }
 
     private static Shape body(RobotSpec robot) {

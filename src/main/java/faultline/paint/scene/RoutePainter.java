@@ -3,6 +3,7 @@ package faultline.paint.scene;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Shapes;
 import faultline.world.WaypointPath;
 import java.awt.Color;
 import java.awt.Stroke;
@@ -40,9 +41,7 @@ final class RoutePainter {
         // Back from the second point to the first the line is there already, and dashes laid over dashes would close
         // it.
         brush.draw(
-                ObstacleOutlines.polyline(motion.waypoints().size() == 2 ? points.subList(0, 2) : points),
-                colour,
-                LINE_STROKE);
+                Shapes.polyline(motion.waypoints().size() == 2 ? points.subList(0, 2) : points), colour, LINE_STROKE);
         for (Vector2 point : points) {
             brush.fill(
                     new Ellipse2D.Double(
@@ -93,7 +92,7 @@ final class RoutePainter {
         Vector2 ahead = leg.times(ARROW_SIZE / leg.length());
         // Beyond the middle, so that the arrows of a leg that is walked both ways do not cover each other.
         Vector2 tip = from.plus(leg.times(0.6));
-        Path2D arrow = ObstacleOutlines.polyline(List.of(
+        Path2D arrow = Shapes.polyline(List.of(
                 tip.minus(ahead).plus(ahead.perpendicular().times(0.7)),
                 tip,
                 tip.minus(ahead).minus(ahead.perpendicular().times(0.7))));

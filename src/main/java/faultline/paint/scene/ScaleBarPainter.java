@@ -38,7 +38,8 @@ final class ScaleBarPainter {
                 brush.palette().text());
     }
 
-    private static Shape barShape(double left, double right, double y) {
+    /** Returns a bar from left to right at a height, with a tick at either end. */
+    static Shape barShape(double left, double right, double y) {
         Path2D bar = new Path2D.Double();
         bar.moveTo(left, y - TICK_HEIGHT);
         bar.lineTo(left, y + TICK_HEIGHT);

@@ -61,7 +61,7 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         if (layers.contains(Layer.GRID)) {
             GridPainter.paint(brush);
         }
-        BoundsPainter.paint(brush, world);
+        BoundsPainter.paint(brush, world.width(), world.height(), world.enclosed());
     }
 
     /**

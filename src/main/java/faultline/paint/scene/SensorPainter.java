@@ -1,5 +1,6 @@
 package faultline.paint.scene;
 
+import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
@@ -41,6 +42,13 @@ final class SensorPainter {
         } else {
             paintOn(brush, cone, sensor, brush.palette().sensorColours(index));
         }
+    }
+
+    /** Paints the cone of a sensor in order. */
+    static void paintCone(DrawContext brush, Sector sector, SensorColours colours) {
+        ScreenSector cone = ScreenSector.of(brush.camera(), sector);
+        brush.fill(cone.outline(), Palette.withAlpha(colours.fill(), FILL_ALPHA));
+        brush.draw(cone.outline(), colours.outline(), OUTLINE_STROKE);
     }
 
     private static void paintOff(DrawContext brush, ScreenSector cone, SensorSnapshot sensor) {

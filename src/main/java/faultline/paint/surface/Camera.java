@@ -49,6 +49,25 @@ public record Camera(double x, double y, double scale, int width, int height) {
         return new Camera(bounds.getCenterX(), bounds.getCenterY(), clampScale(Math.min(across, up)), width, height);
     }
 
+    /**
+     * Returns the camera that shows a part of the world as large as it fits in the middle of an area of a picture.
+     *
+     * @param bounds metres
+     * @param area pixels; the picture ends at its lower right corner
+     * @return the camera
+     */
+    public static Camera fit(Rectangle2D bounds, PixelRectangle area) {
+        double scale = clampScale(Math.min(area.width() / bounds.getWidth(), area.height() / bounds.getHeight()));
+        int width = (int) Math.ceil(area.x() + area.width());
+        int height = (int) Math.ceil(area.y() + area.height());
+        return new Camera(
+                bounds.getCenterX() - (area.x() + (area.width() - width) / 2) / scale,
+                bounds.getCenterY() + (area.y() + (area.height() - height) / 2) / scale,
+                scale,
+                width,
+                height);
+    }
+
     private static double clampScale(double scale) {
         return Math.max(MIN_SCALE, Math.min(MAX_SCALE, scale));
     }

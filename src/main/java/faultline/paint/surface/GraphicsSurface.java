@@ -1,5 +1,6 @@
 package faultline.paint.surface;
 
+import faultline.geometry.Vector2;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
@@ -10,15 +11,17 @@ import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.font.FontRenderContext;
 import java.awt.geom.AffineTransform;
+import java.util.List;
 
 /**
- * Pixels, or a printer's page.
+ * A surface of pixels, or a printer's page.
  *
- * @param graphics whose user space is the picture; its rendering hints are set
+ * @param graphics its user space is the picture; its rendering hints, colour, font and stroke are changed
  */
-record GraphicsSurface(Graphics2D graphics) implements Surface {
+public record GraphicsSurface(Graphics2D graphics) implements Surface {
 
-    GraphicsSurface {
+    /** Sets the rendering hints. */
+    public GraphicsSurface {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         // Pure strokes: normalised ones jump by half a pixel while they move.
@@ -35,7 +38,7 @@ record GraphicsSurface(Graphics2D graphics) implements Surface {
         }
     }
 
-    /** Whole pixels have no edges to smooth, and filling them as they are is several times faster. */
+    /** Whole pixels have no edges to smooth, and filling them without smoothing is several times faster. */
     private void fillPixels(Shape pixels) {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
         graphics.fill(pixels);
@@ -50,6 +53,35 @@ record GraphicsSurface(Graphics2D graphics) implements Surface {
     }
 
     @Override
+    public void drawText(String text, Vector2 at, TextStyle style) {
+        Font font = style.font();
+        List<Subscripts.TextRun> runs = Subscripts.split(text);
+        double width = runs.stream().mapToDouble(run -> width(run, font)).sum();
+        AffineTransform before = graphics.getTransform();
+        graphics.translate(at.x(), at.y());
+        if (!style.horizontal()) {
+            graphics.rotate(-Math.PI / 2);
+        }
+        double x = -width * style.anchor().ordinal() / 2;
+        for (Subscripts.TextRun run : runs) {
+            double drop = run.subscript() ? Subscripts.DROP_RATIO * style.size() : 0;
+            drawText(run.text(), x, drop, style.colour(), runFont(run, font));
+            x += width(run, font);
+        }
+        graphics.setTransform(before);
+    }
+
+    private double width(Subscripts.TextRun run, Font font) {
+        return runFont(run, font)
+                .getStringBounds(run.text(), fontRenderContext())
+                .getWidth();
+    }
+
+    private static Font runFont(Subscripts.TextRun run, Font font) {
+        return run.subscript() ? font.deriveFont((float) (Subscripts.SIZE_RATIO * font.getSize2D())) : font;
+    }
+
+    @Override
     public void drawText(String text, double x, double y, Color colour, Font font) {
         graphics.setFont(font);
         graphics.setColor(colour);
@@ -58,17 +90,17 @@ record GraphicsSurface(Graphics2D graphics) implements Surface {
 
     @Override
     public void drawHaloedText(String text, double x, double y, Color colour, Color halo, Font font) {
-        AffineTransform place = graphics.getTransform();
+        AffineTransform transform = graphics.getTransform();
         boolean upright =
-                (place.getType() & ~(AffineTransform.TYPE_TRANSLATION | AffineTransform.TYPE_UNIFORM_SCALE)) == 0;
+                (transform.getType() & ~(AffineTransform.TYPE_TRANSLATION | AffineTransform.TYPE_UNIFORM_SCALE)) == 0;
         if (upright && isImageTarget()) {
-            LabelSprite.of(text, font, colour, halo, place.getScaleX()).paint(graphics, x, y);
+            LabelSprite.of(text, font, colour, halo, transform.getScaleX()).paint(graphics, x, y);
         } else {
             drawOutlinedText(text, x, y, colour, halo, font);
         }
     }
 
-    /** A screen may be slow to take images, and a printer is finer than any. */
+    /** A screen may be slow to copy images to, and a printer is finer than any image. */
     private boolean isImageTarget() {
         return graphics.getDeviceConfiguration().getDevice().getType() == GraphicsDevice.TYPE_IMAGE_BUFFER;
     }

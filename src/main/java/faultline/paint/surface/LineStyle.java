@@ -1,24 +1,33 @@
 package faultline.paint.surface;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
+import java.util.List;
 
 /**
- * What a line is drawn with.
+ * The style of a line. Solid lines have round ends, broken ones have flat ends.
  *
  * @param colour may be translucent
  * @param width pixels, positive
- * @param dash how it is broken
+ * @param dash its dash pattern
  */
 public record LineStyle(Color colour, double width, DashPattern dash) {
 
-    /**
-     * A pen for lines that are not broken.
-     *
-     * @param colour may be translucent
-     * @param width pixels, positive
-     * @return the pen
-     */
+    /** Returns a solid line style; width in pixels, positive. */
     public static LineStyle solid(Color colour, double width) {
         return new LineStyle(colour, width, DashPattern.SOLID);
+    }
+
+    /** Returns the stroke of this style. */
+    public BasicStroke stroke() {
+        List<Double> lengths = dash.lengths();
+        if (lengths.isEmpty()) {
+            return new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+        }
+        float[] dashes = new float[lengths.size()];
+        for (int i = 0; i < dashes.length; i++) {
+            dashes[i] = lengths.get(i).floatValue();
+        }
+        return new BasicStroke((float) width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
     }
 }

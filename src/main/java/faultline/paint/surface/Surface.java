@@ -1,5 +1,6 @@
 package faultline.paint.surface;
 
+import faultline.geometry.Vector2;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Shape;
@@ -7,55 +8,46 @@ import java.awt.Stroke;
 import java.awt.font.FontRenderContext;
 
 /**
- * Where a brush leaves its marks: a grid of pixels, or a file of lines. All places are in pixels of the picture, y
- * down; what comes later lies on top.
+ * The target of all drawing: pixels, or an SVG file. All coordinates are in pixels of the picture, from its upper left
+ * corner, y down. Later marks cover earlier ones.
  */
 public interface Surface {
 
-    /**
-     * Fills the inside of a shape.
-     *
-     * @param shape pixels
-     * @param colour may be translucent
-     */
+    /** Fills a shape; the colour may be translucent. */
     void fill(Shape shape, Color colour);
 
-    /**
-     * Draws the outline of a shape.
-     *
-     * @param shape pixels
-     * @param colour may be translucent
-     * @param stroke the line's width, ends and dashes
-     */
+    /** Draws the outline of a shape; the colour may be translucent. */
     void draw(Shape shape, Color colour, Stroke stroke);
 
+    /** Draws the outline of a shape. */
+    default void draw(Shape shape, LineStyle style) {
+        draw(shape, style.colour(), style.stroke());
+    }
+
     /**
-     * Writes a line of text.
+     * Draws a line of text.
      *
-     * @param text what to write
-     * @param x of the left end of its base line
-     * @param y of the left end of its base line
-     * @param colour of the letters
-     * @param font of the letters
+     * @param text an underscore sets the letters after it as a subscript: t_D
+     * @param at the position of the text's anchor on its baseline
+     * @param style its size, colour, anchor and direction
      */
+    void drawText(String text, Vector2 at, TextStyle style);
+
+    /** Draws a line of text literally; x and y are those of the left end of its baseline. */
     void drawText(String text, double x, double y, Color colour, Font font);
 
     /**
-     * Writes a line of text that is set off from whatever lies beneath.
+     * Draws a line of text with a halo, which separates it from whatever lies beneath.
      *
-     * @param text what to write
-     * @param x of the left end of its base line
-     * @param y of the left end of its base line
+     * @param text drawn literally
+     * @param x of the left end of its baseline
+     * @param y of the left end of its baseline
      * @param colour of the letters
-     * @param halo about the letters; may be translucent
+     * @param halo colour around the letters; may be translucent
      * @param font of the letters
      */
     void drawHaloedText(String text, double x, double y, Color colour, Color halo, Font font);
 
-    /**
-     * What texts are measured with.
-     *
-     * @return of this surface
-     */
+    /** Returns the context for measuring texts on this surface. */
     FontRenderContext fontRenderContext();
 }

@@ -1,22 +1,26 @@
 package faultline.paint.surface;
 
+import faultline.geometry.Vector2;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.font.FontRenderContext;
+import java.awt.geom.Ellipse2D;
 import java.awt.geom.PathIterator;
+import java.util.Locale;
 
-/**
- * A picture of lines and letters that becomes an SVG file. What reaches beyond its edge is cut off by whoever shows it.
- */
+/** A surface that becomes an SVG file. Viewers clip what reaches beyond its edges. */
 public final class SvgSurface implements Surface {
 
     private static final FontRenderContext FONT_CONTEXT = new FontRenderContext(null, true, true);
+    /** The width of a space, in units of the font size. */
+    private static final double SPACE_WIDTH = 0.32;
 
     private final StringBuilder out = new StringBuilder();
 
+    /** Creates an empty picture; width and height in pixels. */
     public SvgSurface(int width, int height) {
         out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"")
                 .append(width)
@@ -28,34 +32,45 @@ public final class SvgSurface implements Surface {
                 .append(height)
                 .append("\" font-family=\"")
                 .append(SvgFormat.FONT_FAMILIES)
-                .append("\" font-size=\"")
-                .append(DrawContext.DEFAULT_FONT.getSize())
-                .append("\">\n");
+                .append("\" stroke-linejoin=\"round\">\n");
     }
 
-    /** The picture so far as the text of a file. */
+    /** Creates a picture that is filled with a background colour; width and height in pixels. */
+    public SvgSurface(int width, int height, Color background) {
+        this(width, height);
+        out.append("<rect width=\"")
+                .append(width)
+                .append("\" height=\"")
+                .append(height)
+                .append('"')
+                .append(SvgFormat.colourAttributes("fill", background))
+                .append("/>\n");
+    }
+
+    /** Returns the text of the SVG file. */
     public String toSvg() {
         return out + "</svg>\n";
     }
 
+    /** Returns the text of the SVG file of a picture that was drawn in the colours of the light theme. */
+    public String toSvg(SvgTheme theme) {
+        return theme.apply(toSvg());
+    }
+
     @Override
     public void fill(Shape shape, Color colour) {
-        PathIterator path = shape.getPathIterator(null);
-        String rule = path.getWindingRule() == PathIterator.WIND_EVEN_ODD ? " fill-rule=\"evenodd\"" : "";
-        out.append("<path d=\"")
-                .append(pathData(path))
-                .append('"')
+        boolean evenOdd = shape.getPathIterator(null).getWindingRule() == PathIterator.WIND_EVEN_ODD;
+        out.append(startTag(shape))
                 .append(SvgFormat.colourAttributes("fill", colour))
-                .append(rule)
+                .append(evenOdd ? " fill-rule=\"evenodd\"" : "")
                 .append("/>\n");
     }
 
     @Override
     public void draw(Shape shape, Color colour, Stroke stroke) {
         if (stroke instanceof BasicStroke line) {
-            out.append("<path d=\"")
-                    .append(pathData(shape.getPathIterator(null)))
-                    .append("\" fill=\"none\"")
+            out.append(startTag(shape))
+                    .append(" fill=\"none\"")
                     .append(SvgFormat.colourAttributes("stroke", colour))
                     .append(strokeAttributes(line))
                     .append("/>\n");
@@ -64,27 +79,85 @@ public final class SvgSurface implements Surface {
         }
     }
 
+    private static CharSequence startTag(Shape shape) {
+        if (shape instanceof Ellipse2D ellipse && ellipse.getWidth() == ellipse.getHeight()) {
+            return "<circle cx=\"" + SvgFormat.number(ellipse.getCenterX()) + "\" cy=\""
+                    + SvgFormat.number(ellipse.getCenterY()) + "\" r=\"" + SvgFormat.number(ellipse.getWidth() / 2)
+                    + '"';
+        }
+        return pathData(shape.getPathIterator(null)).insert(0, "<path d=\"").append('"');
+    }
+
+    @Override
+    public void drawText(String text, Vector2 at, TextStyle style) {
+        if (Subscripts.split(text).size() > 1 && style.anchor() != TextStyle.Anchor.START) {
+            // Some viewers anchor each part of a text with subscripts by itself.
+            double shift =
+                    style.estimateWidth(text.replace("_", "")) * style.anchor().ordinal() / 2;
+            appendStyledText(
+                    text,
+                    style.horizontal() ? at.minus(new Vector2(shift, 0)) : at.plus(new Vector2(0, shift)),
+                    style.withAnchor(TextStyle.Anchor.START));
+        } else {
+            appendStyledText(text, at, style);
+        }
+    }
+
+    private void appendStyledText(String text, Vector2 at, TextStyle style) {
+        String rotation =
+                " transform=\"rotate(-90 " + SvgFormat.number(at.x()) + " " + SvgFormat.number(at.y()) + ")\"";
+        String attributes = " font-size=\"" + SvgFormat.number(style.size()) + "\" text-anchor=\""
+                + style.anchor().name().toLowerCase(Locale.ROOT) + '"'
+                + (style.bold() ? " font-weight=\"bold\"" : "")
+                + (style.horizontal() ? "" : rotation)
+                + SvgFormat.colourAttributes("fill", style.colour());
+        appendText(at.x(), at.y(), attributes, textSpans(text, style.size()));
+    }
+
+    /**
+     * Returns the parts of a text, each of which is shifted from the baseline of the part before. A space at the
+     * beginning of a part becomes a gap, because some viewers drop it.
+     */
+    private static String textSpans(String text, double size) {
+        StringBuilder spans = new StringBuilder();
+        boolean lowered = false;
+        for (Subscripts.TextRun run : Subscripts.split(text)) {
+            if (run.subscript() == lowered) {
+                spans.append(SvgFormat.escape(run.text()));
+                continue;
+            }
+            boolean gap = run.text().startsWith(" ");
+            double shift = (run.subscript() ? 1 : -1) * Subscripts.DROP_RATIO * size;
+            spans.append("<tspan dy=\"").append(SvgFormat.number(shift)).append('"');
+            spans.append(gap ? " dx=\"" + SvgFormat.number(SPACE_WIDTH * size) + '"' : "");
+            spans.append(run.subscript() ? " font-size=\"" + SvgFormat.number(Subscripts.SIZE_RATIO * size) + '"' : "");
+            spans.append('>').append(SvgFormat.escape(run.text().substring(gap ? 1 : 0)));
+            spans.append("</tspan>");
+            lowered = run.subscript();
+        }
+        return spans.toString();
+    }
+
     @Override
     public void drawText(String text, double x, double y, Color colour, Font font) {
-        appendText(text, x, y, fontSizeAttribute(font) + SvgFormat.colourAttributes("fill", colour));
+        appendText(x, y, fontSize(font) + SvgFormat.colourAttributes("fill", colour), SvgFormat.escape(text));
     }
 
     @Override
     public void drawHaloedText(String text, double x, double y, Color colour, Color halo, Font font) {
-        appendText(
-                text,
-                x,
-                y,
-                fontSizeAttribute(font) + SvgFormat.colourAttributes("fill", colour)
-                        + SvgFormat.colourAttributes("stroke", halo)
-                        + strokeAttributes((BasicStroke) DrawContext.HALO_STROKE) + " paint-order=\"stroke\"");
+        String attributes = fontSize(font)
+                + SvgFormat.colourAttributes("fill", colour)
+                + SvgFormat.colourAttributes("stroke", halo)
+                + strokeAttributes((BasicStroke) DrawContext.HALO_STROKE)
+                + " paint-order=\"stroke\"";
+        appendText(x, y, attributes, SvgFormat.escape(text));
     }
 
-    private static String fontSizeAttribute(Font font) {
-        return font.getSize() == DrawContext.DEFAULT_FONT.getSize() ? "" : " font-size=\"" + font.getSize() + '"';
+    private static String fontSize(Font font) {
+        return " font-size=\"" + SvgFormat.number(font.getSize2D()) + '"';
     }
 
-    private void appendText(String text, double x, double y, String attributes) {
+    private void appendText(double x, double y, String attributes, String content) {
         out.append("<text x=\"")
                 .append(SvgFormat.number(x))
                 .append("\" y=\"")
@@ -92,7 +165,7 @@ public final class SvgSurface implements Surface {
                 .append('"')
                 .append(attributes)
                 .append('>')
-                .append(SvgFormat.escape(text))
+                .append(content)
                 .append("</text>\n");
     }
 
@@ -106,7 +179,7 @@ public final class SvgSurface implements Surface {
                 .append(SvgFormat.number(stroke.getLineWidth()))
                 .append('"');
         line.append(stroke.getEndCap() == BasicStroke.CAP_ROUND ? " stroke-linecap=\"round\"" : "");
-        line.append(stroke.getLineJoin() == BasicStroke.JOIN_ROUND ? " stroke-linejoin=\"round\"" : "");
+        line.append(stroke.getLineJoin() == BasicStroke.JOIN_MITER ? " stroke-linejoin=\"miter\"" : "");
         if (stroke.getDashArray() != null) {
             line.append(" stroke-dasharray=\"");
             for (float length : stroke.getDashArray()) {
@@ -119,23 +192,23 @@ public final class SvgSurface implements Surface {
 
     private static StringBuilder pathData(PathIterator path) {
         StringBuilder text = new StringBuilder();
-        double[] places = new double[6];
+        double[] coordinates = new double[6];
         for (; !path.isDone(); path.next()) {
-            switch (path.currentSegment(places)) {
-                case PathIterator.SEG_MOVETO -> appendSegment(text, 'M', places, 2);
-                case PathIterator.SEG_LINETO -> appendSegment(text, 'L', places, 2);
-                case PathIterator.SEG_QUADTO -> appendSegment(text, 'Q', places, 4);
-                case PathIterator.SEG_CUBICTO -> appendSegment(text, 'C', places, 6);
+            switch (path.currentSegment(coordinates)) {
+                case PathIterator.SEG_MOVETO -> appendSegment(text, 'M', coordinates, 2);
+                case PathIterator.SEG_LINETO -> appendSegment(text, 'L', coordinates, 2);
+                case PathIterator.SEG_QUADTO -> appendSegment(text, 'Q', coordinates, 4);
+                case PathIterator.SEG_CUBICTO -> appendSegment(text, 'C', coordinates, 6);
                 default -> text.append('Z');
             }
         }
         return text;
     }
 
-    private static void appendSegment(StringBuilder text, char letter, double[] places, int count) {
+    private static void appendSegment(StringBuilder text, char letter, double[] coordinates, int count) {
         text.append(letter);
         for (int i = 0; i < count; i++) {
-            text.append(i == 0 ? "" : " ").append(SvgFormat.number(places[i]));
+            text.append(i == 0 ? "" : " ").append(SvgFormat.number(coordinates[i]));
         }
     }
 }

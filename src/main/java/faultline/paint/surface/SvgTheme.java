@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** On what ground a picture that was drawn in the light theme's colours is to stand. */
 public enum SvgTheme {
@@ -26,6 +27,7 @@ public enum SvgTheme {
         addPairs(pairs, ChartStyle.LIGHT.series(), ChartStyle.DARK.series());
         addPairs(pairs, ChartStyle.LIGHT.classes(), ChartStyle.DARK.classes());
         addPairs(pairs, otherColours(ChartStyle.LIGHT), otherColours(ChartStyle.DARK));
+        addPairs(pairs, sensorColours(ChartStyle.LIGHT), sensorColours(ChartStyle.DARK));
         return pairs;
     }
 
@@ -33,6 +35,12 @@ public enum SvgTheme {
         for (int i = 0; i < light.size(); i++) {
             pairs.putIfAbsent(SvgFormat.toHex(light.get(i)), SvgFormat.toHex(dark.get(i)));
         }
+    }
+
+    private static List<Color> sensorColours(ChartStyle style) {
+        return style.palette().sensors().stream()
+                .flatMap(colours -> Stream.of(colours.fill(), colours.outline()))
+                .toList();
     }
 
     private static List<Color> otherColours(ChartStyle theme) {

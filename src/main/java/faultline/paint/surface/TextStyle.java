@@ -1,21 +1,22 @@
 package faultline.paint.surface;
 
 import java.awt.Color;
+import java.awt.Font;
 
 /**
- * How a text is written.
+ * The style of a line of text.
  *
  * @param size of the font, pixels
  * @param colour of the letters
- * @param anchor which end of the text is at its place
- * @param bold whether in heavy letters
- * @param horizontal whether it runs to the right; otherwise it runs up
+ * @param anchor which point of the text is at its position
+ * @param bold whether the font is bold
+ * @param horizontal whether the text runs to the right; otherwise it runs upwards
  */
 public record TextStyle(double size, Color colour, Anchor anchor, boolean bold, boolean horizontal) {
 
-    /** Which end of a text is at its place. */
+    /** The point of a text that is at its position. */
     public enum Anchor {
-        /** Its beginning. */
+        /** Its start. */
         START,
         /** Its middle. */
         MIDDLE,
@@ -23,47 +24,33 @@ public record TextStyle(double size, Color colour, Anchor anchor, boolean bold, 
         END
     }
 
-    /**
-     * Plain text that runs to the right from its place.
-     *
-     * @param size of the font, pixels
-     * @param colour of the letters
-     * @return the style
-     */
+    /** Returns the style of plain text that starts at its position and runs to the right; size in pixels. */
     public static TextStyle plain(double size, Color colour) {
         return new TextStyle(size, colour, Anchor.START, false, true);
     }
 
-    /**
-     * This style with another anchor.
-     *
-     * @param other which end is at the text's place
-     * @return the same style otherwise
-     */
+    /** Returns this style with another anchor. */
     public TextStyle withAnchor(Anchor other) {
         return new TextStyle(size, colour, other, bold, horizontal);
     }
 
-    /**
-     * This style in heavy letters.
-     *
-     * @return the same style otherwise
-     */
+    /** Returns this style in bold. */
     public TextStyle withBold() {
         return new TextStyle(size, colour, anchor, true, horizontal);
     }
 
-    /**
-     * This style running up.
-     *
-     * @return the same style otherwise
-     */
+    /** Returns this style running upwards. */
     public TextStyle rotated() {
         return new TextStyle(size, colour, anchor, bold, false);
     }
 
+    /** Returns the font of this style, for surfaces of pixels. */
+    Font font() {
+        return new Font(Font.SANS_SERIF, bold ? Font.BOLD : Font.PLAIN, 1).deriveFont((float) size);
+    }
+
     /**
-     * About how wide a text becomes. Letters are counted, not measured, so that a layout is the same with every font.
+     * Estimates the width of a text. Letters are counted, not measured, so that a layout is the same with every font.
      *
      * @param text one line
      * @return pixels
@@ -74,7 +61,7 @@ public record TextStyle(double size, Color colour, Anchor anchor, boolean bold, 
                 * text.chars().mapToDouble(TextStyle::emWidth).sum();
     }
 
-    /** The width of a letter in sizes of the font, as in common sans-serif fonts, rather too wide than too narrow. */
+    /** Returns the width of a letter in units of the font size, as in common sans-serif fonts or a little wider. */
     private static double emWidth(int letter) {
         if ("il.,:;'|!jI".indexOf(letter) >= 0) {
             return 0.32;

@@ -15,6 +15,8 @@ import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Theme;
+import faultline.paint.chart.StateDiagramLayout;
+import faultline.paint.surface.PixelRectangle;
 import java.awt.Color;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
@@ -26,7 +28,7 @@ class StateDiagramViewTest {
 
     private static final int WIDTH = 480;
     private static final int HEIGHT = 200;
-    private static final DiagramLayout LAYOUT = new DiagramLayout(WIDTH, HEIGHT);
+    private static final StateDiagramLayout LAYOUT = new StateDiagramLayout(new PixelRectangle(0, 0, WIDTH, HEIGHT));
     private static final SessionFrame FRAME = SampleRuns.frame(2000);
 
     private final StateDiagramView view = callOnEdt(StateDiagramView::new);
@@ -63,7 +65,7 @@ class StateDiagramViewTest {
     @Test
     void boxesKeepApartAndInsideAtAnySize() {
         for (int width : new int[] {330, 480, 1200}) {
-            DiagramLayout layout = new DiagramLayout(width, width / 2.2);
+            StateDiagramLayout layout = new StateDiagramLayout(new PixelRectangle(0, 0, width, width / 2.2));
             for (FollowerState one : FollowerState.values()) {
                 assertTrue(new Rectangle2D.Double(0, 0, width, width / 2.2).contains(layout.box(one)));
                 for (FollowerState other : FollowerState.values()) {

@@ -174,7 +174,7 @@ class StripChartTest {
                 WIDTH,
                 HEIGHT);
         assertTrue(scale.isEmpty());
-        assertEquals(1, scale.values().high());
+        assertEquals(1, scale.plot().vertical().high());
     }
 
     @Test

@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Vector2;
 import faultline.paint.surface.ChartStyle;
-import faultline.paint.surface.GraphicsDrawing;
+import faultline.paint.surface.GraphicsSurface;
 import faultline.paint.surface.PixelRectangle;
-import faultline.paint.surface.SvgDrawing;
+import faultline.paint.surface.SvgSurface;
 import faultline.paint.surface.SvgTheme;
 import faultline.paint.surface.TextStyle;
 import java.awt.Color;
@@ -76,22 +76,22 @@ class ChartPainterTest {
 
     @Test
     void reservedCharactersAreEscaped() {
-        SvgDrawing drawing = new SvgDrawing(10, 10, Color.WHITE);
-        drawing.drawText("a < b & c > d", Vector2.ZERO, TextStyle.plain(10, Color.BLACK));
+        SvgSurface surface = new SvgSurface(10, 10, Color.WHITE);
+        surface.drawText("a < b & c > d", Vector2.ZERO, TextStyle.plain(10, Color.BLACK));
         assertTrue(
-                drawing.toSvg(SvgTheme.LIGHT).contains(">a &lt; b &amp; c &gt; d</text>"),
-                drawing.toSvg(SvgTheme.LIGHT));
+                surface.toSvg(SvgTheme.LIGHT).contains(">a &lt; b &amp; c &gt; d</text>"),
+                surface.toSvg(SvgTheme.LIGHT));
     }
 
     @Test
     void aSubscriptIsLoweredAndTheLineContinues() {
-        SvgDrawing drawing = new SvgDrawing(10, 10, Color.WHITE);
-        drawing.drawText("t_D = 1", Vector2.ZERO, TextStyle.plain(12, Color.BLACK));
+        SvgSurface surface = new SvgSurface(10, 10, Color.WHITE);
+        surface.drawText("t_D = 1", Vector2.ZERO, TextStyle.plain(12, Color.BLACK));
         assertTrue(
-                drawing.toSvg(SvgTheme.LIGHT)
+                surface.toSvg(SvgTheme.LIGHT)
                         .contains(
                                 ">t<tspan dy=\"3\" font-size=\"9\">D</tspan><tspan dy=\"-3\" dx=\"3.84\">= 1</tspan></text>"),
-                drawing.toSvg(SvgTheme.LIGHT));
+                surface.toSvg(SvgTheme.LIGHT));
     }
 
     @Test
@@ -108,9 +108,9 @@ class ChartPainterTest {
     }
 
     private static String file() {
-        SvgDrawing drawing = new SvgDrawing(300, 200, Color.WHITE);
-        ChartPainter.paint(drawing, chart(), new PixelRectangle(0, 0, 300, 200), ChartStyle.LIGHT);
-        return drawing.toSvg(SvgTheme.LIGHT);
+        SvgSurface surface = new SvgSurface(300, 200, Color.WHITE);
+        ChartPainter.paint(surface, chart(), new PixelRectangle(0, 0, 300, 200), ChartStyle.LIGHT);
+        return surface.toSvg(SvgTheme.LIGHT);
     }
 
     private static Chart chart() {
@@ -134,7 +134,7 @@ class ChartPainterTest {
             Graphics2D graphics = image.createGraphics();
             graphics.setColor(theme.palette().canvas());
             graphics.fillRect(0, 0, 300, 200);
-            ChartPainter.paint(new GraphicsDrawing(graphics), chart(), new PixelRectangle(0, 0, 300, 200), theme);
+            ChartPainter.paint(new GraphicsSurface(graphics), chart(), new PixelRectangle(0, 0, 300, 200), theme);
             graphics.dispose();
             // The right half of the plot is the second class, under all else.
             assertEquals(theme.classes().get(1).getRGB(), image.getRGB(275, 100));

@@ -15,21 +15,23 @@ import org.xml.sax.InputSource;
 /** One drawing on white, on a dark ground, and on whichever the reader has. */
 class SvgThemeTest {
 
-    private static SvgDrawing drawing() {
+    private static SvgSurface picture() {
         ChartStyle theme = ChartStyle.LIGHT;
-        SvgDrawing drawing = new SvgDrawing(200, 100, theme.palette().canvas());
-        drawing.drawText(
+        SvgSurface surface = new SvgSurface(200, 100, theme.palette().canvas());
+        surface.drawText(
                 "text", new Vector2(10, 10), TextStyle.plain(12, theme.palette().text()));
-        drawing.fillPolygon(
-                List.of(new Vector2(1, 1), new Vector2(9, 1), new Vector2(9, 9)),
+        surface.fill(
+                Shapes.polygon(List.of(new Vector2(1, 1), new Vector2(9, 1), new Vector2(9, 9))),
                 ChartStyle.withOpacity(theme.series().get(1), 0.2));
-        drawing.drawCircle(new Vector2(5, 5), 3, LineStyle.solid(theme.series().get(0), 1));
-        return drawing;
+        surface.draw(
+                Shapes.circle(new Vector2(5, 5), 3),
+                LineStyle.solid(theme.series().get(0), 1));
+        return surface;
     }
 
     @Test
     void onADarkGroundEveryColourIsTheDarkThemesForTheSame() {
-        String dark = drawing().toSvg(SvgTheme.DARK);
+        String dark = picture().toSvg(SvgTheme.DARK);
         assertTrue(
                 dark.contains(
                         "fill=\"" + SvgFormat.toHex(ChartStyle.DARK.palette().canvas()) + "\""),
@@ -51,8 +53,8 @@ class SvgThemeTest {
 
     @Test
     void anAdaptivePictureIsTheLightOneWithARuleForEachUseOfAColour() throws Exception {
-        String adaptive = drawing().toSvg(SvgTheme.ADAPTIVE);
-        assertEquals(drawing().toSvg(SvgTheme.LIGHT), adaptive.replaceFirst("(?s)<style>.*</style>\n", ""));
+        String adaptive = picture().toSvg(SvgTheme.ADAPTIVE);
+        assertEquals(picture().toSvg(SvgTheme.LIGHT), adaptive.replaceFirst("(?s)<style>.*</style>\n", ""));
         assertTrue(
                 adaptive.contains(
                         "[stroke=\"" + SvgFormat.toHex(ChartStyle.LIGHT.series().get(0)) + "\"] {stroke: "
@@ -69,7 +71,7 @@ class SvgThemeTest {
 
     @Test
     void aColourOutsideTheThemeIsRejected() {
-        SvgDrawing drawing = new SvgDrawing(10, 10, new Color(0x123456));
-        assertThrows(IllegalStateException.class, () -> drawing.toSvg(SvgTheme.DARK));
+        SvgSurface surface = new SvgSurface(10, 10, new Color(0x123456));
+        assertThrows(IllegalStateException.class, () -> surface.toSvg(SvgTheme.DARK));
     }
 }

@@ -1,4 +1,4 @@
-package faultline.gui.instrument;
+package faultline.paint.chart;
 
 import static faultline.control.FollowerState.ALIGN;
 import static faultline.control.FollowerState.FOLLOW;
@@ -10,15 +10,19 @@ import static faultline.control.FollowerState.TURN;
 import faultline.control.FollowerState;
 import faultline.control.StateDiagram.Arrow;
 import faultline.geometry.Vector2;
+import faultline.paint.surface.LineStyle;
+import faultline.paint.surface.PixelRectangle;
+import faultline.paint.surface.Shapes;
+import faultline.paint.surface.Surface;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 
 /**
- * Where the boxes and arrows of the state diagram are, pixels: two rows of three, so that the usual course of things
- * goes round clockwise.
+ * The positions of the boxes and arrows of the state diagram, pixels: two rows of three, in which the usual sequence of
+ * states runs clockwise.
  */
-final class DiagramLayout {
+public final class StateDiagramLayout {
 
     private static final List<List<FollowerState>> ROWS =
             List.of(List.of(SEARCH, TURN, MEASURE), List.of(ROUND, FOLLOW, ALIGN));
@@ -29,29 +33,29 @@ final class DiagramLayout {
     private static final double MAX_BOX_HEIGHT = 46;
     private static final double GAP_SHARE = 0.3;
 
-    /** Two arrows between the same boxes run side by side, this far off the middle. */
+    /** The distance of an arrow from the line between the middles of its boxes, pixels. */
     private static final double LANE_OFFSET = 7;
 
-    /** How far above the boxes the arrow from end to end of a row runs. */
+    /** The height above the boxes of the arrow from one end of a row to the other, pixels. */
     private static final double ARCH_HEIGHT = 22;
 
-    private final double width;
-    private final double height;
+    private final PixelRectangle area;
     private final double boxWidth;
     private final double boxHeight;
 
-    DiagramLayout(double width, double height) {
-        this.width = width;
-        this.height = height;
-        boxWidth = Math.min(MAX_BOX_WIDTH, (width - 2 * SIDE_MARGIN) / 3 * (1 - GAP_SHARE));
-        boxHeight = Math.min(MAX_BOX_HEIGHT, (height - TOP_MARGIN - BOTTOM_MARGIN) / 2 * (1 - GAP_SHARE));
+    /** Creates the layout that fills an area. */
+    public StateDiagramLayout(PixelRectangle area) {
+        this.area = area;
+        boxWidth = Math.min(MAX_BOX_WIDTH, (area.width() - 2 * SIDE_MARGIN) / 3 * (1 - GAP_SHARE));
+        boxHeight = Math.min(MAX_BOX_HEIGHT, (area.height() - TOP_MARGIN - BOTTOM_MARGIN) / 2 * (1 - GAP_SHARE));
     }
 
-    Rectangle2D box(FollowerState state) {
+    /** Returns the box of a state. */
+    public Rectangle2D box(FollowerState state) {
         int row = ROWS.get(0).contains(state) ? 0 : 1;
         int column = ROWS.get(row).indexOf(state);
-        double x = SIDE_MARGIN + column * (width - 2 * SIDE_MARGIN - boxWidth) / 2;
-        double y = row == 0 ? TOP_MARGIN : height - BOTTOM_MARGIN - boxHeight;
+        double x = area.x() + SIDE_MARGIN + column * (area.width() - 2 * SIDE_MARGIN - boxWidth) / 2;
+        double y = area.y() + (row == 0 ? TOP_MARGIN : area.height() - BOTTOM_MARGIN - boxHeight);
         return new Rectangle2D.Double(x, y, boxWidth, boxHeight);
     }
 
@@ -59,13 +63,21 @@ final class DiagramLayout {
      * The line of an arrow.
      *
      * @param shaft from box to box
-     * @param tip where it ends
-     * @param direction of the tip, of length 1
-     * @param middle where its number stands
+     * @param tip its end
+     * @param direction of the tip, a unit vector
+     * @param middle the position of its number
      */
-    record ArrowRoute(Path2D shaft, Vector2 tip, Vector2 direction, Vector2 middle) {}
+    public record ArrowRoute(Path2D shaft, Vector2 tip, Vector2 direction, Vector2 middle) {
 
-    ArrowRoute route(Arrow arrow) {
+        /** Paints the arrow; the length of its head in pixels. */
+        public void paint(Surface surface, LineStyle style, double headLength) {
+            surface.draw(shaft, style);
+            surface.fill(Shapes.arrowhead(tip, direction, headLength, headLength), style.colour());
+        }
+    }
+
+    /** Returns the line of an arrow. */
+    public ArrowRoute route(Arrow arrow) {
         return arrow.from() == MEASURE && arrow.to() == SEARCH ? archRoute(arrow) : straightRoute(arrow);
     }
 
@@ -73,17 +85,18 @@ final class DiagramLayout {
         Vector2 from = centre(arrow.from());
         Vector2 to = centre(arrow.to());
         Vector2 along = to.minus(from).times(1 / to.distanceTo(from));
-        // Each way keeps to its right, so that there and back do not lie on each other.
+        // Every arrow is shifted to its right, so that two opposite ones do not overlap.
         Vector2 lane = new Vector2(-along.y(), along.x()).times(LANE_OFFSET);
         Vector2 start = boxEdge(from.plus(lane), along, arrow.from());
         Vector2 tip = boxEdge(to.plus(lane), along.times(-1), arrow.to());
-        Path2D shaft = new Path2D.Double();
-        shaft.moveTo(start.x(), start.y());
-        shaft.lineTo(tip.x(), tip.y());
-        return new ArrowRoute(shaft, tip, along, start.plus(tip).times(0.5).plus(lane));
+        return new ArrowRoute(
+                Shapes.polyline(List.of(start, tip)),
+                tip,
+                along,
+                start.plus(tip).times(0.5).plus(lane));
     }
 
-    /** Over the box between. */
+    /** Returns the arrow over the box between two others. */
     private ArrowRoute archRoute(Arrow arrow) {
         Rectangle2D from = box(arrow.from());
         Rectangle2D to = box(arrow.to());
@@ -111,7 +124,7 @@ final class DiagramLayout {
         return new Vector2(box.getCenterX(), box.getCenterY());
     }
 
-    /** Where a line from inside a box leaves it. */
+    /** Returns the point at which a line from inside a box leaves it. */
     private Vector2 boxEdge(Vector2 inside, Vector2 direction, FollowerState state) {
         Rectangle2D box = box(state);
         double across = direction.x() > 0
@@ -120,7 +133,7 @@ final class DiagramLayout {
         double down = direction.y() > 0
                 ? (box.getMaxY() - inside.y()) / direction.y()
                 : (box.getY() - inside.y()) / direction.y();
-        double way = Math.min(direction.x() == 0 ? down : across, direction.y() == 0 ? across : down);
-        return inside.plus(direction.times(way));
+        double length = Math.min(direction.x() == 0 ? down : across, direction.y() == 0 ? across : down);
+        return inside.plus(direction.times(length));
     }
 }

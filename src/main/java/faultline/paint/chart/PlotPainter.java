@@ -1,0 +1,137 @@
+package faultline.paint.chart;
+
+import faultline.geometry.Vector2;
+import faultline.paint.surface.ChartStyle;
+import faultline.paint.surface.LineStyle;
+import faultline.paint.surface.PixelRectangle;
+import faultline.paint.surface.Shapes;
+import faultline.paint.surface.Surface;
+import faultline.paint.surface.TextStyle;
+import faultline.paint.surface.TextStyle.Anchor;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/**
+ * Paints the parts that all charts share: grid lines, the labels of ticks, lines that are clipped at the plot, and
+ * series.
+ *
+ * @param surface the target
+ * @param plot the rectangle and the axes
+ */
+public record PlotPainter(Surface surface, Plot plot) {
+
+    /** Paints a line at each tick of both axes. */
+    public void paintGrid(LineStyle style) {
+        plot.horizontal().ticks().forEach(tick -> {
+            double share = plot.horizontal().fractionOf(tick);
+            drawLine(plot.area().pointAt(share, 0), plot.area().pointAt(share, 1), style);
+        });
+        plot.vertical().ticks().forEach(tick -> {
+            double share = plot.vertical().fractionOf(tick);
+            drawLine(plot.area().pointAt(0, share), plot.area().pointAt(1, share), style);
+        });
+    }
+
+    /** Paints the ticks of both axes with their values. */
+    public void paintTicks(TickStyle style) {
+        LineStyle mark = LineStyle.solid(style.text().colour(), 1);
+        for (double tick : plot.horizontal().ticks()) {
+            Vector2 foot = plot.area().pointAt(plot.horizontal().fractionOf(tick), 0);
+            paintTick(foot, new Vector2(0, style.markLength()), mark);
+            surface.drawText(
+                    Axis.formatTick(tick) + style.unit(),
+                    foot.plus(new Vector2(0, style.below())),
+                    style.text().withAnchor(Anchor.MIDDLE));
+        }
+        for (double tick : plot.vertical().ticks()) {
+            Vector2 foot = plot.area().pointAt(0, plot.vertical().fractionOf(tick));
+            paintTick(foot, new Vector2(-style.markLength(), 0), mark);
+            surface.drawText(
+                    Axis.formatTick(tick),
+                    foot.plus(new Vector2(-style.left(), 4)),
+                    style.text().withAnchor(Anchor.END));
+        }
+    }
+
+    private void paintTick(Vector2 foot, Vector2 mark, LineStyle style) {
+        if (mark.length() > 0) {
+            drawLine(foot, foot.plus(mark), style);
+        }
+    }
+
+    /** Paints a line through pairs of values as far as it lies in the plot; a pair that is not finite is a gap. */
+    public void paintLine(List<Vector2> values, LineStyle style) {
+        LineClipper.clip(values.stream().map(plot::toFractions).toList())
+                .forEach(piece -> surface.draw(Shapes.polyline(toPicture(piece)), style));
+    }
+
+    /** Paints a series in the colours of a style. */
+    void paint(Series series, ChartStyle style) {
+        if (series instanceof Series.Line line) {
+            paintLine(line.points(), style.lineStyle(line.styleIndex()));
+        } else if (series instanceof Series.Points points) {
+            points.points().stream()
+                    .map(plot::toFractions)
+                    .filter(PlotPainter::isInside)
+                    .forEach(at -> MarkerPainter.paint(surface, toPicture(at), points.styleIndex(), style));
+        } else if (series instanceof Series.Band band) {
+            paintBand(band, style);
+        } else if (series instanceof Series.Note note) {
+            surface.drawText(
+                    note.name(),
+                    plot.toPicture(note.position()),
+                    TextStyle.plain(11, style.palette().text()));
+        }
+    }
+
+    private void paintBand(Series.Band band, ChartStyle style) {
+        List<Vector2> outline = new ArrayList<>(band.lower());
+        Collections.reverse(outline);
+        outline.addAll(0, band.upper());
+        List<Vector2> clamped =
+                outline.stream().map(plot::toFractions).map(PlotPainter::clamp).toList();
+        surface.fill(Shapes.polygon(toPicture(clamped)), ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2));
+    }
+
+    /** Paints the cells of a map, which fill the plot. */
+    void paintCells(Series.Cells cells, ChartStyle style) {
+        double height = 1.0 / cells.rows().size();
+        for (int row = 0; row < cells.rows().size(); row++) {
+            List<Integer> classes = cells.rows().get(row);
+            double width = 1.0 / classes.size();
+            for (int column = 0; column < classes.size(); column++) {
+                surface.fill(
+                        Shapes.polygon(corners(
+                                plot.area(), column * width, row * height, (column + 1) * width, (row + 1) * height)),
+                        style.classes().get(classes.get(column)));
+            }
+        }
+    }
+
+    /** Returns the corners of a rectangle whose sides are at fractions of an area. */
+    static List<Vector2> corners(PixelRectangle area, double left, double low, double right, double high) {
+        return List.of(
+                area.pointAt(left, low), area.pointAt(right, low), area.pointAt(right, high), area.pointAt(left, high));
+    }
+
+    private void drawLine(Vector2 from, Vector2 to, LineStyle style) {
+        surface.draw(Shapes.polyline(List.of(from, to)), style);
+    }
+
+    private List<Vector2> toPicture(List<Vector2> fractions) {
+        return fractions.stream().map(this::toPicture).toList();
+    }
+
+    private Vector2 toPicture(Vector2 fractions) {
+        return plot.area().pointAt(fractions.x(), fractions.y());
+    }
+
+    private static boolean isInside(Vector2 fractions) {
+        return fractions.x() >= 0 && fractions.x() <= 1 && fractions.y() >= 0 && fractions.y() <= 1;
+    }
+
+    private static Vector2 clamp(Vector2 fractions) {
+        return new Vector2(Math.max(0, Math.min(1, fractions.x())), Math.max(0, Math.min(1, fractions.y())));
+    }
+}

@@ -1,0 +1,49 @@
+package faultline.paint.surface;
+
+import faultline.geometry.Vector2;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.util.List;
+
+/** Creates shapes from points. All coordinates are in pixels. */
+public final class Shapes {
+
+    private Shapes() {}
+
+    /** Returns the open line through points, of which there is at least one. */
+    public static Path2D polyline(List<Vector2> points) {
+        Path2D path = new Path2D.Double(Path2D.WIND_NON_ZERO, points.size() + 1);
+        path.moveTo(points.get(0).x(), points.get(0).y());
+        for (Vector2 point : points.subList(1, points.size())) {
+            path.lineTo(point.x(), point.y());
+        }
+        return path;
+    }
+
+    /** Returns the closed line through points, of which there is at least one. */
+    public static Path2D polygon(List<Vector2> points) {
+        Path2D path = polyline(points);
+        path.closePath();
+        return path;
+    }
+
+    /** Returns a circle. */
+    public static Ellipse2D circle(Vector2 centre, double radius) {
+        return new Ellipse2D.Double(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius);
+    }
+
+    /**
+     * Returns the head of an arrow.
+     *
+     * @param tip of the arrow
+     * @param direction of the arrow, a unit vector
+     * @param length from the tip to the base
+     * @param width of the base
+     * @return a triangle
+     */
+    public static Path2D arrowhead(Vector2 tip, Vector2 direction, double length, double width) {
+        Vector2 base = tip.minus(direction.times(length));
+        Vector2 half = direction.perpendicular().times(width / 2);
+        return polygon(List.of(tip, base.plus(half), base.minus(half)));
+    }
+}
