@@ -11,254 +11,206 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Snapshot;
 import faultline.world.World;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 
 /**
- * One run, tick by tick. It belongs to one thread, and holds no clock, sleep or thread of its own making but the
- * controller's link.
+ * A run that advances tick by tick. It is confined to one thread and reads no clock; only the controller may run on
+ * another thread.
  *
- * <p>The decision on observation k-1 acts at tick k, by rule, wherever the controller runs; that, and nothing else, is
- * why both modes give the same bits.
+ * <p>The decision on observation k-1 acts at tick k in either controller mode, so both modes give the same bits.
  */
 public final class Simulation implements AutoCloseable {
 
     private final SimulationSetup setup;
     private final World world;
     private final ControllerHost controllerHost;
-    private final TickCommands tickCommands;
+    private final CommandListener commandListener;
+    private final Timeline timeline;
+    private final List<Journal.Entry> journal = new ArrayList<>();
     private final TrajectoryRecorder trajectoryRecorder = new TrajectoryRecorder();
     private Decision activeDecision;
 
     /**
-     * A run at tick 0: its timeline's first commands applied, its sensors read, its controller asked.
-     *
-     * @param setup what to run
-     * @param mode where the controller runs
+     * Creates a simulation whose commands have no listener; see {@link #Simulation(SimulationSetup, ControllerMode,
+     * CommandListener)}.
      */
     public Simulation(SimulationSetup setup, ControllerMode mode) {
         this(setup, mode, CommandListener.NONE);
     }
 
+    /**
+     * Creates a simulation at tick 0: the timeline's commands for time 0 have been executed, the sensors have been
+     * read, and the first observation has been submitted to the controller.
+     *
+     * @param setup the setup
+     * @param mode the thread of the controller
+     * @param listener receives the result of every command
+     */
     public Simulation(SimulationSetup setup, ControllerMode mode, CommandListener listener) {
         this.setup = setup;
         this.world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
         this.controllerHost = ControllerHost.create(ControllerFactory.create(setup.controller()), mode);
         this.activeDecision = new Decision(0, 0, Telemetry.ofState(ControllerFactory.initialState(setup.controller())));
-        this.tickCommands = new TickCommands(setup, world, listener);
+        this.commandListener = listener;
+        this.timeline = new Timeline(setup);
+        executeDueCommands(0);
         senseAndSubmit();
     }
 
     /**
-     * Makes one tick, in the one order that the whole program agrees on.
+     * Advances the run by one tick.
      *
-     * @throws RunFailedException if the controller threw or does not answer
+     * @throws RunFailedException if the controller threw an exception or did not answer
      */
     public void tick() {
-        tickCommands.applyDueCommands();
+        executeDueCommands(world.tick() + 1);
         activeDecision = controllerHost.await();
         world.move(activeDecision.leftVolts(), activeDecision.rightVolts());
         senseAndSubmit();
-        tickCommands.endTick();
     }
 
-    /** Steps 6 and 7: sense, record, and ask the controller. */
     private void senseAndSubmit() {
         world.sense();
         trajectoryRecorder.record(world);
         controllerHost.submit(new Observation(world.tick(), setup.dt(), world.robot(), world.reportedReadings()));
     }
 
-    /**
-     * Executes a command from outside at the start of the coming tick, and adds it to the journal unless it is refused.
-     *
-     * @param command the command
-     * @return the result
-     */
-    public CommandResult execute(Command command) {
-        return tickCommands.execute(command);
+    private void executeDueCommands(long tick) {
+        while (timeline.isDue(tick)) {
+            executeOnWorld(timeline.take());
+        }
+    }
+
+    private CommandResult executeOnWorld(Command command) {
+        CommandResult result = world.execute(command);
+        commandListener.commandHandled(result);
+        return result;
     }
 
     /**
-     * Reads the sensors again, so that a frame taken between two ticks shows what commands have changed. The run itself
-     * does not notice.
+     * Executes a command from outside at the start of the next tick, after the timeline's commands for that tick, and
+     * adds it to the journal unless it is refused.
      */
+    public CommandResult execute(Command command) {
+        executeDueCommands(world.tick() + 1);
+        CommandResult result = executeOnWorld(command);
+        if (result.refusal().isEmpty()) {
+            journal.add(new Journal.Entry(result.tick(), command));
+        }
+        return result;
+    }
+
+    /** Reads the sensors again, so that a frame taken between two ticks shows the effect of commands. */
     public void resample() {
         world.sense();
     }
 
-    /**
-     * How many ticks have passed.
-     *
-     * @return from 0
-     */
+    /** Returns the number of ticks made. */
     public long ticks() {
         return world.tick();
     }
 
-    /**
-     * The time that has passed.
-     *
-     * @return ticks times dt, seconds
-     */
+    /** Returns the simulated time: ticks times dt, seconds. */
     public double time() {
         return world.tick() * setup.dt();
     }
 
-    /**
-     * What is run.
-     *
-     * @return the setup
-     */
+    /** Returns the setup of the run. */
     public SimulationSetup setup() {
         return setup;
     }
 
-    /**
-     * The robot's pose.
-     *
-     * @return its heading is not normalised
-     */
+    /** Returns the robot's pose; its heading is not normalised. */
     public Pose pose() {
         return world.pose();
     }
 
-    /**
-     * The robot as it is built and set now.
-     *
-     * @return a value
-     */
+    /** Returns the robot with its current settings. */
     public RobotSpec robot() {
         return world.robot();
     }
 
-    /**
-     * The speed of the left wheels.
-     *
-     * @return metres per second
-     */
+    /** Returns the speed of the left wheels, metres per second. */
     public double leftSpeed() {
         return world.leftSpeed();
     }
 
-    /**
-     * The speed of the right wheels.
-     *
-     * @return metres per second
-     */
+    /** Returns the speed of the right wheels, metres per second. */
     public double rightSpeed() {
         return world.rightSpeed();
     }
 
-    /**
-     * The robot's linear velocity.
-     *
-     * @return metres per second, positive ahead
-     */
+    /** Returns the robot's linear velocity, metres per second, positive forwards. */
     public double v() {
         return DifferentialDrive.linearVelocity(world.leftSpeed(), world.rightSpeed());
     }
 
-    /**
-     * The robot's angular velocity.
-     *
-     * @return radians per second, positive to the left
-     */
+    /** Returns the robot's angular velocity, radians per second, positive to the left. */
     public double omega() {
         return DifferentialDrive.angularVelocity(
                 world.leftSpeed(), world.rightSpeed(), world.robot().track());
     }
 
     /**
-     * What a sensor would read without noise and faults, switched on or not.
+     * Returns a sensor's reading without noise and faults, even if it is switched off; encoded as in
+     * {@link faultline.sensor.Reading}.
      *
-     * @param sensor its place in the robot's list
-     * @return encoded as in {@link faultline.sensor.Reading}
+     * @param sensor the sensor's index in the robot's list
      */
     public double trueReading(int sensor) {
         return world.trueReading(sensor);
     }
 
     /**
-     * What a sensor reports.
+     * Returns a sensor's reported reading; encoded as in {@link faultline.sensor.Reading}.
      *
-     * @param sensor its place in the robot's list
-     * @return encoded as in {@link faultline.sensor.Reading}
+     * @param sensor the sensor's index in the robot's list
      */
     public double reportedReading(int sensor) {
         return world.reportedReading(sensor);
     }
 
-    /**
-     * What the controller showed with the decision that acted in the last tick.
-     *
-     * @return at tick 0 its first state
-     */
+    /** Returns the telemetry of the decision that acted in the last tick; at tick 0 that of the initial state. */
     public Telemetry telemetry() {
         return activeDecision.telemetry();
     }
 
-    /**
-     * What the controller gave the left motors in the last tick.
-     *
-     * @return volts
-     */
+    /** Returns the voltage of the left motors in the last tick, volts. */
     public double leftVolts() {
         return activeDecision.leftVolts();
     }
 
-    /**
-     * What the controller gave the right motors in the last tick.
-     *
-     * @return volts
-     */
+    /** Returns the voltage of the right motors in the last tick, volts. */
     public double rightVolts() {
         return activeDecision.rightVolts();
     }
 
-    /**
-     * The robot's first contact.
-     *
-     * @return empty before it
-     */
+    /** Returns the robot's first collision, if there was one. */
     public Optional<Collision> collision() {
         return world.collision();
     }
 
-    /**
-     * The hash over all ticks so far.
-     *
-     * @return of poses, wheel speeds and reported readings
-     */
+    /** Returns the hash over the poses, wheel speeds and reported readings of all ticks so far. */
     public long trajectoryHash() {
         return trajectoryRecorder.hash();
     }
 
-    /**
-     * The world now.
-     *
-     * @return an immutable value
-     */
+    /** Returns the current state of the world. */
     public Snapshot snapshot() {
         return world.snapshot();
     }
 
-    /**
-     * All that is shown of this moment.
-     *
-     * @return an immutable value
-     */
+    /** Returns the current state of the run. */
     public Frame frame() {
         return new Frame(
                 world.snapshot(), telemetry(), leftVolts(), rightVolts(), trajectoryRecorder.path(), trajectoryHash());
     }
 
-    /**
-     * What was done from outside so far.
-     *
-     * @return an immutable value
-     */
+    /** Returns the commands executed from outside so far. */
     public Journal journal() {
-        return tickCommands.journal();
+        return new Journal(setup, journal, world.tick());
     }
 
     @Override

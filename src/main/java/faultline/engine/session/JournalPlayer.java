@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 
-/** What a run has still before it of the journal of an earlier one. */
+/** Replays the journal of an earlier run, command by command. */
 final class JournalPlayer {
 
     private final Deque<Journal.Entry> pending;
@@ -18,7 +18,7 @@ final class JournalPlayer {
         endTick = journal.ticks();
     }
 
-    /** Makes a tick, with what the journal has for it. */
+    /** Advances a simulation by one tick, with the journal's commands for that tick. */
     void tick(Simulation simulation) {
         while (!pending.isEmpty() && pending.peek().tick() <= simulation.ticks() + 1) {
             simulation.execute(pending.remove().command());
@@ -26,13 +26,13 @@ final class JournalPlayer {
         simulation.tick();
     }
 
-    /** From now on something else happens than the journal has. */
+    /** Discards the rest of the journal, because the run now differs from it. */
     void discardPending() {
         pending.clear();
         endTick = 0;
     }
 
-    /** What was done, and what is still to come. */
+    /** Returns the simulation's journal, followed by the commands still to be replayed. */
     Journal fullJournal(Simulation simulation) {
         Journal done = simulation.journal();
         List<Journal.Entry> all = new ArrayList<>(done.entries());

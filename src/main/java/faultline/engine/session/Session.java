@@ -14,169 +14,143 @@ import java.util.function.Function;
 import java.util.function.LongPredicate;
 
 /**
- * An interactive run: has a world thread and a controller's, takes commands and orders from any thread without ever
- * blocking the caller, and publishes frames. It starts paused. A restart is a new session from the same setup; a step
- * back is a new session that replays the journal of the old one.
+ * An interactive run. A session has a simulation thread and a controller thread; its methods may be called from any
+ * thread and never block. It starts paused. A restart is a new session with the same setup; a step back is a new
+ * session that replays the journal of the old one.
  */
 public final class Session implements AutoCloseable {
 
     private final SimulationThread simulationThread;
 
-    private Session(RecordedSimulation run) {
-        simulationThread = new SimulationThread(run);
+    private Session(SimulationThread thread) {
+        simulationThread = thread;
     }
 
-    /**
-     * Starts a session, paused at tick 0.
-     *
-     * @param setup what to run
-     * @return the session, its first frame published
-     */
+    /** Starts a session, paused at tick 0. Its first frame is available at once. */
     public static Session start(SimulationSetup setup) {
         return replay(new Journal(setup, List.of(), 0), 0, tick -> true);
     }
 
     /**
-     * Starts a session where an earlier run was at the end of a tick, paused, with all that is remembered of the way
-     * there. It takes as long as the run needs to come there, at full speed. What the journal has for later ticks is
-     * done when they come, until a new command is carried out: from then on this is another run.
+     * Replays an earlier run on the calling thread, at full speed, and starts a session there, paused, with the
+     * recording of the replay. The journal's later commands are executed when their ticks come, until a new command is
+     * executed.
      *
-     * @param journal of the earlier run, as {@link #fullJournal} gives it
-     * @param tick not negative
-     * @param onward asked after each tick on the way, on the calling thread, whether to go on; given the tick
-     * @return the session, its first frame published
-     * @throws RunFailedException if the controller threw or did not answer on the way
-     * @throws java.util.concurrent.CancellationException if it was not to go on
+     * @param journal the earlier run, as returned by {@link #fullJournal}
+     * @param tick the tick to replay to, not negative
+     * @param shouldContinue called after each replayed tick with that tick; false cancels the replay
+     * @return the session; its first frame is available at once
+     * @throws RunFailedException if the controller threw an exception or did not answer
+     * @throws java.util.concurrent.CancellationException if the replay was cancelled
      */
-    public static Session replay(Journal journal, long tick, LongPredicate onward) {
-        Session session = new Session(RecordedSimulation.replayTo(journal, tick, onward));
-        session.simulationThread.start();
-        return session;
+    public static Session replay(Journal journal, long tick, LongPredicate shouldContinue) {
+        return new Session(SimulationThread.start(journal, tick, shouldContinue));
     }
 
-    /**
-     * The newest frame; asking also orders the next one, so that none is built when nobody looks. Wait-free.
-     *
-     * @return the frame
-     */
+    /** Returns the latest frame and requests the next one; frames are made only on request. Wait-free. */
     public SessionFrame frame() {
         return simulationThread.frame();
     }
 
     /**
-     * Gives a command, which is applied and journaled at the start of the next tick; while paused, its effect shows in
-     * the next frame at once.
-     *
-     * @param command what is to be done
+     * Sends a command, which is executed and journaled at the start of the next tick. While the session is paused, the
+     * next frame shows its effect.
      */
     public void send(Command command) {
-        send(List.of(command), outcomes -> {});
+        send(List.of(command), results -> {});
     }
 
     /**
-     * Gives several commands, which are applied one after the other at the start of the same tick.
+     * Sends commands, which are executed in order at the start of the same tick.
      *
-     * @param commands what is to be done
-     * @param told gets what became of each, on the world thread; it must be quick
+     * @param commands the commands
+     * @param resultHandler receives the result of each command, on the simulation thread; must return quickly
      */
-    public void send(List<Command> commands, Consumer<List<CommandResult>> told) {
-        simulationThread.submit(
-                world -> told.accept(commands.stream().map(world::execute).toList()));
+    public void send(List<Command> commands, Consumer<List<CommandResult>> resultHandler) {
+        simulationThread.submit(thread ->
+                resultHandler.accept(commands.stream().map(thread::execute).toList()));
     }
 
-    /** Lets time run. */
+    /** Resumes the run. */
     public void resume() {
         simulationThread.submit(SimulationThread::resume);
     }
 
-    /** Holds time. */
+    /** Pauses the run. */
     public void pause() {
         simulationThread.submit(SimulationThread::pause);
     }
 
-    /**
-     * Holds time once, as soon as a tick has passed; run on, it does not stop there again.
-     *
-     * @param tick later than now
-     */
+    /** Pauses the run once, at the end of a later tick. */
     public void pauseAt(long tick) {
-        simulationThread.submit(world -> world.pauseAt(tick));
+        simulationThread.submit(thread -> thread.pauseAt(tick));
     }
 
-    /** Forgets where to hold. */
+    /** Cancels {@link #pauseAt}. */
     public void clearPauseTick() {
         simulationThread.submit(SimulationThread::clearPauseTick);
     }
 
-    /** Makes one tick and holds. */
+    /** Makes one tick and pauses. */
     public void step() {
         simulationThread.submit(SimulationThread::step);
     }
 
     /**
-     * Sets the pace.
+     * Sets the requested speed.
      *
-     * @param factor times real time, positive; positive infinity for as fast as possible
+     * @param factor multiple of real time, positive; positive infinity for full speed
      * @throws IllegalArgumentException if it is not positive
      */
     public void setSpeed(double factor) {
         if (!(factor > 0)) {
             throw new IllegalArgumentException("the speed must be positive: " + factor);
         }
-        simulationThread.submit(world -> world.setSpeed(factor));
+        simulationThread.submit(thread -> thread.setSpeed(factor));
     }
 
-    /**
-     * How the session is.
-     *
-     * @return a value of this moment
-     */
+    /** Returns the current status. */
     public Status status() {
         return simulationThread.status();
     }
 
     /**
-     * What was done so far, taken between two ticks.
-     *
-     * @return completed on the world thread, soon; exceptionally if the session is closed before
+     * Returns the commands executed so far. The future completes on the simulation thread between two ticks, or
+     * exceptionally if the session is closed before.
      */
     public CompletableFuture<Journal> journal() {
-        return requestJournal(RecordedSimulation::journal);
+        return requestJournal(SimulationThread::journal);
     }
 
-    /**
-     * What was done so far, and what a session that replays an earlier run still has before it.
-     *
-     * @return completed on the world thread, soon; exceptionally if the session is closed before
-     */
+    /** Returns the commands executed so far and those still to be replayed; completes as {@link #journal}. */
     public CompletableFuture<Journal> fullJournal() {
-        return requestJournal(RecordedSimulation::fullJournal);
+        return requestJournal(SimulationThread::fullJournal);
     }
 
-    private CompletableFuture<Journal> requestJournal(Function<RecordedSimulation, Journal> question) {
+    private CompletableFuture<Journal> requestJournal(Function<SimulationThread, Journal> request) {
         CompletableFuture<Journal> journal = new CompletableFuture<>();
-        simulationThread.submit(world -> journal.complete(question.apply(world.simulation())));
+        simulationThread.submit(thread -> journal.complete(request.apply(thread)));
         if (simulationThread.isClosed()) {
             journal.completeExceptionally(new IllegalStateException("the session is closed"));
         }
         return journal;
     }
 
-    /** Ends the session and its threads; frames already taken stay good. */
+    /** Ends the session and its threads. Frames stay valid. */
     @Override
     public void close() {
         simulationThread.close();
     }
 
     /**
-     * How a session is at one moment.
+     * The status of a session at one moment.
      *
-     * @param running whether time runs
-     * @param speed the pace asked for, times real time, positive infinity for as fast as possible
-     * @param achievedSpeed the pace reached over the last half second, times real time; 0 while held
-     * @param refusals how many commands were refused so far
-     * @param lastRefusal why the last of them was
-     * @param failure why the run broke off, empty while it is sound
+     * @param running whether the run advances
+     * @param speed the requested speed, multiple of real time; positive infinity for full speed
+     * @param achievedSpeed the speed over the last half second, multiple of real time; 0 while paused
+     * @param refusals the number of refused commands so far
+     * @param lastRefusal the last refusal, if any
+     * @param failure why the run failed, if it did
      */
     public record Status(
             boolean running,

@@ -1,60 +1,92 @@
 package faultline.engine.session;
 
+import faultline.engine.ControllerMode;
+import faultline.engine.Journal;
 import faultline.engine.RunFailedException;
+import faultline.engine.Simulation;
+import faultline.engine.recording.Recorder;
 import faultline.engine.session.Session.Status;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Refusal;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import java.util.function.LongPredicate;
 
 /**
- * The life of a session's world thread: it obeys orders, makes ticks at the pace that is wanted, publishes what others
- * look at, and rests. Other threads may only order, look and close.
+ * The thread of a session: runs submitted tasks between ticks, makes ticks at the requested speed, and publishes frames
+ * and the status. Only the methods above {@link #run} may be called from other threads.
  */
 final class SimulationThread implements Runnable {
 
     private static final long NO_PAUSE_TICK = -1;
 
     private final Queue<Consumer<SimulationThread>> tasks = new ConcurrentLinkedQueue<>();
-    private final AtomicReference<SessionFrame> latestFrame;
-    private final AtomicReference<Status> status;
+    private final AtomicReference<SessionFrame> latestFrame = new AtomicReference<>();
+    private final AtomicReference<Status> status = new AtomicReference<>();
     private final Thread thread = new Thread(this, "faultline-world");
     private volatile boolean frameWanted;
     private volatile boolean closed;
 
-    // The world thread's own.
-    private final RecordedSimulation run;
+    // Used by the simulation thread only, after the replay.
+    private final Simulation simulation;
+    private final Recorder recorder;
+    private final JournalPlayer player;
     private final Pacer pacer = new Pacer();
     private boolean running;
     private long pauseTick = NO_PAUSE_TICK;
     private boolean frameOutdated;
     private int refusals;
-    private Optional<Refusal> lastRefusal = Optional.empty();
-    private Optional<String> failure = Optional.empty();
+    private Refusal lastRefusal;
+    private String failure;
 
-    SimulationThread(RecordedSimulation run) {
-        this.run = run;
-        latestFrame = new AtomicReference<>(run.frame());
-        status = new AtomicReference<>(currentStatus());
+    private SimulationThread(Journal journal) {
+        recorder = new Recorder(journal.setup());
+        player = new JournalPlayer(journal);
+        simulation = new Simulation(journal.setup(), ControllerMode.OWN_THREAD, recorder);
+        recorder.observe(simulation);
         thread.setDaemon(true);
     }
 
-    void start() {
-        thread.start();
+    /**
+     * Replays a journal up to a tick on the calling thread, at full speed, and starts the simulation thread there,
+     * paused.
+     */
+    static SimulationThread start(Journal journal, long tick, LongPredicate shouldContinue) {
+        SimulationThread made = new SimulationThread(journal);
+        try {
+            made.replayTo(tick, shouldContinue);
+        } catch (RuntimeException e) {
+            made.simulation.close();
+            throw e;
+        }
+        made.latestFrame.set(made.currentFrame());
+        made.status.set(made.currentStatus());
+        made.thread.start();
+        return made;
     }
 
-    /** Has something done on the world thread, between two ticks. */
-    void submit(Consumer<SimulationThread> order) {
-        tasks.add(order);
+    private void replayTo(long tick, LongPredicate shouldContinue) {
+        while (simulation.ticks() < tick) {
+            advance();
+            if (!shouldContinue.test(simulation.ticks())) {
+                throw new CancellationException("the replay was cancelled at tick " + simulation.ticks());
+            }
+        }
+    }
+
+    /** Submits a task that runs on the simulation thread between two ticks. */
+    void submit(Consumer<SimulationThread> task) {
+        tasks.add(task);
         LockSupport.unpark(thread);
     }
 
-    /** The newest frame; asking orders the next one. */
+    /** Returns the latest frame and requests the next one. */
     SessionFrame frame() {
         frameWanted = true;
         return latestFrame.get();
@@ -75,7 +107,7 @@ final class SimulationThread implements Runnable {
 
     @Override
     public void run() {
-        try (run) {
+        try (simulation) {
             while (!closed) {
                 runTasks();
                 if (running) {
@@ -84,40 +116,42 @@ final class SimulationThread implements Runnable {
                 publish();
                 awaitNextTick();
             }
-            // What was asked before the end is answered.
+            // Requests from before the end are still answered.
             runTasks();
         }
     }
 
     private void runTasks() {
-        Consumer<SimulationThread> order = tasks.poll();
-        while (order != null) {
+        for (Consumer<SimulationThread> task = tasks.poll(); task != null; task = tasks.poll()) {
             try {
-                order.accept(this);
-            } catch (RuntimeException broken) {
-                fail(broken);
+                task.accept(this);
+            } catch (RuntimeException e) {
+                fail(e);
             }
-            order = tasks.poll();
         }
     }
 
     private void tick() {
         try {
-            run.tick();
-            pacer.tickCompleted(run.dt());
+            advance();
+            pacer.tickCompleted(simulation.setup().dt());
             frameOutdated = true;
-            running = running && run.ticks() != pauseTick;
-        } catch (RuntimeException broken) {
-            fail(broken);
+            running = running && simulation.ticks() != pauseTick;
+        } catch (RuntimeException e) {
+            fail(e);
         }
     }
 
-    private void fail(RuntimeException broken) {
+    private void advance() {
+        player.tick(simulation);
+        recorder.observe(simulation);
+    }
+
+    private void fail(RuntimeException cause) {
         running = false;
-        failure = Optional.of(
-                broken instanceof RunFailedException
-                        ? broken.getMessage()
-                        : "the run broke at tick " + run.ticks() + ": " + broken);
+        failure = cause instanceof RunFailedException
+                ? cause.getMessage()
+                : "the run broke at tick " + simulation.ticks() + ": " + cause;
     }
 
     private void publish() {
@@ -125,9 +159,9 @@ final class SimulationThread implements Runnable {
             frameWanted = false;
             frameOutdated = false;
             if (!running) {
-                run.resample();
+                simulation.resample();
             }
-            latestFrame.set(run.frame());
+            latestFrame.set(currentFrame());
         }
         Status now = currentStatus();
         if (!now.equals(status.get())) {
@@ -135,11 +169,21 @@ final class SimulationThread implements Runnable {
         }
     }
 
-    private Status currentStatus() {
-        return new Status(running, pacer.speed(), running ? pacer.achievedSpeed() : 0, refusals, lastRefusal, failure);
+    private SessionFrame currentFrame() {
+        return new SessionFrame(simulation.frame(), recorder.view());
     }
 
-    /** Waits for the next tick's moment, or for an order. */
+    private Status currentStatus() {
+        return new Status(
+                running,
+                pacer.speed(),
+                running ? pacer.achievedSpeed() : 0,
+                refusals,
+                Optional.ofNullable(lastRefusal),
+                Optional.ofNullable(failure));
+    }
+
+    /** Waits until the next tick is due or a task is submitted. */
     private void awaitNextTick() {
         if (!tasks.isEmpty() || closed) {
             return;
@@ -154,24 +198,31 @@ final class SimulationThread implements Runnable {
         }
     }
 
-    // Orders: on the world thread only.
+    // For tasks, on the simulation thread.
 
-    RecordedSimulation simulation() {
-        return run;
+    Journal journal() {
+        return simulation.journal();
     }
 
+    Journal fullJournal() {
+        return player.fullJournal(simulation);
+    }
+
+    /** Executes a command from outside. Unless it is refused, the run no longer follows the replayed journal. */
     CommandResult execute(Command command) {
-        CommandResult result = run.execute(command);
+        CommandResult result = simulation.execute(command);
         if (result.refusal().isPresent()) {
             refusals++;
-            lastRefusal = result.refusal();
+            lastRefusal = result.refusal().get();
+        } else {
+            player.discardPending();
         }
         frameOutdated = true;
         return result;
     }
 
     void resume() {
-        running = failure.isEmpty();
+        running = failure == null;
         pacer.restart();
     }
 
@@ -189,7 +240,7 @@ final class SimulationThread implements Runnable {
 
     void step() {
         running = false;
-        if (failure.isEmpty()) {
+        if (failure == null) {
             tick();
         }
     }

@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.session.SessionFrame;
-import faultline.engine.Journal;
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
+import faultline.engine.recording.Recorder;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
@@ -46,11 +48,16 @@ class MemoryGrowthTest {
     @Test
     void anHourAtFullSpeedNeedsHardlyMoreMemoryThanTwentyMinutes() {
         Map<Long, Long> live = new TreeMap<>();
-        try (RecordedSimulation run = RecordedSimulation.replayTo(new Journal(room(), List.of(), 0), 0, tick -> true)) {
-            SessionFrame newest = run.frame();
+        Recorder recorder = new Recorder(room());
+        try (Simulation run = new Simulation(room(), ControllerMode.OWN_THREAD, recorder)) {
+            recorder.observe(run);
+            SessionFrame newest = new SessionFrame(run.frame(), recorder.view());
             while (run.ticks() < HOUR_MINUTES * TICKS_PER_MINUTE) {
                 run.tick();
-                newest = run.ticks() % TICKS_PER_FRAME == 0 ? run.frame() : newest;
+                recorder.observe(run);
+                if (run.ticks() % TICKS_PER_FRAME == 0) {
+                    newest = new SessionFrame(run.frame(), recorder.view());
+                }
                 if (run.ticks() % (10 * TICKS_PER_MINUTE) == 0) {
                     live.put(run.ticks() / TICKS_PER_MINUTE, liveBytes());
                 }
