@@ -1,0 +1,56 @@
+package faultline.control.diagnosis;
+
+/**
+ * How often each pair of sensors contradicted each other of late, and each sensor itself. Counts decay, so that a
+ * contradiction that does not come back is forgotten.
+ */
+final class ConflictCounts {
+
+    /**
+     * What one pair may contribute at most: two sensors that stand alone against each other do not condemn each other
+     * at once.
+     */
+    private static final double MAX_PAIR = 14;
+
+    private final int sensors;
+    private final double[] counts;
+
+    ConflictCounts(int sensors) {
+        this.sensors = sensors;
+        this.counts = new double[sensors * sensors];
+    }
+
+    void add(int one, int other, double weight) {
+        bump(one, other, weight);
+        if (one != other) {
+            bump(other, one, weight);
+        }
+    }
+
+    private void bump(int one, int other, double weight) {
+        int i = one * sensors + other;
+        counts[i] = Math.min(MAX_PAIR, counts[i] + weight);
+    }
+
+    /** Lets all counts of one sensor fade. */
+    void fade(int sensor, double share) {
+        for (int i = sensor * sensors; i < (sensor + 1) * sensors; i++) {
+            counts[i] *= share;
+        }
+    }
+
+    /** The count against a sensor: by itself and by the others of a mask. */
+    double against(int sensor, int others) {
+        double sum = counts[sensor * sensors + sensor];
+        for (int other = 0; other < sensors; other++) {
+            if (other != sensor && (others >> other & 1) != 0) {
+                sum += counts[sensor * sensors + other];
+            }
+        }
+        return sum;
+    }
+
+    double pair(int one, int other) {
+        return counts[one * sensors + other];
+    }
+}

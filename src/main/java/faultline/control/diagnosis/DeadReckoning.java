@@ -1,0 +1,112 @@
+package faultline.control.diagnosis;
+
+import faultline.robot.DifferentialDrive;
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
+
+/**
+ * The robot's pose by dead reckoning: the controller's own voltages through the motor's model. In a frame in which the
+ * wall is kept on the left, whose origin is where the robot started.
+ */
+public final class DeadReckoning {
+
+    private double x;
+    private double y;
+    private double heading;
+    private double leftSpeed;
+    private double rightSpeed;
+    private double rolled;
+    private double turned;
+
+    /**
+     * Lets voltages act for some ticks.
+     *
+     * @param robot the robot as the controller believes it to be
+     * @param leftVolts of the side next to the wall
+     * @param rightVolts of the other side
+     * @param dt the length of a tick, seconds
+     * @param ticks how many
+     */
+    void advance(RobotSpec robot, double leftVolts, double rightVolts, double dt, long ticks) {
+        MotorSpec motor = robot.motor();
+        double decay = motor.decay(dt);
+        rolled = 0;
+        turned = 0;
+        for (long i = 0; i < ticks; i++) {
+            leftSpeed = motor.step(leftSpeed, leftVolts, decay);
+            rightSpeed = motor.step(rightSpeed, rightVolts, decay);
+            double way = DifferentialDrive.linearVelocity(leftSpeed, rightSpeed) * dt;
+            double turn = DifferentialDrive.angularVelocity(leftSpeed, rightSpeed, robot.track()) * dt;
+            double middle = heading + turn / 2;
+            x += way * StrictMath.cos(middle);
+            y += way * StrictMath.sin(middle);
+            heading += turn;
+            rolled += way;
+            turned += turn;
+        }
+    }
+
+    /**
+     * The position ahead of the start.
+     *
+     * @return metres
+     */
+    public double x() {
+        return x;
+    }
+
+    /**
+     * The position to the left of the start.
+     *
+     * @return metres
+     */
+    public double y() {
+        return y;
+    }
+
+    /**
+     * All turning so far.
+     *
+     * @return radians, positive to the left, not normalised
+     */
+    public double heading() {
+        return heading;
+    }
+
+    /**
+     * The distance rolled in the last step.
+     *
+     * @return metres, negative backwards
+     */
+    public double rolled() {
+        return rolled;
+    }
+
+    /**
+     * The turn of the last step.
+     *
+     * @return radians, positive to the left
+     */
+    public double turned() {
+        return turned;
+    }
+
+    /**
+     * The rate of turning now.
+     *
+     * @param robot the robot as the controller believes it to be
+     * @return radians per second, positive to the left
+     */
+    public double omega(RobotSpec robot) {
+        return DifferentialDrive.angularVelocity(leftSpeed, rightSpeed, robot.track());
+    }
+
+    /**
+     * The linear velocity now.
+     *
+     * @return metres per second
+     */
+    public double v() {
+        return DifferentialDrive.linearVelocity(leftSpeed, rightSpeed);
+    }
+}

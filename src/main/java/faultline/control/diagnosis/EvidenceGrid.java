@@ -1,0 +1,153 @@
+package faultline.control.diagnosis;
+
+/**
+ * A map of square cells around the robot that wraps at its borders. Each cell remembers for each source, that is, a
+ * sensor or the robot's own body, when that source last saw it free and when it last saw a surface there. Moments are
+ * counted on a clock that runs with the robot's motion, because it is motion that makes dead reckoning uncertain; what
+ * is older than the reader's memory does not count, so cells need not be cleared when the robot moves on.
+ */
+public final class EvidenceGrid {
+
+    /** The side of a cell, metres. */
+    public static final double CELL = 0.025;
+
+    /** Cells along each axis, a power of two. */
+    public static final int SIZE = 128;
+
+    private static final int WRAP = SIZE - 1;
+
+    private final int sources;
+    private final int[] free;
+    private final int[] hit;
+
+    EvidenceGrid(int sources) {
+        this.sources = sources;
+        this.free = new int[SIZE * SIZE * sources];
+        this.hit = new int[SIZE * SIZE * sources];
+    }
+
+    /**
+     * The cell that a coordinate falls into.
+     *
+     * @param coordinate metres
+     * @return column or row, not wrapped
+     */
+    public static int cellOf(double coordinate) {
+        return (int) Math.floor(coordinate / CELL);
+    }
+
+    private int base(int column, int row) {
+        return ((row & WRAP) * SIZE + (column & WRAP)) * sources;
+    }
+
+    /**
+     * Which of some sources saw a cell free.
+     *
+     * @param column the cell's column, not wrapped
+     * @param row the cell's row, not wrapped
+     * @param since the oldest moment that counts
+     * @param asked a bit for each source
+     * @return the bits of those that did
+     */
+    public int freeBy(int column, int row, int since, int asked) {
+        return by(free, base(column, row), since, asked);
+    }
+
+    /**
+     * Which of some sources saw a surface in a cell.
+     *
+     * @param column the cell's column, not wrapped
+     * @param row the cell's row, not wrapped
+     * @param since the oldest moment that counts
+     * @param asked a bit for each source
+     * @return the bits of those that did
+     */
+    public int hitBy(int column, int row, int since, int asked) {
+        return by(hit, base(column, row), since, asked);
+    }
+
+    private int by(int[] stamps, int base, int since, int asked) {
+        int found = 0;
+        for (int rest = asked; rest != 0; rest &= rest - 1) {
+            int source = Integer.numberOfTrailingZeros(rest);
+            if (stamps[base + source] >= since) {
+                found |= 1 << source;
+            }
+        }
+        return found;
+    }
+
+    /** Notes that a source saw a surface at a point. */
+    void markHit(int source, double x, double y, int moment) {
+        hit[base(cellOf(x), cellOf(y)) + source] = moment;
+    }
+
+    /** Notes that a source occupied or saw free a disc. */
+    void markDisc(int source, double x, double y, double radius, int moment) {
+        int last = cellOf(y + radius);
+        for (int row = cellOf(y - radius); row <= last; row++) {
+            double dy = (row + 0.5) * CELL - y;
+            double half = Math.sqrt(Math.max(0, radius * radius - dy * dy));
+            markRow(source, row, x - half, x + half, moment);
+        }
+    }
+
+    /**
+     * Notes that a source saw a sector free: all cells whose centres lie in it.
+     *
+     * @param source the sensor
+     * @param x of the apex, metres
+     * @param y of the apex, metres
+     * @param axis direction, radians
+     * @param half the half angle, radians, less than a right angle
+     * @param radius metres
+     * @param moment now
+     */
+    void markSector(int source, double x, double y, double axis, double half, double radius, int moment) {
+        double leftCos = StrictMath.cos(axis + half);
+        double leftSin = StrictMath.sin(axis + half);
+        double rightCos = StrictMath.cos(axis - half);
+        double rightSin = StrictMath.sin(axis - half);
+        double top = Math.max(0, Math.max(leftSin, rightSin));
+        double bottom = Math.min(0, Math.min(leftSin, rightSin));
+        // The sector's extreme is the arc's where the axis is near the vertical.
+        double spread = StrictMath.cos(half);
+        double axisSin = StrictMath.sin(axis);
+        top = axisSin >= spread ? 1 : top;
+        bottom = axisSin <= -spread ? -1 : bottom;
+        int last = cellOf(y + radius * top);
+        for (int row = cellOf(y + radius * bottom); row <= last; row++) {
+            double dy = (row + 0.5) * CELL - y;
+            double reach = radius * radius - dy * dy;
+            if (reach <= 0) {
+                continue;
+            }
+            double from = -Math.sqrt(reach);
+            double to = -from;
+            // To the right of the left edge: leftSin dx >= leftCos dy.
+            if (leftSin > 0) {
+                from = Math.max(from, leftCos * dy / leftSin);
+            } else if (leftSin < 0) {
+                to = Math.min(to, leftCos * dy / leftSin);
+            }
+            // To the left of the right edge: rightSin dx <= rightCos dy.
+            if (rightSin > 0) {
+                to = Math.min(to, rightCos * dy / rightSin);
+            } else if (rightSin < 0) {
+                from = Math.max(from, rightCos * dy / rightSin);
+            }
+            if (from <= to) {
+                markRow(source, row, x + from, x + to, moment);
+            }
+        }
+    }
+
+    private void markRow(int source, int row, double from, double to, int moment) {
+        int first = (int) Math.ceil(from / CELL - 0.5);
+        int last = (int) Math.floor(to / CELL - 0.5);
+        int base = (row & WRAP) * SIZE;
+        for (int column = first; column <= last; column++) {
+            free[(base + (column & WRAP)) * sources + source] = moment;
+        }
+    }
+}

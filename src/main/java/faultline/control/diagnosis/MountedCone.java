@@ -1,0 +1,25 @@
+package faultline.control.diagnosis;
+
+import faultline.geometry.Angles;
+import faultline.sensor.SensorSpec;
+
+/**
+ * Where a sensor's cone sits in the frame in which the wall is kept on the left.
+ *
+ * @param x the apex, metres ahead of the robot's centre
+ * @param y the apex, metres to the left of it
+ * @param bearing of the axis, radians, counter-clockwise from straight ahead, in (-pi, pi]
+ * @param half half the field of view, radians
+ * @param range metres
+ */
+public record MountedCone(double x, double y, double bearing, double half, double range) {
+
+    static MountedCone of(SensorSpec sensor, double side) {
+        return new MountedCone(
+                sensor.mountPosition().x(),
+                side * sensor.mountPosition().y(),
+                Angles.normalize(side * sensor.bearing()),
+                sensor.cone() / 2,
+                sensor.range());
+    }
+}

@@ -1,0 +1,360 @@
+package faultline.control.diagnosis;
+
+import faultline.control.Observation;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import java.util.Arrays;
+
+/**
+ * Judges the sensors. One sensor is inspected at each step: what it reports must lie somewhere on the arc at the
+ * reported distance, and what other trusted sensors, or it itself, saw free of late cannot hold that arc.
+ */
+public final class SensorDiagnosis {
+
+    /** How far back free space counts in a test, motion clock. */
+    private static final int MEMORY = 700;
+
+    /** A sector is free up to this much before the reading, metres. */
+    private static final double FREE_MARGIN = 0.04;
+
+    /** Points on a claimed arc that are looked at. */
+    private static final int SAMPLES = 7;
+
+    /** Each claim is tested again after these numbers of inspections, when more has been seen free. */
+    private static final int[] RETESTS = {5, 12, 24};
+
+    private static final int CLAIMS = 32;
+
+    private static final double FADE = 0.97;
+    private static final double THRESHOLD = 9;
+    private static final double FORGIVEN = 0.5;
+    private static final int CONFIRMATIONS = 12;
+
+    /** The motion clock: ticks per metre rolled, per radian turned and per second. */
+    private static final double CLOCK_METRE = 1000;
+
+    private static final double CLOCK_RADIAN = 100;
+    private static final double CLOCK_SECOND = 10;
+    private static final double CLOCK_START = 1_000_000;
+
+    /** A distrusted sensor is tried again after this time, seconds; each relapse doubles it. */
+    private static final double FIRST_PENANCE = 3;
+
+    private static final double MAX_PENANCE = 48;
+
+    private final double side;
+    private final DeadReckoning reckoning = new DeadReckoning();
+    private RobotSpec robot;
+    private MountedCone[] cones = {};
+    private SignalTest[] signals = {};
+    private EvidenceGrid grid;
+    private ConflictCounts conflicts;
+    private double[][] claims = {};
+    private int[] inspections = {};
+    private Finding[] findings = {};
+    private double[] since = {};
+    private double[] penance = {};
+    private double[] confirmations = {};
+    private int trusted;
+    private int next;
+    private double clock = CLOCK_START;
+    private double time;
+
+    /**
+     * A diagnosis of all sensors as healthy.
+     *
+     * @param side 1 where the wall is kept on the left, -1 on the right
+     */
+    public SensorDiagnosis(double side) {
+        this.side = side;
+    }
+
+    /**
+     * Takes an observation.
+     *
+     * @param observation the newest
+     * @param nearVolts what the motors on the wall's side were given since the last one
+     * @param farVolts what the others were given
+     * @param ticks how long ago the last one was
+     */
+    public void update(Observation observation, double nearVolts, double farVolts, long ticks) {
+        if (observation.robot() != robot) {
+            refit(observation.robot());
+        }
+        reckoning.advance(robot, nearVolts, farVolts, observation.dt(), ticks);
+        double dt = ticks * observation.dt();
+        time += dt;
+        clock += CLOCK_METRE * Math.abs(reckoning.rolled())
+                + CLOCK_RADIAN * Math.abs(reckoning.turned())
+                + CLOCK_SECOND * dt;
+        double[] readings = observation.readings();
+        for (int i = 0; i < cones.length; i++) {
+            Finding finding = signals[i].test(readings[i], reckoning.rolled(), reckoning.turned());
+            if (finding != Finding.NONE) {
+                distrust(i, finding);
+            }
+        }
+        long steps = Math.max(1, Math.min(cones.length, Math.round(dt / 0.01)));
+        for (long i = 0; i < steps && cones.length > 0; i++) {
+            inspect(next, readings[next]);
+            next = (next + 1) % cones.length;
+        }
+        if (next == 0) {
+            grid.markDisc(cones.length, reckoning.x(), reckoning.y(), robot.width() / 2, moment());
+        }
+    }
+
+    private void refit(RobotSpec newRobot) {
+        int n = newRobot.sensors().size();
+        boolean same = robot != null && n == cones.length;
+        robot = newRobot;
+        cones = newRobot.sensors().stream()
+                .map(sensor -> MountedCone.of(sensor, side))
+                .toArray(MountedCone[]::new);
+        if (same) {
+            return;
+        }
+        signals = Arrays.stream(cones).map(SignalTest::new).toArray(SignalTest[]::new);
+        grid = new EvidenceGrid(n + 1);
+        conflicts = new ConflictCounts(n);
+        claims = new double[n][CLAIMS * 5];
+        inspections = new int[n];
+        findings = new Finding[n];
+        Arrays.fill(findings, Finding.NONE);
+        since = new double[n];
+        penance = new double[n];
+        Arrays.fill(penance, FIRST_PENANCE);
+        confirmations = new double[n];
+        trusted = (1 << n) - 1;
+    }
+
+    private int moment() {
+        return (int) clock;
+    }
+
+    private void inspect(int sensor, double reading) {
+        if (!Reading.isOff(reading)) {
+            MountedCone cone = cones[sensor];
+            double cos = StrictMath.cos(reckoning.heading());
+            double sin = StrictMath.sin(reckoning.heading());
+            double x = reckoning.x() + cos * cone.x() - sin * cone.y();
+            double y = reckoning.y() + sin * cone.x() + cos * cone.y();
+            double axis = reckoning.heading() + cone.bearing();
+            boolean sees = reading < cone.range();
+            keepClaim(sensor, x, y, axis, sees ? reading : -1);
+            if (sees) {
+                test(sensor, x, y, axis, reading, moment() - MEMORY);
+                confirm(sensor, x, y, axis, reading);
+            }
+            double radius = (sees ? reading : cone.range()) - FREE_MARGIN;
+            if (radius > 0) {
+                grid.markSector(sensor, x, y, axis, cone.half(), radius, moment());
+            }
+            retest(sensor);
+        }
+        conflicts.fade(sensor, FADE);
+        confirmations[sensor] *= FADE;
+        judge(sensor);
+    }
+
+    private void keepClaim(int sensor, double x, double y, double axis, double reading) {
+        int slot = inspections[sensor]++ % CLAIMS * 5;
+        double[] ring = claims[sensor];
+        ring[slot] = x;
+        ring[slot + 1] = y;
+        ring[slot + 2] = axis;
+        ring[slot + 3] = reading;
+        ring[slot + 4] = clock;
+    }
+
+    private void retest(int sensor) {
+        double[] ring = claims[sensor];
+        for (int age : RETESTS) {
+            int index = inspections[sensor] - 1 - age;
+            if (index >= 0) {
+                int slot = index % CLAIMS * 5;
+                double reading = ring[slot + 3];
+                if (reading >= 0 && clock - ring[slot + 4] > 1 && clock - ring[slot + 4] < MEMORY) {
+                    test(sensor, ring[slot], ring[slot + 1], ring[slot + 2], reading, (int) ring[slot + 4] + 1);
+                }
+            }
+        }
+    }
+
+    /** Tests a claim against what was seen free since a moment. */
+    private void test(int sensor, double x, double y, double axis, double reading, int oldest) {
+        int asked = trusted | 1 << sensor;
+        int all = asked;
+        int any = 0;
+        double half = cones[sensor].half();
+        for (int i = 0; i < SAMPLES; i++) {
+            double angle = axis + half * (2.0 * i / (SAMPLES - 1) - 1);
+            int by = grid.freeBy(
+                    EvidenceGrid.cellOf(x + reading * StrictMath.cos(angle)),
+                    EvidenceGrid.cellOf(y + reading * StrictMath.sin(angle)),
+                    oldest,
+                    asked);
+            if (by == 0) {
+                return;
+            }
+            all &= by;
+            any |= by;
+        }
+        blame(sensor, all, any);
+    }
+
+    private void blame(int sensor, int all, int any) {
+        if (all == 0) {
+            // No one sensor contradicts the whole claim, but together they do.
+            conflicts.add(sensor, sensor, 0.5);
+            return;
+        }
+        for (int rest = all; rest != 0; rest &= rest - 1) {
+            conflicts.add(sensor, Integer.numberOfTrailingZeros(rest), 1);
+        }
+    }
+
+    private void confirm(int sensor, double x, double y, double axis, double reading) {
+        double half = cones[sensor].half();
+        int others = trusted & ~(1 << sensor);
+        int found = 0;
+        for (int i = 0; i < SAMPLES; i++) {
+            double angle = axis + half * (2.0 * i / (SAMPLES - 1) - 1);
+            double px = x + reading * StrictMath.cos(angle);
+            double py = y + reading * StrictMath.sin(angle);
+            found |= grid.hitBy(EvidenceGrid.cellOf(px), EvidenceGrid.cellOf(py), moment() - MEMORY, others);
+            grid.markHit(sensor, px, py, moment());
+        }
+        if (found != 0) {
+            confirmations[sensor]++;
+        }
+    }
+
+    private void judge(int sensor) {
+        double against = conflicts.against(sensor, trusted);
+        if (isTrusted(sensor)) {
+            if (against > THRESHOLD && isWorst(sensor, against)) {
+                distrust(
+                        sensor,
+                        conflicts.pair(sensor, sensor) > against / 2 ? Finding.INCONSISTENT : Finding.CONTRADICTED);
+            }
+        } else if (against < FORGIVEN
+                && time - since[sensor] > penance[sensor]
+                && confirmations[sensor] > CONFIRMATIONS) {
+            trust(sensor);
+        }
+    }
+
+    private boolean isWorst(int sensor, double against) {
+        for (int other = 0; other < cones.length; other++) {
+            if (isTrusted(other) && conflicts.against(other, trusted) > against) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void distrust(int sensor, Finding finding) {
+        if (isTrusted(sensor)) {
+            trusted &= ~(1 << sensor);
+            findings[sensor] = finding;
+            if (time - since[sensor] < 60) {
+                penance[sensor] = Math.min(MAX_PENANCE, 2 * penance[sensor]);
+            }
+        }
+        since[sensor] = time;
+        confirmations[sensor] = 0;
+    }
+
+    private void trust(int sensor) {
+        trusted |= 1 << sensor;
+        findings[sensor] = Finding.NONE;
+        since[sensor] = time;
+    }
+
+    /**
+     * Notes a place that no sensor could see: it is taken for a surface until it is seen free.
+     *
+     * @param x metres
+     * @param y metres
+     */
+    public void doubt(double x, double y) {
+        grid.markHit(cones.length, x, y, moment());
+    }
+
+    /**
+     * Whether a sensor is trusted.
+     *
+     * @param sensor its place in the robot's list
+     * @return false where there is a finding
+     */
+    public boolean isTrusted(int sensor) {
+        return (trusted >> sensor & 1) != 0;
+    }
+
+    /**
+     * The trusted sensors.
+     *
+     * @return a bit for each by its place in the robot's list
+     */
+    public int trusted() {
+        return trusted;
+    }
+
+    /**
+     * Why a sensor is not trusted.
+     *
+     * @param sensor its place in the robot's list
+     * @return {@link Finding#NONE} where it is
+     */
+    public Finding finding(int sensor) {
+        return findings[sensor];
+    }
+
+    /**
+     * The count of contradictions against a sensor.
+     *
+     * @param sensor its place in the robot's list
+     * @return 0 for none, beyond {@link #THRESHOLD} it is not trusted
+     */
+    public double against(int sensor) {
+        return conflicts.against(sensor, trusted);
+    }
+
+    /**
+     * Where the robot is by dead reckoning.
+     *
+     * @return the live pose
+     */
+    public DeadReckoning reckoning() {
+        return reckoning;
+    }
+
+    /**
+     * What the sensors saw.
+     *
+     * @return the live map
+     */
+    public EvidenceGrid grid() {
+        return grid;
+    }
+
+    /**
+     * The motion clock.
+     *
+     * @return now
+     */
+    public int now() {
+        return moment();
+    }
+
+    /**
+     * How the sensors are mounted in the frame in which the wall is kept on the left.
+     *
+     * @param sensor its place in the robot's list
+     * @return the cone
+     */
+    public MountedCone cone(int sensor) {
+        return cones[sensor];
+    }
+}

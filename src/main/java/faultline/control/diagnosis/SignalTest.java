@@ -1,0 +1,95 @@
+package faultline.control.diagnosis;
+
+import faultline.sensor.Reading;
+
+/**
+ * The tests that need one sensor's readings only: does it answer, does it move, does it scatter, does it come and go?
+ */
+final class SignalTest {
+
+    /** A reading that has not changed to the last bit over a turn of this much is stuck, radians. */
+    private static final double STUCK_TURN = StrictMath.toRadians(12);
+
+    /** The same over this distance along the sensor's axis, metres. */
+    private static final double STUCK_DISTANCE = 0.05;
+
+    /** A third difference of readings beyond this shows noise, metres. */
+    private static final double SCATTER = 0.08;
+
+    /** The share of such differences that a sensor may have. */
+    private static final double MAX_SCATTER = 0.28;
+
+    private static final double SCATTER_MEMORY = 60;
+
+    /** Readings this near to the range may well come and go, metres. */
+    private static final double NEAR_RANGE = 0.1;
+
+    /** How many times within a second or so a reading may come or go. */
+    private static final double MAX_FLIPS = 7;
+
+    private static final double FLIP_MEMORY = 150;
+
+    private final MountedCone cone;
+    private double before = Double.NaN;
+    private double first = Double.NaN;
+    private double second = Double.NaN;
+    private double turn;
+    private double way;
+    private double scatter;
+    private double flips;
+
+    SignalTest(MountedCone cone) {
+        this.cone = cone;
+    }
+
+    /** Takes a reading after a piece of motion. */
+    Finding test(double reading, double rolled, double turned) {
+        if (Reading.isOff(reading)) {
+            before = Double.NaN;
+            return Finding.OFF;
+        }
+        boolean stuck = isStuck(reading, rolled, turned);
+        learnScatter(reading);
+        learnFlips(reading);
+        before = reading;
+        if (stuck) {
+            return Finding.STUCK;
+        }
+        if (scatter > MAX_SCATTER) {
+            return Finding.NOISY;
+        }
+        return flips > MAX_FLIPS ? Finding.INTERMITTENT : Finding.NONE;
+    }
+
+    private boolean isStuck(double reading, double rolled, double turned) {
+        if (reading != before || reading == Reading.NOTHING) {
+            turn = 0;
+            way = 0;
+            return false;
+        }
+        turn += turned;
+        way += rolled;
+        return Math.abs(turn) > STUCK_TURN
+                || Math.abs(way * StrictMath.cos(cone.bearing())) > STUCK_DISTANCE
+                        && Math.abs(cone.bearing()) < cone.half()
+                || reading < 0.001 && Math.abs(way) + Math.abs(turn) > STUCK_DISTANCE;
+    }
+
+    private void learnScatter(double reading) {
+        double newFirst = reading - before;
+        double newSecond = newFirst - first;
+        double third = Math.abs(newSecond - second);
+        if (third < Reading.NOTHING) {
+            scatter += ((third > SCATTER ? 1 : 0) - scatter) / SCATTER_MEMORY;
+        }
+        first = newFirst;
+        second = newSecond;
+    }
+
+    private void learnFlips(double reading) {
+        double nearer = Math.min(reading, before);
+        boolean flip =
+                reading != before && Math.max(reading, before) == Reading.NOTHING && nearer < cone.range() - NEAR_RANGE;
+        flips += (flip ? 1 : 0) - flips / FLIP_MEMORY;
+    }
+}

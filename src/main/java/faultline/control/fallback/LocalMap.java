@@ -1,0 +1,124 @@
+package faultline.control.fallback;
+
+import faultline.control.diagnosis.EvidenceGrid;
+import faultline.control.diagnosis.SensorDiagnosis;
+import java.util.Arrays;
+
+/**
+ * The surroundings as trusted sensors saw them of late: for each place, how far the nearest surface is, and how far the
+ * nearest place that nobody has seen free. Distances by two chamfer sweeps over a window of cells (Borgefors 1986).
+ */
+final class LocalMap {
+
+    /** Cells along each axis of the window. */
+    private static final int WINDOW = 72;
+
+    private static final int FAR = 10_000;
+    private static final int STRAIGHT = 5;
+    private static final int DIAGONAL = 7;
+
+    private final int[] surface = new int[WINDOW * WINDOW];
+    private final int[] unknown = new int[WINDOW * WINDOW];
+    private int column;
+    private int row;
+    private double x;
+    private double y;
+
+    /** Takes the map as it stands; what is older than a memory does not count. The robot's own place is free. */
+    void refresh(SensorDiagnosis diagnosis, int bodySource, int memory, double bodyRadius) {
+        EvidenceGrid grid = diagnosis.grid();
+        x = diagnosis.reckoning().x();
+        y = diagnosis.reckoning().y();
+        column = EvidenceGrid.cellOf(x) - WINDOW / 2;
+        row = EvidenceGrid.cellOf(y) - WINDOW / 2;
+        int since = diagnosis.now() - memory;
+        int asked = diagnosis.trusted() | 1 << bodySource;
+        Arrays.fill(surface, FAR);
+        Arrays.fill(unknown, FAR);
+        double own = bodyRadius * bodyRadius / (EvidenceGrid.CELL * EvidenceGrid.CELL);
+        for (int r = 0; r < WINDOW; r++) {
+            for (int c = 0; c < WINDOW; c++) {
+                int dx = c - WINDOW / 2;
+                int dy = r - WINDOW / 2;
+                boolean free = dx * dx + dy * dy <= own || grid.freeBy(column + c, row + r, since, asked) != 0;
+                if (!free) {
+                    unknown[r * WINDOW + c] = 0;
+                    if (grid.hitBy(column + c, row + r, since, asked) != 0) {
+                        surface[r * WINDOW + c] = 0;
+                    }
+                }
+            }
+        }
+        sweep(surface);
+        sweep(unknown);
+    }
+
+    private static void sweep(int[] d) {
+        for (int r = 1; r < WINDOW - 1; r++) {
+            for (int c = 1; c < WINDOW - 1; c++) {
+                int i = r * WINDOW + c;
+                int near = Math.min(d[i - 1], d[i - WINDOW]) + STRAIGHT;
+                int slant = Math.min(d[i - WINDOW - 1], d[i - WINDOW + 1]) + DIAGONAL;
+                d[i] = Math.min(d[i], Math.min(near, slant));
+            }
+        }
+        for (int r = WINDOW - 2; r > 0; r--) {
+            for (int c = WINDOW - 2; c > 0; c--) {
+                int i = r * WINDOW + c;
+                int near = Math.min(d[i + 1], d[i + WINDOW]) + STRAIGHT;
+                int slant = Math.min(d[i + WINDOW + 1], d[i + WINDOW - 1]) + DIAGONAL;
+                d[i] = Math.min(d[i], Math.min(near, slant));
+            }
+        }
+    }
+
+    private double distance(int[] d, double px, double py) {
+        int c = EvidenceGrid.cellOf(px) - column;
+        int r = EvidenceGrid.cellOf(py) - row;
+        if (c < 0 || r < 0 || c >= WINDOW || r >= WINDOW) {
+            return 0;
+        }
+        return d[r * WINDOW + c] * (EvidenceGrid.CELL / STRAIGHT);
+    }
+
+    /** From a point to the nearest surface, metres. */
+    double toSurface(double px, double py) {
+        return distance(surface, px, py);
+    }
+
+    /** From a point to the nearest place that is not known to be free, metres. */
+    double toUnknown(double px, double py) {
+        return distance(unknown, px, py);
+    }
+
+    /**
+     * The direction of the nearest surface within some angle of a direction.
+     *
+     * @param towards radians
+     * @param within radians
+     * @param limit metres
+     * @return radians, not a number where there is none
+     */
+    double bearingOfSurface(double towards, double within, double limit) {
+        double best = limit * limit;
+        double found = Double.NaN;
+        double ax = StrictMath.cos(towards);
+        double ay = StrictMath.sin(towards);
+        double cosWithin = StrictMath.cos(within);
+        for (int r = 0; r < WINDOW; r++) {
+            double dy = (row + r + 0.5) * EvidenceGrid.CELL - y;
+            for (int c = 0; c < WINDOW; c++) {
+                if (surface[r * WINDOW + c] != 0) {
+                    continue;
+                }
+                double dx = (column + c + 0.5) * EvidenceGrid.CELL - x;
+                double square = dx * dx + dy * dy;
+                if (square < best && dx * ax + dy * ay >= cosWithin * Math.sqrt(square)) {
+                    best = square;
+                    found = StrictMath.atan2(dy, dx);
+                }
+            }
+        }
+        return found;
+    }
+}

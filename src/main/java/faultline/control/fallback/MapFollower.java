@@ -1,0 +1,223 @@
+package faultline.control.fallback;
+
+import faultline.control.diagnosis.DeadReckoning;
+import faultline.control.diagnosis.MountedCone;
+import faultline.control.diagnosis.SensorDiagnosis;
+import faultline.geometry.Angles;
+import faultline.robot.RobotSpec;
+
+/**
+ * Follows a wall on the left by the local map. It rolls only where trusted sensors have seen free of late; where they
+ * have not, it turns so that one of them sees what lies on the way.
+ */
+public final class MapFollower {
+
+    /** How far back what was seen counts, motion clock. */
+    private static final int MEMORY = 1000;
+
+    /** It plans once every so many seconds. */
+    private static final double PLANNING = 0.08;
+
+    /** How far ahead along the wall it looks, metres. */
+    private static final double LOOK_AHEAD = 0.2;
+
+    /** What must be free around the robot's reach, metres. */
+    private static final double CLEARANCE = 0.02;
+
+    /** The wall is kept nearer than wanted by this, because cells count as surface before they are, metres. */
+    private static final double COARSENESS = 0.04;
+
+    /** After a scan this much of the way must be known, metres. */
+    private static final double WORTHWHILE = 0.25;
+
+    private static final double ASIDE = StrictMath.toRadians(35);
+    private static final double STEERING = 2.5;
+    private static final double QUARTER = StrictMath.PI / 2;
+    private static final double OVERSHOOT = StrictMath.toRadians(25);
+
+    private final SensorDiagnosis diagnosis;
+    private final double wantedDistance;
+    private final LocalMap map = new LocalMap();
+    private final Heading heading = new Heading(map);
+    private RobotSpec robot;
+    private String state = "FOLLOW";
+    private double wall;
+    private double direction;
+    private double sinceWall;
+    private double untilPlan;
+    private boolean scanning;
+    private double scanTo;
+    private double scanned;
+    private double v;
+    private double omega;
+
+    /**
+     * A follower.
+     *
+     * @param diagnosis what it goes by
+     * @param wantedDistance from the side of the robot to the wall, metres
+     */
+    public MapFollower(SensorDiagnosis diagnosis, double wantedDistance) {
+        this.diagnosis = diagnosis;
+        this.wantedDistance = wantedDistance;
+    }
+
+    /** Takes over, with the wall on the left. */
+    public void begin() {
+        wall = at().heading() + QUARTER;
+        direction = at().heading();
+        sinceWall = 0;
+        untilPlan = 0;
+        scanning = false;
+    }
+
+    /**
+     * Decides on the motion.
+     *
+     * @param now the robot as the controller believes it to be
+     * @param dt since the last decision, seconds
+     */
+    public void decide(RobotSpec now, double dt) {
+        robot = now;
+        untilPlan -= dt;
+        sinceWall += Math.abs(at().rolled());
+        if (untilPlan <= 0) {
+            untilPlan = PLANNING;
+            map.refresh(diagnosis, robot.sensors().size(), MEMORY, robot.boundingRadius() + 2 * EVIDENCE_CELL);
+            plan();
+        }
+        act(dt);
+    }
+
+    private static final double EVIDENCE_CELL = 0.025;
+
+    private DeadReckoning at() {
+        return diagnosis.reckoning();
+    }
+
+    private double radius() {
+        return robot.boundingRadius() + CLEARANCE;
+    }
+
+    private double wanted() {
+        return wantedDistance + robot.width() / 2 - COARSENESS;
+    }
+
+    private void plan() {
+        double bearing = map.bearingOfSurface(wall, StrictMath.toRadians(75), wanted() + 0.35);
+        if (!Double.isNaN(bearing)) {
+            wall += Angles.difference(wall, bearing);
+            sinceWall = 0;
+        }
+        if (sinceWall > 1.5) {
+            search();
+            return;
+        }
+        double open = heading.along(at(), wall, LOOK_AHEAD, wanted());
+        if (Double.isNaN(open)) {
+            open = heading.along(at(), wall, LOOK_AHEAD, radius());
+        }
+        if (Double.isNaN(open)) {
+            open = direction;
+        }
+        direction = open;
+        checkKnown();
+        state = scanning ? "MEASURE" : "FOLLOW";
+    }
+
+    /** No wall: straight on. */
+    private void search() {
+        direction = at().heading();
+        double bearing = map.bearingOfSurface(direction, StrictMath.PI, wanted() + 0.1);
+        if (!Double.isNaN(bearing)) {
+            wall = bearing;
+            sinceWall = 0;
+        }
+        checkKnown();
+        state = scanning ? "MEASURE" : "SEARCH";
+    }
+
+    private void checkKnown() {
+        double known = heading.known(at(), direction, 0.5, radius());
+        double needed = scanning ? WORTHWHILE : 0.06;
+        if (known >= needed) {
+            scanning = false;
+        } else if (!scanning) {
+            startScan(known);
+        }
+    }
+
+    private void startScan(double known) {
+        double far = known + robot.boundingRadius() + 0.1;
+        double px = at().x() + far * StrictMath.cos(direction);
+        double py = at().y() + far * StrictMath.sin(direction);
+        double best = Double.NaN;
+        for (int i = 0; i < robot.sensors().size(); i++) {
+            if (diagnosis.isTrusted(i)) {
+                double turn = turnFor(diagnosis.cone(i), px, py);
+                if (Double.isNaN(best) || Math.abs(turn) < Math.abs(best)) {
+                    best = turn;
+                }
+            }
+        }
+        scanning = true;
+        scanned = 0;
+        scanTo = Double.isNaN(best) ? 0 : best + Math.copySign(OVERSHOOT, best);
+    }
+
+    /** How far to turn until a cone's axis points at a place. */
+    private double turnFor(MountedCone cone, double px, double py) {
+        double bearing = StrictMath.atan2(py - at().y(), px - at().x());
+        return Angles.difference(at().heading() + cone.bearing(), bearing);
+    }
+
+    private void act(double dt) {
+        double rate = Math.min(robot.turnRate(), 2 * robot.motor().maxSpeed() / robot.track());
+        if (scanning) {
+            scanned += at().turned();
+            if (Math.abs(scanned) >= Math.abs(scanTo)) {
+                // Seen all there is to see: what is still unknown is taken for a surface.
+                giveUp();
+                scanning = false;
+            }
+            v = 0;
+            omega = Math.copySign(rate, scanTo);
+            return;
+        }
+        double off = Angles.difference(at().heading(), direction);
+        omega = Math.max(-rate, Math.min(rate, STEERING * off));
+        v = Math.abs(off) > ASIDE ? 0 : robot.speed() * Math.max(0.3, 1 - Math.abs(off) / ASIDE);
+    }
+
+    private void giveUp() {
+        double far = heading.known(at(), direction, 0.5, radius()) + radius();
+        diagnosis.doubt(at().x() + far * StrictMath.cos(direction), at().y() + far * StrictMath.sin(direction));
+    }
+
+    /**
+     * The linear velocity wanted.
+     *
+     * @return metres per second
+     */
+    public double v() {
+        return v;
+    }
+
+    /**
+     * The angular velocity wanted.
+     *
+     * @return radians per second, positive to the wall's side
+     */
+    public double omega() {
+        return omega;
+    }
+
+    /**
+     * What it does now, in the names of the six states.
+     *
+     * @return FOLLOW, MEASURE while it turns to see more, SEARCH where it has no wall
+     */
+    public String state() {
+        return state;
+    }
+}
