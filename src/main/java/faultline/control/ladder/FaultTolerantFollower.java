@@ -1,4 +1,12 @@
-package faultline.control;
+package faultline.control.ladder;
+
+import faultline.control.Controller;
+import faultline.control.ControllerSpec;
+import faultline.control.Decision;
+import faultline.control.Observation;
+import faultline.control.Telemetry;
+import faultline.control.WallFollower;
+import faultline.control.WallSide;
 
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.control.fallback.MapFollower;
