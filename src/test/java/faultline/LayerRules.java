@@ -17,6 +17,7 @@ final class LayerRules {
             "robot",
             "world",
             "control",
+            "control.wallfollower",
             "control.diagnosis",
             "control.fallback",
             "control.ladder",

@@ -22,8 +22,8 @@ public final class PeriodicController implements Controller {
         return lastDecision;
     }
 
-    /** A period in whole ticks, at least one. */
-    static long ticksPerPeriod(double period, double dt) {
+    /** Returns a period in whole ticks, at least one. */
+    public static long ticksPerPeriod(double period, double dt) {
         return Math.max(1, Math.round(period / dt));
     }
 }

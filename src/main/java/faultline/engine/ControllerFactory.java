@@ -6,7 +6,7 @@ import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.PeriodicController;
 import faultline.control.Telemetry;
-import faultline.control.WallFollower;
+import faultline.control.wallfollower.WallFollower;
 import java.util.Arrays;
 import java.util.List;
 

@@ -1,8 +1,8 @@
 package faultline.studies;
 
 import faultline.control.FollowerState;
-import faultline.control.StateDiagram;
-import faultline.control.StateDiagram.Arrow;
+import faultline.control.wallfollower.StateDiagram;
+import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.geometry.Vector2;
 import faultline.paint.chart.StateDiagramLayout;
 import faultline.paint.surface.LineStyle;

@@ -2,6 +2,7 @@ package faultline.control;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.control.wallfollower.Observations;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.wallfollower.Observations;
+import faultline.control.wallfollower.StraightWallFixture;
 import faultline.robot.RobotSpec;
 import java.util.List;
 import org.junit.jupiter.api.Test;

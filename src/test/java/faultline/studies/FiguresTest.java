@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.control.StateDiagram;
+import faultline.control.wallfollower.StateDiagram;
 import faultline.paint.surface.SvgTheme;
 import java.awt.Image;
 import java.awt.image.BufferedImage;

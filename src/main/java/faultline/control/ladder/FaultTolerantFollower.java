@@ -5,11 +5,10 @@ import faultline.control.ControllerSpec;
 import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
-import faultline.control.WallFollower;
 import faultline.control.WallSide;
-
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.control.fallback.MapFollower;
+import faultline.control.wallfollower.WallFollower;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;

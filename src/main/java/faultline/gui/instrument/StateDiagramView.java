@@ -1,8 +1,8 @@
 package faultline.gui.instrument;
 
 import faultline.control.FollowerState;
-import faultline.control.StateDiagram;
-import faultline.control.StateDiagram.Arrow;
+import faultline.control.wallfollower.StateDiagram;
+import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;

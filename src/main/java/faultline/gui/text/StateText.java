@@ -1,6 +1,6 @@
 package faultline.gui.text;
 
-import faultline.control.StateDiagram;
+import faultline.control.wallfollower.StateDiagram;
 
 /** What the controllers' states and the conditions of their arrows are called. */
 public final class StateText {

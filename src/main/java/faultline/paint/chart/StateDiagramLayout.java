@@ -8,7 +8,7 @@ import static faultline.control.FollowerState.SEARCH;
 import static faultline.control.FollowerState.TURN;
 
 import faultline.control.FollowerState;
-import faultline.control.StateDiagram.Arrow;
+import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;

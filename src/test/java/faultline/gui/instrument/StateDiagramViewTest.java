@@ -9,8 +9,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
-import faultline.control.StateDiagram;
-import faultline.control.StateDiagram.Arrow;
+import faultline.control.wallfollower.StateDiagram;
+import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
 import faultline.gui.text.StateText;

@@ -1,0 +1,140 @@
+package faultline.control.wallfollower;
+
+import faultline.control.TimingRule;
+import faultline.sensor.Reading;
+
+/**
+ * TURN, MEASURE and ALIGN: spin right past the wall, time it, and turn back by the t_D / 2 rule, eq. (4) of the paper.
+ */
+final class AlignmentManoeuvre {
+
+    /** A spin that begins beside a wall first backs off until the reading is this much more than the nearest. */
+    private static final double BACKED_OFF_RATIO = 1.3;
+
+    /** What is this much farther than wanted when the spin begins is not the wall that was met, metres. */
+    private static final double OTHER_WALL_MARGIN = 0.15;
+
+    private static final double QUARTER_TURN = StrictMath.PI / 2;
+
+    /** ALIGN hands over below this rate, radians per second. */
+    private static final double MAX_FINAL_RATE = StrictMath.toRadians(1);
+
+    private final StateEstimate estimate;
+    private final TimingRule rule;
+    private final EdgeTimer edgeTimer;
+    private double startHeading;
+    private boolean backingOff;
+    private double nearestReading;
+    private double remainingTurn;
+
+    AlignmentManoeuvre(StateEstimate perception, TimingRule rule) {
+        this.estimate = perception;
+        this.rule = rule;
+        this.edgeTimer = new EdgeTimer(rule);
+    }
+
+    EdgeTimer edgeTimer() {
+        return edgeTimer;
+    }
+
+    // TURN: spin right until the left sensor comes to the wall.
+
+    /**
+     * Starts; beside a wall that was met sideways, by turning away from it to the left, so that the sensor can come to
+     * it.
+     */
+    void begin(boolean wallMetSideways) {
+        startHeading = estimate.odometer().heading();
+        estimate.clearFrontMemory();
+        backingOff = wallMetSideways && wallReading() < Reading.NOTHING;
+        nearestReading = left().reading();
+        edgeTimer.start(estimate.noise(), estimate.turnRate() * estimate.period());
+        if (!backingOff) {
+            edgeTimer.addApproachSample(
+                    spinClock(), wallReading(), estimate.odometer().deltaDistance());
+        }
+    }
+
+    /** Takes the reading of a decision in TURN. */
+    void updateTurn() {
+        if (!backingOff) {
+            edgeTimer.addApproachSample(
+                    spinClock(), wallReading(), estimate.odometer().deltaDistance());
+        }
+    }
+
+    /** The turn rate of TURN. */
+    double turnRate() {
+        if (backingOff) {
+            nearestReading = Math.min(nearestReading, left().reading());
+            boolean enough = rule == TimingRule.RANGE
+                    ? !left().detects()
+                    : left().reading() >= BACKED_OFF_RATIO * nearestReading;
+            backingOff = !enough && estimate.odometer().heading() - startHeading < QUARTER_TURN;
+        }
+        return backingOff ? estimate.turnRate() : -estimate.turnRate();
+    }
+
+    boolean reachesWall() {
+        return !backingOff && edgeTimer.reachesWall();
+    }
+
+    // MEASURE: spin on until it leaves the wall.
+
+    /** Takes the reading of a decision in MEASURE. */
+    void updateMeasure() {
+        edgeTimer.addPassSample(spinClock(), left().reading());
+    }
+
+    boolean leavesWall() {
+        return edgeTimer.leavesWall();
+    }
+
+    // ALIGN: turn back for t_p, and let the spin die out.
+
+    /**
+     * Plans the turn back: for t_p = t_D / 2 from F4 on, eq. (4). F4 was noticed a little late, and until the motors
+     * have reversed the spin goes on for their lag; all that is turned back as well, unless the paper is to be taken to
+     * the letter.
+     */
+    void planTurnBack() {
+        remainingTurn = estimate.turnRate() * edgeTimer.tP();
+        if (rule == TimingRule.EQUAL_READINGS) {
+            remainingTurn += estimate.turnRate() * (spinClock() - edgeTimer.tF4())
+                    - estimate.odometer().omega(estimate.robot()) * estimate.motorLag();
+        }
+    }
+
+    /** The turn rate of ALIGN; the last decision of the turn back turns just what is left. */
+    double alignTurnRate() {
+        double rate = Math.max(0, Math.min(estimate.turnRate(), remainingTurn / estimate.period()));
+        remainingTurn -= rate * estimate.period();
+        return rate;
+    }
+
+    boolean isAligned() {
+        return remainingTurn <= 0 && Math.abs(estimate.odometer().omega(estimate.robot())) < MAX_FINAL_RATE;
+    }
+
+    /**
+     * The left reading; nothing where that is of something else than the wall that was met. By the paper's rule all
+     * that is in range counts.
+     */
+    private double wallReading() {
+        boolean counts =
+                rule == TimingRule.RANGE || left().detectsWithin(estimate.wantedCentreDistance() + OTHER_WALL_MARGIN);
+        return counts ? left().reading() : Reading.NOTHING;
+    }
+
+    private SensorView left() {
+        return estimate.views().left();
+    }
+
+    /**
+     * The time that spinning right at the constant rate takes to come to the present heading, seconds: the clock of
+     * t_F3, t_F4 and t_p.
+     */
+    private double spinClock() {
+        return (startHeading - estimate.odometer().heading()) / estimate.turnRate();
+    }
+}

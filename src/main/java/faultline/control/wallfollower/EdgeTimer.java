@@ -1,0 +1,198 @@
+package faultline.control.wallfollower;
+
+import faultline.control.TimingRule;
+import faultline.sensor.Reading;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Times a spin past a wall: when the left sensor came to it (frame F3), when it left it (F4), and how far to turn back,
+ * t_p = t_D / 2 (eq. (4) of the paper).
+ *
+ * <p>Both moments are taken at one and the same reading, on either side of the nearest one. Where the wall enters from
+ * nowhere and leaves to nowhere that reading is the range, which is the paper's rule exactly; a level nearer to the
+ * wall keeps the walls of a corner apart. Between two samples the moment is interpolated. Time is the spin clock's: it
+ * runs as fast as the robot turns, in units of the constant rate, so that spinning up costs nothing.
+ */
+final class EdgeTimer {
+
+    /**
+     * A reading has turned round when it is this far from its extreme, metres, or five times what noise is left in it.
+     */
+    private static final double MIN_REVERSAL = 0.001;
+
+    private static final double NOISE_FACTOR = 5;
+
+    /**
+     * Noisy readings are averaged over no more than this turn, radians. Between the walls of a corner of 150 degrees
+     * the reading rises by 4 mm over 10 degrees; a longer mean would flatten that, a shorter one would leave it in the
+     * noise.
+     */
+    private static final double MAX_AVERAGED_TURN = StrictMath.toRadians(5);
+
+    private record Sample(double clock, double reading) {}
+
+    private final List<Sample> samples = new ArrayList<>();
+    private final BlockAverage average = new BlockAverage();
+    private final TimingRule rule;
+    private double highestReading;
+    private double nearest;
+    private int nearestIndex;
+    private double farthestSinceNearest;
+    private double reversalMargin;
+    private double tF3 = Double.NaN;
+    private double tF4 = Double.NaN;
+
+    EdgeTimer(TimingRule rule) {
+        this.rule = rule;
+    }
+
+    /**
+     * Starts a new spin; readings are known up to some noise, metres, and come once a step of the turn, radians. By the
+     * paper's rule every sample counts by itself.
+     */
+    void start(double noise, double step) {
+        int averaged = rule == TimingRule.RANGE ? 1 : blockSize(noise, step);
+        average.start(averaged);
+        samples.clear();
+        highestReading = -1;
+        nearest = Reading.NOTHING;
+        farthestSinceNearest = 0;
+        reversalMargin = Math.max(MIN_REVERSAL, NOISE_FACTOR * noise / Math.sqrt(averaged));
+        tF3 = Double.NaN;
+        tF4 = Double.NaN;
+    }
+
+    /** As many samples as bring the noise below what counts as a turn, if that many fit. */
+    private static int blockSize(double noise, double step) {
+        double wanted = NOISE_FACTOR * noise / MIN_REVERSAL;
+        return (int) Math.max(1, Math.min(MAX_AVERAGED_TURN / step, Math.ceil(wanted * wanted)));
+    }
+
+    /**
+     * While the sensor has not come to the wall: keeps the falling side's beginning. What the robot still rolls may
+     * bring a wall nearer by as much; that is no fall.
+     */
+    void addApproachSample(double clock, double reading, double rolled) {
+        highestReading -= rolled;
+        if (average.add(clock, reading)) {
+            if (average.reading() >= highestReading) {
+                highestReading = average.reading();
+                samples.clear();
+            }
+            addSample();
+        }
+    }
+
+    private void addSample() {
+        samples.add(new Sample(average.clock(), average.reading()));
+    }
+
+    /** Whether the readings fall: the sensor comes to a wall. */
+    boolean reachesWall() {
+        if (samples.isEmpty()) {
+            return false;
+        }
+        double last = lastSample().reading();
+        if (rule == TimingRule.RANGE
+                ? highestReading == Reading.NOTHING && last < highestReading
+                : last < highestReading - reversalMargin) {
+            nearest(last);
+            return true;
+        }
+        return false;
+    }
+
+    private void nearest(double reading) {
+        nearest = reading;
+        nearestIndex = samples.size() - 1;
+        farthestSinceNearest = reading;
+    }
+
+    /** While the sensor passes the wall. */
+    void addPassSample(double clock, double reading) {
+        if (average.add(clock, reading)) {
+            addSample();
+            if (average.reading() < nearest) {
+                nearest(average.reading());
+            }
+            farthestSinceNearest = Math.max(farthestSinceNearest, average.reading());
+        }
+    }
+
+    /**
+     * Whether the reading has risen again to the level of timing, or turned round before, or is gone: then F3 and F4
+     * are known.
+     */
+    boolean leavesWall() {
+        return rule == TimingRule.RANGE ? leavesRange() : leavesLevel();
+    }
+
+    /** The first sample without the wall is F4, as the first with it was F3: both are late by up to one period. */
+    private boolean leavesRange() {
+        if (lastSample().reading() < Reading.NOTHING) {
+            return false;
+        }
+        tF3 = samples.get(1).clock();
+        tF4 = lastSample().clock();
+        return true;
+    }
+
+    private boolean leavesLevel() {
+        double level = Math.min(highestReading, nearest + Math.max(TimingRule.MARGIN * nearest, 3 * reversalMargin));
+        double last = lastSample().reading();
+        boolean turnedRound =
+                farthestSinceNearest - nearest > reversalMargin && last < farthestSinceNearest - reversalMargin;
+        if (last >= level || turnedRound) {
+            interpolateEdges(Math.min(level, farthestSinceNearest));
+            return true;
+        }
+        return false;
+    }
+
+    private Sample lastSample() {
+        return samples.get(samples.size() - 1);
+    }
+
+    private void interpolateEdges(double level) {
+        int before = nearestIndex;
+        while (before > 0 && samples.get(before).reading() < level) {
+            before--;
+        }
+        int after = nearestIndex;
+        while (after < samples.size() - 1 && samples.get(after).reading() < level) {
+            after++;
+        }
+        tF3 = crossingTime(samples.get(before), samples.get(before + 1), level);
+        tF4 = crossingTime(samples.get(after - 1), samples.get(after), level);
+    }
+
+    /**
+     * When the reading was at the level between two samples: interpolated, or half way where one of them saw nothing.
+     */
+    private static double crossingTime(Sample one, Sample other, double level) {
+        if (one.reading() == Reading.NOTHING
+                || other.reading() == Reading.NOTHING
+                || one.reading() == other.reading()) {
+            return (one.clock() + other.clock()) / 2;
+        }
+        double share = (level - one.reading()) / (other.reading() - one.reading());
+        return one.clock() + Math.max(0, Math.min(1, share)) * (other.clock() - one.clock());
+    }
+
+    /** Frame F3, seconds on the spin clock; not a number before it. */
+    double tF3() {
+        return tF3;
+    }
+
+    /** Frame F4, seconds on the spin clock; not a number before it. */
+    double tF4() {
+        return tF4;
+    }
+
+    /** How long to turn back from F4, seconds. */
+    double tP() {
+        double tD = tF4 - tF3;
+        return tD / 2; // eq. (4): t_p = t_D / 2
+    }
+}

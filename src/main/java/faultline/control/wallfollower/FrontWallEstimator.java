@@ -1,0 +1,84 @@
+package faultline.control.wallfollower;
+
+/**
+ * How far the robot's centre is from the wall ahead, whatever the angle at which that wall crosses the way.
+ *
+ * <p>One front reading fits a wall of any angle: the more slanted, the nearer its foot. A sensor looking aside settles
+ * it, because a wall slanted to that side would show there no farther than it does. What counts is the most slanted
+ * wall that contradicts no sensor; with nothing to tell, the wall is taken as square.
+ */
+final class FrontWallEstimator {
+
+    /**
+     * Along a wall, walls ahead are taken to be slanted by no more than this: inner corners from 35 to 155 degrees are
+     * measured. With more, the side walls of a narrow passage would count as slanted walls ahead.
+     */
+    static final double MAX_LEFT_SLANT = StrictMath.toRadians(65);
+
+    static final double MAX_RIGHT_SLANT = StrictMath.toRadians(55);
+
+    /** In the open any slant is possible that the front sensor can see. */
+    static final double MAX_SEARCH_SLANT = StrictMath.toRadians(78);
+
+    private static final int BISECTION_STEPS = 12;
+
+    private FrontWallEstimator() {}
+
+    /**
+     * Whether the wall ahead will be within a distance of the robot's centre when it has rolled on.
+     *
+     * @param distance metres
+     * @param rolled how far it rolls on, metres
+     * @param sight the sensors
+     * @param mostLeft how far the wall may be slanted with its foot to the left, radians
+     * @param mostRight how far it may be slanted with its foot to the right, radians
+     * @return false where the front sensor sees nothing
+     */
+    static boolean isWithin(double distance, double rolled, SensorViews sight, double mostLeft, double mostRight) {
+        return sight.front().detects()
+                && (isWithin(distance, rolled, sight.front(), sight.frontLeft(), mostLeft)
+                        || isWithin(distance, rolled, sight.front(), sight.frontRight(), -mostRight));
+    }
+
+    /**
+     * The nearest wall that the front reading allows at all is looked at first: most of the time it settles the
+     * question.
+     */
+    private static boolean isWithin(double distance, double rolled, SensorView front, SensorView side, double limit) {
+        return distanceAfter(rolled, front, limit) <= distance
+                && distanceAfter(rolled, front, maxPossibleSlant(front, side, limit)) <= distance;
+    }
+
+    private static double distanceAfter(double rolled, SensorView front, double bearing) {
+        return front.wallDistance(bearing) - rolled * StrictMath.cos(bearing);
+    }
+
+    /**
+     * The bearing of the foot of the most slanted wall, between square and a limit, that the side sensor does not
+     * contradict.
+     */
+    private static double maxPossibleSlant(SensorView front, SensorView side, double limit) {
+        if (!side.present() || contradicts(side, front, 0)) {
+            return 0;
+        }
+        if (!contradicts(side, front, limit)) {
+            return limit;
+        }
+        double possible = 0;
+        double beyond = limit;
+        for (int i = 0; i < BISECTION_STEPS; i++) {
+            double middle = (possible + beyond) / 2;
+            if (contradicts(side, front, middle)) {
+                beyond = middle;
+            } else {
+                possible = middle;
+            }
+        }
+        return possible;
+    }
+
+    /** A wall at this bearing that gives the front reading would show to the side sensor nearer than anything does. */
+    private static boolean contradicts(SensorView side, SensorView front, double bearing) {
+        return front.wallDistance(bearing) < side.wallDistance(bearing);
+    }
+}

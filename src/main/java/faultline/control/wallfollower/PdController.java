@@ -1,0 +1,46 @@
+package faultline.control.wallfollower;
+
+import faultline.control.PdGains;
+
+/** The PD distance controller: omega = kp e + kd e', where e is how much too far the wall is; see {@link PdGains}. */
+final class PdController {
+
+    private final PdGains gains;
+    private final double speed;
+    private double proportional;
+    private double derivative;
+
+    /**
+     * A law for a speed.
+     *
+     * @param speed metres per second
+     * @param lag the motors' time constant and the control's delay, seconds
+     */
+    PdController(double speed, double lag) {
+        this.speed = speed;
+        this.gains = PdGains.forSpeed(speed, lag);
+    }
+
+    /**
+     * The turn rate that corrects an error.
+     *
+     * @param error measured less wanted distance, metres
+     * @param heading relative to the wall, radians, positive towards it
+     * @return omega, radians per second
+     */
+    double turnRate(double error, double heading) {
+        proportional = gains.proportionalTerm(error);
+        derivative = gains.derivativeTerm(-speed * StrictMath.sin(heading));
+        return proportional + derivative;
+    }
+
+    /** The P term of the last call, radians per second. */
+    double proportional() {
+        return proportional;
+    }
+
+    /** The D term of the last call, radians per second. */
+    double derivative() {
+        return derivative;
+    }
+}

@@ -1,0 +1,84 @@
+package faultline.control.wallfollower;
+
+import faultline.control.FollowerState;
+import faultline.geometry.Angles;
+
+/** TURN, MEASURE and ALIGN: the three parts of the alignment manoeuvre. */
+final class SpinStates {
+
+    /**
+     * A spin that ends within this of the heading at which it began has found the same wall again: the slight corner
+     * ahead does not show apart from it.
+     */
+    private static final double SAME_HEADING_TOLERANCE = StrictMath.toRadians(15);
+
+    private final StateEstimate estimate;
+    private final AlignmentManoeuvre alignment;
+    private double startHeading = Double.NaN;
+
+    SpinStates(StateEstimate estimate, AlignmentManoeuvre alignment) {
+        this.estimate = estimate;
+        this.alignment = alignment;
+    }
+
+    /** Returns TURN: spins right until the left sensor comes to the wall. */
+    StateBehaviour turn() {
+        return new StateBehaviour() {
+            @Override
+            public void enter(FollowerState from) {
+                boolean searched = from == FollowerState.SEARCH;
+                startHeading = searched ? Double.NaN : estimate.odometer().heading();
+                alignment.begin(searched);
+            }
+
+            @Override
+            public void processReading() {
+                alignment.updateTurn();
+            }
+
+            @Override
+            public void command() {
+                estimate.odometer().command(0, alignment.turnRate());
+            }
+        };
+    }
+
+    /** Returns MEASURE: spins on until the left sensor leaves the wall. */
+    StateBehaviour measure() {
+        return new StateBehaviour() {
+            @Override
+            public void processReading() {
+                alignment.updateMeasure();
+            }
+
+            @Override
+            public void command() {
+                estimate.odometer().command(0, -estimate.turnRate());
+            }
+        };
+    }
+
+    /** Returns ALIGN: turns back for t_p and lets the spin die out. */
+    StateBehaviour align() {
+        return new StateBehaviour() {
+            @Override
+            public void enter(FollowerState from) {
+                alignment.planTurnBack();
+            }
+
+            @Override
+            public void command() {
+                estimate.odometer().command(0, alignment.alignTurnRate());
+            }
+        };
+    }
+
+    /**
+     * Returns whether the last spin found the wall again beside which it began; false after a search, which has
+     * followed no wall yet.
+     */
+    boolean foundSameWall() {
+        double turned = Angles.difference(startHeading, estimate.odometer().heading());
+        return Math.abs(turned) < SAME_HEADING_TOLERANCE;
+    }
+}

@@ -1,0 +1,136 @@
+package faultline.control.wallfollower;
+
+import static faultline.control.FollowerState.ALIGN;
+import static faultline.control.FollowerState.FOLLOW;
+import static faultline.control.FollowerState.MEASURE;
+import static faultline.control.FollowerState.ROUND;
+import static faultline.control.FollowerState.SEARCH;
+import static faultline.control.FollowerState.TURN;
+
+import faultline.control.Controller;
+import faultline.control.ControllerSpec;
+import faultline.control.Decision;
+import faultline.control.FollowerState;
+import faultline.control.Observation;
+import faultline.control.Telemetry;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The paper's six-state wall follower with PD distance control and the t_p = t_D / 2 orientation rule. It works in a
+ * frame in which the wall is kept on the left; the other side is its mirror image.
+ *
+ * <p>The state diagram is the table {@link #TRANSITIONS}: of the transitions that leave a state, the first whose guard
+ * holds is taken, at most one for each decision.
+ */
+public final class WallFollower implements Controller {
+
+    /** The paper's Fig. 8 as this project reads it, decision 0002. */
+    static final List<Transition> TRANSITIONS = List.of(
+            new Transition(SEARCH, TURN, "wall met", follower -> follower.search.isWallMet()),
+            new Transition(
+                    TURN, MEASURE, "left sensor comes to the wall (F3)", follower -> follower.alignment.reachesWall()),
+            new Transition(TURN, SEARCH, "turned all round", WallFollower::turnedAllRound),
+            new Transition(
+                    MEASURE, ALIGN, "left sensor leaves the wall (F4)", follower -> follower.alignment.leavesWall()),
+            new Transition(MEASURE, SEARCH, "turned all round", WallFollower::turnedAllRound),
+            new Transition(
+                    ALIGN, FOLLOW, "turned back for t_p, spin died out", follower -> follower.alignment.isAligned()),
+            new Transition(FOLLOW, TURN, "wall ahead", follower -> follower.wall.isWallAhead()),
+            new Transition(FOLLOW, ROUND, "wall ended", follower -> follower.wall.isWallEnded()),
+            new Transition(ROUND, TURN, "wall ahead", follower -> follower.wall.isWallAhead()),
+            new Transition(ROUND, FOLLOW, "wall seen again", follower -> follower.wall.isWallSeenAgain()),
+            new Transition(
+                    ROUND,
+                    SEARCH,
+                    "turned all round",
+                    follower -> follower.wall.isWallLost() && follower.turnedAllRound()));
+
+    /** The state in which the follower starts. */
+    static final FollowerState INITIAL_STATE = SEARCH;
+
+    /** More than a whole turn, radians: what has not been seen by then is not there. */
+    private static final double MAX_SPIN = StrictMath.toRadians(400);
+
+    private final ControllerSpec.WallFollowing spec;
+    private final StateEstimate estimate;
+    private final AlignmentManoeuvre alignment;
+    private final WallSteering steering;
+    private final SearchState search;
+    private final WallStates wall;
+    private final Map<FollowerState, StateBehaviour> behaviours = new EnumMap<>(FollowerState.class);
+
+    private FollowerState state = INITIAL_STATE;
+    private StateBehaviour behaviour;
+    private String condition = "";
+    private long sinceTick;
+    private int transitions;
+    private double entryHeading;
+
+    /**
+     * Creates a follower in its initial state.
+     *
+     * @param spec its settings
+     */
+    public WallFollower(ControllerSpec.WallFollowing spec) {
+        this.spec = spec;
+        estimate = new StateEstimate(spec);
+        alignment = new AlignmentManoeuvre(estimate, spec.timingRule());
+        steering = new WallSteering(estimate, spec.distance());
+        search = new SearchState(estimate);
+        SpinStates spin = new SpinStates(estimate, alignment);
+        wall = new WallStates(estimate, steering, spin);
+        behaviours.put(SEARCH, search);
+        behaviours.put(TURN, spin.turn());
+        behaviours.put(MEASURE, spin.measure());
+        behaviours.put(ALIGN, spin.align());
+        behaviours.put(FOLLOW, wall.follow());
+        behaviours.put(ROUND, wall.round());
+        behaviour = search;
+    }
+
+    @Override
+    public Decision decide(Observation observation) {
+        estimate.update(observation);
+        behaviour.processReading();
+        for (Transition transition : TRANSITIONS) {
+            if (transition.from() == state && transition.guard().test(this)) {
+                enter(transition);
+                break;
+            }
+        }
+        behaviour.command();
+        return estimate.odometer().decision(estimate.robot(), spec.side(), telemetry());
+    }
+
+    private void enter(Transition transition) {
+        state = transition.to();
+        behaviour = behaviours.get(state);
+        condition = transition.condition();
+        sinceTick = estimate.tick();
+        transitions++;
+        entryHeading = estimate.odometer().heading();
+        behaviour.enter(transition.from());
+    }
+
+    private boolean turnedAllRound() {
+        return Math.abs(estimate.odometer().heading() - entryHeading) > MAX_SPIN;
+    }
+
+    private Telemetry telemetry() {
+        EdgeTimer timing = alignment.edgeTimer();
+        return new Telemetry(
+                state.name(),
+                condition,
+                sinceTick,
+                transitions,
+                spec.distance(),
+                estimate.views().left().reading(),
+                steering.proportional(),
+                steering.derivative(),
+                timing.tF3(),
+                timing.tF4(),
+                timing.tP());
+    }
+}

@@ -1,0 +1,141 @@
+package faultline.control.wallfollower;
+
+/** FOLLOW and ROUND: steering along a wall, and around its outer corners, by the left sensor. */
+final class WallSteering {
+
+    /** A reading this much beyond the wanted one is not of the wall that is followed, metres. */
+    private static final double GATE = 0.06;
+
+    /** The innovation that counts as a bend, as a share of what a corner gives in the end. */
+    private static final double BEND_SHARE = 0.6;
+
+    /**
+     * How many deviations of the noise a bend is at least, in one reading and in two running. Noise is known from a
+     * hundred readings only, and may be a third more than that; a run has thousands of readings.
+     */
+    private static final double NOISE_FACTOR = 8;
+
+    private static final double NOISE_FACTOR_OF_PAIR = 4;
+    private static final double DRIFT_NOISE_FACTOR = 4;
+
+    private final StateEstimate estimate;
+    private final double wantedDistance;
+    private final WallTracker tracker = new WallTracker();
+    private PdController pdController;
+
+    WallSteering(StateEstimate perception, double wanted) {
+        this.estimate = perception;
+        this.wantedDistance = wanted;
+    }
+
+    /** Starts along a wall that the robot has been aligned with. */
+    void begin() {
+        tracker.start(left().detects() ? left().reading() : wantedDistance);
+    }
+
+    /** Takes the reading of a decision along a straight wall. */
+    void trackWall() {
+        tracker.predict(estimate.odometer().deltaDistance(), estimate.odometer().deltaHeading(), 0);
+        if (isWallInSight()) {
+            // Slanted to a straight wall by more than half the cone, the sensor reads the cone's edge and not the foot.
+            double off = Math.max(0, Math.abs(tracker.heading()) - left().halfCone());
+            tracker.correct(
+                    left().reading() * StrictMath.cos(off), estimate.odometer().deltaDistance(), radius());
+        }
+    }
+
+    /** Takes the reading of a decision around an outer corner. */
+    void trackCorner() {
+        tracker.predict(estimate.odometer().deltaDistance(), estimate.odometer().deltaHeading(), 1 / radius());
+        if (isWallInSight()) {
+            tracker.correct(left().reading(), estimate.odometer().deltaDistance(), radius());
+        }
+    }
+
+    /** The wall is seen to bend away: from now on its corner is tracked. */
+    void switchToCorner() {
+        tracker.turnHeading(-bendAngle());
+    }
+
+    /** The corner is seen to go over into a wall: from now on that is tracked. */
+    void switchToWall() {
+        tracker.turnHeading(bendAngle());
+    }
+
+    /** The turn rate along a straight wall. */
+    double wallTurnRate() {
+        return correction();
+    }
+
+    /** The turn rate around a corner: that of the circle about it, corrected. */
+    double cornerTurnRate() {
+        return estimate.robot().speed() / radius() + correction();
+    }
+
+    private double correction() {
+        pdController = new PdController(
+                estimate.robot().speed(), estimate.robot().motor().timeConstant() + estimate.period());
+        return pdController.turnRate(tracker.distance() - wantedDistance, tracker.heading());
+    }
+
+    boolean isWallInSight() {
+        return left().reading() <= Math.max(tracker.distance(), wantedDistance) + GATE;
+    }
+
+    boolean bendsAway() {
+        return isBend(tracker.innovation(), tracker.previousInnovation());
+    }
+
+    boolean bendsBack() {
+        return isBend(-tracker.innovation(), -tracker.previousInnovation()) || tracker.drift() < -bendDriftThreshold();
+    }
+
+    private boolean isBend(double innovation, double before) {
+        double noise = estimate.leftNoise();
+        return innovation > noiselessBendThreshold()
+                && (innovation > NOISE_FACTOR * noise || Math.min(innovation, before) > NOISE_FACTOR_OF_PAIR * noise);
+    }
+
+    /**
+     * A straight wall that is taken for a corner gives all of the corner's innovation for as long as it lasts, so there
+     * is time to average the noise away.
+     */
+    private double bendDriftThreshold() {
+        return Math.max(
+                noiselessBendThreshold(),
+                DRIFT_NOISE_FACTOR
+                        * estimate.leftNoise()
+                        * WallTracker.driftNoiseShare(estimate.odometer().deltaDistance()));
+    }
+
+    private double noiselessBendThreshold() {
+        return BEND_SHARE * WallTracker.cornerInnovation(radius());
+    }
+
+    /**
+     * How far the robot has gone round a corner by the time that it shows: an innovation e takes a way of sqrt(2 e r)
+     * on a circle of radius r.
+     */
+    private double bendAngle() {
+        return Math.sqrt(2 * Math.abs(tracker.innovation()) / radius());
+    }
+
+    /** From the followed wall, or the corner that is rounded, to the robot's centre, metres. */
+    private double radius() {
+        return Math.max(estimate.robot().width() / 2, tracker.distance() + estimate.sideMountOffset());
+    }
+
+    private SensorView left() {
+        return estimate.views().left();
+    }
+
+    /** The P term of the last decision, radians per second; not a number before the first. */
+    double proportional() {
+        return pdController == null ? Double.NaN : pdController.proportional();
+    }
+
+    /** The D term of the last decision, radians per second; not a number before the first. */
+    double derivative() {
+        return pdController == null ? Double.NaN : pdController.derivative();
+    }
+}

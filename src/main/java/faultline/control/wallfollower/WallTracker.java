@@ -1,0 +1,116 @@
+package faultline.control.wallfollower;
+
+/**
+ * Tracks the wall on the left through one sensor's readings and dead reckoning: its distance r and the robot's heading
+ * gamma relative to it, positive towards the wall. A steady-state Kalman filter of second order (an alpha-beta filter),
+ * whose bandwidth goes with the way rolled and not with time.
+ *
+ * <p>Along a wall r' = -v sin gamma and gamma' = omega - v k, where k is the curvature of the way that keeps the
+ * distance: 0 along a straight wall, 1 / radius around a corner. A wall that bends otherwise than assumed shows as an
+ * innovation, that is, a reading that is not as predicted.
+ */
+final class WallTracker {
+
+    /** How much way the filter looks back on, as a share of the distance from the centre to the wall. */
+    private static final double MEMORY_SHARE = 0.086;
+
+    /** A reading that is off by more than this belongs to something else, metres. */
+    private static final double OUTLIER_THRESHOLD = 0.05;
+
+    /** The way over which innovations are averaged, metres. */
+    private static final double DRIFT_DISTANCE = 0.2;
+
+    private double distance;
+    private double heading;
+    private double innovation;
+    private double previousInnovation;
+    private double drift;
+
+    /** Starts anew at a reading, parallel to the wall. */
+    void start(double reading) {
+        distance = reading;
+        heading = 0;
+        clearInnovations();
+    }
+
+    /** Predicts across a piece of way. */
+    void predict(double rolled, double turned, double curvature) {
+        double middle = heading + (turned - curvature * rolled) / 2;
+        heading += turned - curvature * rolled;
+        distance -= rolled * StrictMath.sin(middle);
+        previousInnovation = innovation;
+        innovation = 0;
+    }
+
+    /** Corrects by a reading after a piece of way. */
+    void correct(double reading, double rolled, double radius) {
+        innovation = reading - distance;
+        if (Math.abs(innovation) > OUTLIER_THRESHOLD) {
+            distance = reading;
+            innovation = 0;
+            return;
+        }
+        drift += Math.min(1, Math.abs(rolled) / DRIFT_DISTANCE) * (innovation - drift);
+        // Critically damped at the bandwidth 1 / (MEMORY radius) per metre of way.
+        double share = Math.min(0.5, Math.abs(rolled) / (MEMORY_SHARE * radius));
+        distance += Math.min(1, 1.4 * share) * innovation;
+        if (rolled > 0) {
+            heading -= share * share / rolled * innovation;
+        }
+    }
+
+    /** Turns the tracked heading because the wall is seen to go another way. */
+    void turnHeading(double angle) {
+        heading += angle;
+        clearInnovations();
+    }
+
+    private void clearInnovations() {
+        innovation = 0;
+        previousInnovation = 0;
+        drift = 0;
+    }
+
+    /** The distance of the wall, metres. */
+    double distance() {
+        return distance;
+    }
+
+    /** The robot's heading relative to the wall, radians, positive towards it. */
+    double heading() {
+        return heading;
+    }
+
+    /** How much farther than predicted the last reading was, metres. */
+    double innovation() {
+        return innovation;
+    }
+
+    /** How much farther than predicted the reading before that was, metres. */
+    double previousInnovation() {
+        return previousInnovation;
+    }
+
+    /**
+     * How much farther than predicted the readings were on the whole of late, metres: a small bend shows here that is
+     * below the noise of a single reading.
+     */
+    double drift() {
+        return drift;
+    }
+
+    /** What share of a reading's noise is left in the {@link #drift}, if readings come once a piece of way. */
+    static double driftNoiseShare(double rolled) {
+        return Math.sqrt(Math.abs(rolled) / DRIFT_DISTANCE / 2);
+    }
+
+    /**
+     * The innovation that a corner gives in the end if the tracker takes its two sides for one straight wall, metres:
+     * (MEMORY radius)^2 / radius.
+     *
+     * @param radius from the corner to the robot's centre, metres
+     */
+    static double cornerInnovation(double radius) {
+        return MEMORY_SHARE * MEMORY_SHARE * radius;
+    }
+}

@@ -1,0 +1,101 @@
+package faultline.control.wallfollower;
+
+import faultline.control.Controller;
+import faultline.control.ControllerSpec;
+import faultline.control.Decision;
+import faultline.control.FollowerState;
+import faultline.control.Observation;
+import faultline.control.PeriodicController;
+import faultline.control.Telemetry;
+import faultline.geometry.Angles;
+import faultline.geometry.Pose;
+import faultline.robot.DifferentialDrive;
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A robot under a follower in the lower half plane, above which one wall runs for ever along the x axis; its readings
+ * are written down in closed form.
+ */
+public final class StraightWallFixture {
+
+    private final RobotSpec robot;
+    private final Controller controller;
+    private final List<String> states = new ArrayList<>();
+    private Pose pose;
+    private double left;
+    private double right;
+    private long tick;
+    private Telemetry telemetry = Telemetry.ofState("");
+
+    /** Starts below the wall at a distance of the centre, heading so many degrees up from along it. */
+    public StraightWallFixture(
+            RobotSpec robot, ControllerSpec.WallFollowing spec, double distance, double headingDegrees) {
+        this.robot = robot;
+        this.controller = new PeriodicController(new WallFollower(spec), spec.period());
+        this.pose = new Pose(0, -distance, Math.toRadians(headingDegrees));
+    }
+
+    /** Goes on until the follower is in a state, for a minute at most. */
+    public StraightWallFixture runUntil(FollowerState state) {
+        for (long end = tick + 6000; tick < end && !telemetry.state().equals(state.name()); ) {
+            tick();
+        }
+        return this;
+    }
+
+    private void tick() {
+        double[] readings = robot.sensors().stream().mapToDouble(this::reading).toArray();
+        Decision decision = controller.decide(new Observation(tick, Observations.DT, robot, readings));
+        telemetry = decision.telemetry();
+        if (states.isEmpty() || !states.get(states.size() - 1).equals(telemetry.state())) {
+            states.add(telemetry.state());
+        }
+        drive(decision);
+        tick++;
+    }
+
+    private void drive(Decision decision) {
+        MotorSpec motor = robot.motor();
+        double decay = motor.decay(Observations.DT);
+        left = motor.step(left, decision.leftVolts(), decay);
+        right = motor.step(right, decision.rightVolts(), decay);
+        pose = DifferentialDrive.advance(
+                pose,
+                DifferentialDrive.linearVelocity(left, right),
+                DifferentialDrive.angularVelocity(left, right, robot.track()),
+                Observations.DT);
+    }
+
+    /** The foot of the perpendicular if it lies in the cone, else the wall on the cone's edge next to it. */
+    private double reading(SensorSpec sensor) {
+        double away = -pose.toParent(sensor.mountPosition()).y();
+        double off = Math.abs(Angles.difference(Math.PI / 2, pose.heading() + sensor.bearing()));
+        double slant = Math.max(0, off - sensor.cone() / 2);
+        double reading = slant < Math.PI / 2 ? away / Math.cos(slant) : Reading.NOTHING;
+        return reading <= sensor.range() ? reading : Reading.NOTHING;
+    }
+
+    /** The heading up from along the wall, degrees. */
+    double headingDegrees() {
+        return Math.toDegrees(Angles.normalize(pose.heading()));
+    }
+
+    /** The distance of the robot's centre from the wall, metres. */
+    double distance() {
+        return -pose.y();
+    }
+
+    /** The states passed so far. */
+    public List<String> states() {
+        return states;
+    }
+
+    public Telemetry telemetry() {
+        return telemetry;
+    }
+}
