@@ -8,12 +8,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Keeps the floors of the house, decision 0001, and shows on seeded faults that the rules can fail. */
+/**
+ * Checks the layers and the size of the sources, decision 0001, and shows on seeded violations that each rule can fail.
+ */
 class FloorsTest {
 
     private static final Path ROOT = Path.of("src/main/java/faultline");
@@ -36,6 +41,42 @@ class FloorsTest {
                 .filter(folder -> Files.notExists(folder.resolve("package-info.java")))
                 .toList();
         assertEquals(List.of(), silent);
+    }
+
+    @Test
+    void compiledClassesUseOnlyPackagesBeforeTheirOwn() {
+        Map<String, Set<String>> uses = PackageGraph.read(PackageGraph.compiledClasses());
+        assertTrue(uses.size() > 25, "jdeps found few packages: " + uses.keySet());
+        List<String> upward = new ArrayList<>();
+        uses.forEach((user, used) -> used.stream()
+                .filter(other -> LayerRules.PACKAGE_ORDER.indexOf(other) > LayerRules.PACKAGE_ORDER.indexOf(user))
+                .forEach(other -> upward.add(user + " uses " + other)));
+        assertEquals(List.of(), upward);
+    }
+
+    @Test
+    void noPackageIsPartOfACycle() {
+        assertEquals(List.of(), PackageGraph.cycle(PackageGraph.read(PackageGraph.compiledClasses())));
+    }
+
+    @Test
+    void aCycleIsFound() {
+        Map<String, Set<String>> uses =
+                Map.of("a", Set.of("b", "d"), "b", Set.of("c"), "c", Set.of("d", "b"), "d", Set.of());
+        assertEquals(Set.of("b", "c"), Set.copyOf(PackageGraph.cycle(uses)));
+    }
+
+    @Test
+    void aLongMethodIsFound(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("Long.java");
+        Files.writeString(file, "class Long {\n    void f() {" + "\n        f();".repeat(3) + "\n    }\n}\n");
+        assertEquals(List.of(file + ":2 f: 5"), SourceMetrics.longMethods(List.of(file), 4));
+        assertEquals(List.of(), SourceMetrics.longMethods(List.of(file), 5));
+    }
+
+    @Test
+    void aLongLineIsFoundOutsideTextBlocks() {
+        assertEquals(List.of(2, 6), SourceMetrics.longLines("1234\n12345\n\"\"\"\n12345\n\"\"\"\n12345", 4));
     }
 
     @ParameterizedTest

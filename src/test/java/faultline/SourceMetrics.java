@@ -1,0 +1,99 @@
+package faultline;
+
+import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.tree.LineMap;
+import com.sun.source.tree.MethodTree;
+import com.sun.source.util.JavacTask;
+import com.sun.source.util.SourcePositions;
+import com.sun.source.util.TreeScanner;
+import com.sun.source.util.Trees;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Locale;
+import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+
+/** Measures source files. */
+final class SourceMetrics {
+
+    private SourceMetrics() {}
+
+    /**
+     * Returns the methods and constructors whose body is too long.
+     *
+     * @param files source files
+     * @param most how many lines are allowed from the opening brace to the closing one, both included
+     * @return "file:line name: lines" for each
+     */
+    static List<String> longMethods(Collection<Path> files, int most) throws IOException {
+        List<String> found = new ArrayList<>();
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        try (StandardJavaFileManager manager =
+                compiler.getStandardFileManager(null, Locale.ROOT, StandardCharsets.UTF_8)) {
+            JavacTask task = (JavacTask) compiler.getTask(
+                    null, manager, null, List.of("-proc:none"), null, manager.getJavaFileObjectsFromPaths(files));
+            SourcePositions positions = Trees.instance(task).getSourcePositions();
+            for (CompilationUnitTree unit : task.parse()) {
+                unit.accept(new MethodMeter(unit, positions, most, found), null);
+            }
+        }
+        return found;
+    }
+
+    /**
+     * Returns the lines of a source file that are too long. Lines in text blocks may have any length, because a row of
+     * a table is one line.
+     *
+     * @param source the text
+     * @param most how many characters are allowed
+     * @return the numbers of the lines, the first being 1
+     */
+    static List<Integer> longLines(String source, int most) {
+        List<Integer> found = new ArrayList<>();
+        boolean inTextBlock = false;
+        List<String> lines = source.lines().toList();
+        for (int i = 0; i < lines.size(); i++) {
+            String line = lines.get(i);
+            if (!inTextBlock && line.length() > most) {
+                found.add(i + 1);
+            }
+            inTextBlock ^= line.split("\"\"\"", -1).length % 2 == 0;
+        }
+        return found;
+    }
+
+    /** Adds a line for each method that is too long. */
+    private static final class MethodMeter extends TreeScanner<Void, Void> {
+
+        private final CompilationUnitTree unit;
+        private final SourcePositions positions;
+        private final int most;
+        private final List<String> found;
+
+        MethodMeter(CompilationUnitTree unit, SourcePositions positions, int most, List<String> found) {
+            this.unit = unit;
+            this.positions = positions;
+            this.most = most;
+            this.found = found;
+        }
+
+        @Override
+        public Void visitMethod(MethodTree method, Void none) {
+            if (method.getBody() != null) {
+                LineMap map = unit.getLineMap();
+                long first = map.getLineNumber(positions.getStartPosition(unit, method.getBody()));
+                long last = map.getLineNumber(positions.getEndPosition(unit, method.getBody()));
+                if (last - first + 1 > most) {
+                    found.add(unit.getSourceFile().getName() + ":" + first + " " + method.getName() + ": "
+                            + (last - first + 1));
+                }
+            }
+            return super.visitMethod(method, none);
+        }
+    }
+}
