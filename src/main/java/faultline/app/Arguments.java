@@ -17,11 +17,11 @@ final class Arguments {
     private final Map<String, String> options = new LinkedHashMap<>();
 
     /**
-     * Sorts the arguments of a command.
+     * Parses the arguments of a command.
      *
-     * @param arguments in their order
-     * @param known the options that the command takes
-     * @throws UsageException if an option is unknown, twice there, or without its value
+     * @param arguments the arguments, in order
+     * @param known the options that the command accepts
+     * @throws UsageException if an option is unknown, given twice or lacks its value
      */
     Arguments(List<String> arguments, List<String> known) throws UsageException {
         int next = 0;
@@ -50,30 +50,34 @@ final class Arguments {
         }
     }
 
-    /** What is no option, in its order. */
+    /** Returns the arguments that are not options, in order. */
     List<String> files() {
         return List.copyOf(files);
     }
 
-    /** The value of an option. */
+    /** Returns the value of an option, or empty if it is not given. */
     Optional<String> value(String option) {
         return Optional.ofNullable(options.get(option));
     }
 
-    /** The file that an option names. */
+    /** Returns the file that an option names, or empty if it is not given. */
     Optional<Path> fileOption(String option) throws UsageException {
         Optional<String> value = value(option);
         return value.isEmpty() ? Optional.empty() : Optional.of(parsePath(value.get()));
     }
 
-    /** A path, or a complaint where the machine can have none of that name. */
+    /**
+     * Converts a name to a path.
+     *
+     * @throws UsageException if the name is empty or the system does not allow it
+     */
     static Path parsePath(String name) throws UsageException {
         try {
             if (!name.isEmpty()) {
                 return Path.of(name);
             }
         } catch (InvalidPathException e) {
-            // Told below, like the empty name.
+            // Reported below, like the empty name.
         }
         throw new UsageException(MessageText.quoted(name) + " is no name for a file");
     }

@@ -4,13 +4,13 @@ import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
 import java.util.List;
 
-/** {@code check}: reads scenario files and tells what is wrong with them. */
+/** {@code check}: reads scenario files and reports their problems. */
 final class CheckCommand {
 
     private final CommandOutput output;
 
-    CheckCommand(CommandOutput console) {
-        this.output = console;
+    CheckCommand(CommandOutput output) {
+        this.output = output;
     }
 
     int run(List<String> arguments) throws UsageException {

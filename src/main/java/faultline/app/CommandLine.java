@@ -12,31 +12,31 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Finds the command that the arguments name, runs it, and turns whatever goes wrong into one line and an exit code. */
+/** Finds the command that the arguments name, runs it, and turns a failure into one line and an exit code. */
 final class CommandLine {
 
     private final CommandOutput output;
     private final Map<String, Command> commands = new LinkedHashMap<>();
 
-    /** One command: its arguments in, its exit code out. */
+    /** A command: maps its arguments to an exit code. */
     private interface Command {
         int run(List<String> arguments) throws UsageException, ScenarioException, IOException;
     }
 
-    CommandLine(CommandOutput console) {
-        this.output = console;
-        commands.put("run", new RunCommand(console)::run);
-        commands.put("check", new CheckCommand(console)::run);
-        commands.put("figures", new FiguresCommand(console)::run);
+    CommandLine(CommandOutput output) {
+        this.output = output;
+        commands.put("run", new RunCommand(output)::run);
+        commands.put("check", new CheckCommand(output)::run);
+        commands.put("figures", new FiguresCommand(output)::run);
         commands.put("--help", arguments -> println(HelpText.HELP));
         commands.put("--version", arguments -> println(HelpText.version()));
-        commands.put("--startup-time", new WindowCommand(console)::measureStartup);
+        commands.put("--startup-time", new WindowCommand(output)::measureStartup);
     }
 
     /**
-     * Runs one command.
+     * Runs a command.
      *
-     * @param args the process's arguments
+     * @param args the arguments of the process
      * @return the exit code, see {@link ExitCode}
      */
     int run(String... args) {

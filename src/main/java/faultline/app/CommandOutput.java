@@ -4,10 +4,10 @@ import java.io.PrintStream;
 import java.util.List;
 
 /**
- * Where a command tells what it does.
+ * The output of a command.
  *
- * @param out for what was asked for
- * @param err for what went wrong
+ * @param out receives results
+ * @param err receives error messages
  */
 record CommandOutput(PrintStream out, PrintStream err) {
 
@@ -23,7 +23,7 @@ record CommandOutput(PrintStream out, PrintStream err) {
         err.println(line);
     }
 
-    /** Whether all that was told has arrived; not so where a pipe was closed or a disk is full. */
+    /** Flushes both streams and returns whether everything was written; false if a pipe is closed or a disk is full. */
     boolean isWritten() {
         return !out.checkError();
     }

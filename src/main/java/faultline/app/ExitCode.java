@@ -1,15 +1,15 @@
 package faultline.app;
 
-/** What the process ends with. */
+/** The exit codes of the process. */
 final class ExitCode {
 
-    /** Done, and every expectation held. */
+    /** The command succeeded, and all expectations hold. */
     static final int SUCCESS = 0;
-    /** Done, but an expectation failed. */
+    /** The run finished, but an expectation failed. */
     static final int EXPECTATION_FAILED = 1;
-    /** Bad usage, a bad file, or an output that cannot be written. */
+    /** The usage or a file is invalid, or an output cannot be written. */
     static final int BAD_INPUT = 2;
-    /** The run broke. */
+    /** The run failed with an internal error. */
     static final int RUN_FAILED = 3;
 
     private ExitCode() {}

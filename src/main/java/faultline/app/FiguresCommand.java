@@ -10,25 +10,25 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/** {@code figures}: makes the paper's figures and studies anew. */
+/** {@code figures}: generates the figures of the paper and the studies. */
 final class FiguresCommand {
 
     private static final int BAR_WIDTH = 40;
 
     private final CommandOutput output;
 
-    FiguresCommand(CommandOutput console) {
-        this.output = console;
+    FiguresCommand(CommandOutput output) {
+        this.output = output;
     }
 
     int run(List<String> arguments) throws UsageException, IOException {
-        Arguments sorted = new Arguments(arguments, List.of("--out", "--theme"));
-        if (!sorted.files().isEmpty()) {
+        Arguments parsed = new Arguments(arguments, List.of("--out", "--theme"));
+        if (!parsed.files().isEmpty()) {
             throw new UsageException("figures takes no file, only --out DIR and --theme light|dark|adaptive");
         }
-        Path folder = sorted.fileOption("--out")
+        Path folder = parsed.fileOption("--out")
                 .orElseThrow(() -> new UsageException("figures needs --out DIR, the folder that they go to"));
-        Figures.writeAll(folder, parseAppearance(sorted.value("--theme").orElse("adaptive")), this::showProgress);
+        Figures.writeAll(folder, parseAppearance(parsed.value("--theme").orElse("adaptive")), this::showProgress);
         output.println("figures: " + folder);
         return ExitCode.SUCCESS;
     }
@@ -44,7 +44,7 @@ final class FiguresCommand {
         return SvgTheme.valueOf(text.toUpperCase(Locale.ROOT));
     }
 
-    /** A bar that grows in its line. */
+    /** Prints a progress bar that is redrawn in place. */
     private void showProgress(int done, int all) {
         int filled = BAR_WIDTH * done / all;
         output.err()

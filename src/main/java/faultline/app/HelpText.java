@@ -2,7 +2,7 @@ package faultline.app;
 
 import java.util.Optional;
 
-/** What {@code --help} and {@code --version} tell. */
+/** The output of {@code --help} and {@code --version}. */
 final class HelpText {
 
     static final String HELP =

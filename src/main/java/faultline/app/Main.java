@@ -1,18 +1,19 @@
 package faultline.app;
 
-/** Where the program starts. */
+/** The entry point of the program. */
 public final class Main {
 
     private Main() {}
 
     /**
-     * Runs one command. The process ends with its exit code; where that is 0 it may go on until the window is closed.
+     * Runs one command. The process ends with the command's exit code; if that is 0, the process may continue until the
+     * window is closed.
      *
-     * @param args as {@code --help} tells
+     * @param args as described by {@code --help}
      */
     public static void main(String[] args) {
         if (args.length > 0 && args[0].equals("run")) {
-            // A picture needs no display, and must not fail for one that does not answer.
+            // Image output needs no display and must not fail if the configured one does not answer.
             System.setProperty("java.awt.headless", "true");
         }
         int code = new CommandLine(new CommandOutput(System.out, System.err)).run(args);

@@ -6,25 +6,25 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 
-/** How long ago this process began. */
+/** The time since the start of this process. */
 final class ProcessAge {
 
-    /** Ticks of a process's clock in a second, the same on every Linux. */
+    /** Clock ticks per second in {@code /proc}, the same on every Linux. */
     private static final double CLOCK_TICKS_PER_SECOND = 100;
-    /** Where the start stands in the words after the process's name. */
+    /** Index of the start time among the fields after the process's name. */
     private static final int START_TIME_FIELD = 19;
-    /** How far the time of day of the start may be off, seconds. */
+    /** Largest accepted difference from the start time reported by {@link ProcessHandle}, seconds. */
     private static final double START_TIME_TOLERANCE = 2;
 
     private ProcessAge() {}
 
-    /** Seconds, to a hundredth on Linux; where only the start's time of day is known, as well as that is. */
+    /** Returns the age in seconds, accurate to 0.01 s on Linux, elsewhere as accurate as {@link ProcessHandle}. */
     static double seconds() {
         double rough = fromStartInstant();
         try {
             double exact = fromProcFiles(
                     Files.readString(Path.of("/proc/self/stat")), Files.readString(Path.of("/proc/uptime")));
-            // In some containers the two files count from different starts.
+            // In some containers the two files count from different starting points.
             return Math.abs(exact - rough) < START_TIME_TOLERANCE ? exact : rough;
         } catch (IOException elsewhere) {
             return rough;
@@ -37,8 +37,8 @@ final class ProcessAge {
     }
 
     /**
-     * From when it began and what time it is now, both counted from the machine's start. The process's name may hold
-     * blanks and brackets.
+     * Computes the age from the two files' contents, both of which count from system boot. The process name may contain
+     * blanks and parentheses.
      */
     static double fromProcFiles(String stat, String uptime) {
         String[] words = stat.substring(stat.lastIndexOf(')') + 2).split(" ");

@@ -9,13 +9,13 @@ import faultline.scenario.ScenarioException;
 import java.io.IOException;
 import java.util.List;
 
-/** {@code run}: a scenario without a window, its summary on standard output. */
+/** {@code run}: runs a scenario without a window and prints its summary to standard output. */
 final class RunCommand {
 
     private final CommandOutput output;
 
-    RunCommand(CommandOutput console) {
-        this.output = console;
+    RunCommand(CommandOutput output) {
+        this.output = output;
     }
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
@@ -28,7 +28,7 @@ final class RunCommand {
         }
     }
 
-    /** Runs a scenario with nothing to write. */
+    /** Runs a scenario without output files. */
     int run(Scenario scenario) {
         return printResult(scenario, HeadlessRun.run(scenario.setup(), ControllerMode.DIRECT, List.of()));
     }

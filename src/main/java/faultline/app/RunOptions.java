@@ -14,15 +14,15 @@ import java.util.OptionalDouble;
 import java.util.OptionalLong;
 
 /**
- * What {@code run} was asked for.
+ * The options of {@code run}.
  *
- * @param file the scenario
- * @param until the duration in place of the file's, seconds
- * @param seed in place of the file's
- * @param mode where the controller runs
- * @param trace where the trace goes
- * @param image where the picture of the last frame goes
- * @param journal where the scenario that replays the run goes
+ * @param file the scenario file
+ * @param until the duration that replaces the file's, seconds
+ * @param seed the seed that replaces the file's
+ * @param mode the thread on which the controller runs
+ * @param trace the file for the trace
+ * @param image the file for the image of the last frame
+ * @param journal the file for the scenario that replays the run
  */
 record RunOptions(
         Path file,
@@ -38,19 +38,19 @@ record RunOptions(
     private static final BigDecimal MAX_DURATION = new BigDecimal("10000000");
 
     static RunOptions parse(List<String> arguments) throws UsageException {
-        Arguments sorted = new Arguments(arguments, OPTION_NAMES);
-        if (sorted.files().size() != 1) {
+        Arguments parsed = new Arguments(arguments, OPTION_NAMES);
+        if (parsed.files().size() != 1) {
             throw new UsageException("run takes one scenario file, not "
-                    + (sorted.files().isEmpty() ? "none" : sorted.files().size()));
+                    + (parsed.files().isEmpty() ? "none" : parsed.files().size()));
         }
         RunOptions options = new RunOptions(
-                Arguments.parsePath(sorted.files().get(0)),
-                until(sorted.value("--until")),
-                seed(sorted.value("--seed")),
-                mode(sorted.value("--threads").orElse("none")),
-                sorted.fileOption("--trace"),
-                sorted.fileOption("--image"),
-                sorted.fileOption("--journal"));
+                Arguments.parsePath(parsed.files().get(0)),
+                until(parsed.value("--until")),
+                seed(parsed.value("--seed")),
+                mode(parsed.value("--threads").orElse("none")),
+                parsed.fileOption("--trace"),
+                parsed.fileOption("--image"),
+                parsed.fileOption("--journal"));
         options.checkFilesDiffer();
         return options;
     }
@@ -97,7 +97,7 @@ record RunOptions(
         }
     }
 
-    /** A scenario as these options change it. */
+    /** Returns the scenario with these options applied. */
     Scenario applyTo(Scenario scenario) {
         SimulationSetup setup = scenario.setup();
         SimulationSetup timed = until.isPresent() ? setup.withDuration(until.getAsDouble()) : setup;

@@ -23,8 +23,8 @@ import java.util.Optional;
 import javax.imageio.ImageIO;
 
 /**
- * The files that a run writes. They are opened before the run, so that one that cannot be written is told at once, and
- * put in place after it, all whole; a run that breaks leaves none.
+ * The output files of a run. All files are opened before the run, so that one that cannot be written is reported at
+ * once, and moved into place after it; a failed run leaves no files.
  */
 final class RunOutputs implements AutoCloseable {
 
@@ -61,7 +61,7 @@ final class RunOutputs implements AutoCloseable {
         return Optional.of(file);
     }
 
-    /** What has to look at every tick. */
+    /** Returns the observers that must be called after every tick. */
     List<TickObserver> observers() {
         List<TickObserver> observers = new ArrayList<>();
         traceWriter.ifPresent(writer -> observers.add(new TraceWriter(writer)));
@@ -77,7 +77,7 @@ final class RunOutputs implements AutoCloseable {
         }
     }
 
-    /** Writes what is written at the end, and puts every file in its place. */
+    /** Writes the remaining outputs and moves every file into place. */
     void finish(Scenario scenario, long ticks) throws IOException {
         if (traceWriter.isPresent()) {
             traceWriter.get().flush();

@@ -1,6 +1,6 @@
 package faultline.app;
 
-/** Arguments that make no sense. The message is one line for a user. */
+/** Thrown if arguments are invalid. The message is one line for the user. */
 final class UsageException extends Exception {
 
     private static final long serialVersionUID = 1L;

@@ -11,40 +11,40 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** No command: the window, or where there is no display a run without one. */
+/** The command without a name: opens the window, or runs without one if there is no display. */
 final class WindowCommand {
 
     private static final String DEFAULT_SCENARIO = "office.xml";
 
     private final CommandOutput output;
 
-    WindowCommand(CommandOutput console) {
-        this.output = console;
+    WindowCommand(CommandOutput output) {
+        this.output = output;
     }
 
-    /** With the default scenario. */
+    /** Opens the default scenario. */
     int run() throws ScenarioException {
         return openWindow(Optional.empty(), Scenario.loadShipped(DEFAULT_SCENARIO), DEFAULT_SCENARIO);
     }
 
-    /** With a file, which is read first: what is wrong with it is told here, not in a window. */
+    /** Opens a file. The file is read first, so that its problems are reported here and not in a window. */
     int run(Path file) throws ScenarioException {
         return openWindow(Optional.of(file), Scenario.load(file), file.toString());
     }
 
-    /** Opens the window, and closes it when its first picture is there. */
+    /** Opens the window and closes it after its first frame. */
     int measureStartup(List<String> arguments) throws UsageException {
-        Arguments given = new Arguments(arguments, List.of());
-        if (given.files().size() > 1) {
+        Arguments parsed = new Arguments(arguments, List.of());
+        if (parsed.files().size() > 1) {
             throw new UsageException("the window takes one scenario file, not also \""
-                    + given.files().get(1) + "\"");
+                    + parsed.files().get(1) + "\"");
         }
         if (!hasDisplay()) {
             throw new UsageException("--startup-time needs a display, and there is none");
         }
-        Optional<Path> file = given.files().isEmpty()
+        Optional<Path> file = parsed.files().isEmpty()
                 ? Optional.empty()
-                : Optional.of(Arguments.parsePath(given.files().get(0)));
+                : Optional.of(Arguments.parsePath(parsed.files().get(0)));
         GuiLauncher.openUntilFirstPaint(
                 file, () -> output.println(String.format(Locale.ROOT, "startup_s: %.2f", ProcessAge.seconds())));
         return ExitCode.SUCCESS;
@@ -59,7 +59,10 @@ final class WindowCommand {
         return new RunCommand(output).run(scenario);
     }
 
-    /** A display that is named but does not answer shows only when it is asked for its screens. */
+    /**
+     * Returns whether there is a display. One that is configured but does not answer fails only when its screens are
+     * listed.
+     */
     private static boolean hasDisplay() {
         try {
             return !GraphicsEnvironment.isHeadless()

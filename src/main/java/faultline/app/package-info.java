@@ -1,5 +1,5 @@
 /**
- * The front doors: the command line, and the way to the window. Each command reads its arguments, calls the floors
- * below, and tells its outcome as lines and an exit code; nothing here ends the process but {@link faultline.app.Main}.
+ * The command line, and the entry to the window. Each command parses its arguments, calls the packages below, and
+ * reports its outcome as lines and an exit code. Only {@link faultline.app.Main} ends the process.
  */
 package faultline.app;

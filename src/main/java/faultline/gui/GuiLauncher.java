@@ -13,13 +13,13 @@ import java.util.Optional;
 /** Opens the window. */
 public final class GuiLauncher {
 
-    /** The scenario that is open where none is asked for. */
+    /** The scenario that is opened if none is given. */
     private static final String DEFAULT_SCENARIO = "office.xml";
 
     private GuiLauncher() {}
 
     /**
-     * Opens the window, soon, on the event dispatch thread; there must be a display.
+     * Opens the window asynchronously on the event dispatch thread. There must be a display.
      *
      * @param file the scenario to open, empty for the default one
      */
@@ -29,10 +29,10 @@ public final class GuiLauncher {
     }
 
     /**
-     * Opens the window, and closes it again when it has painted its first frame.
+     * Opens the window and closes it after it has painted its first frame.
      *
      * @param file the scenario to open, empty for the default one
-     * @param painted told when that was, on the event dispatch thread
+     * @param painted called on the event dispatch thread after the first frame
      */
     public static void openUntilFirstPaint(Optional<Path> file, Runnable painted) {
         EventQueue.invokeLater(() -> {
@@ -44,23 +44,23 @@ public final class GuiLauncher {
         });
     }
 
-    private static MainWindow createWindow(WindowPreferences memory, Optional<Path> file) {
-        Messages.setLanguage(memory.language());
+    private static MainWindow createWindow(WindowPreferences preferences, Optional<Path> file) {
+        Messages.setLanguage(preferences.language());
         SwingMessages.install();
-        memory.textSize().install();
-        memory.theme().install();
-        MainWindow window = new MainWindow(memory);
+        preferences.textSize().install();
+        preferences.theme().install();
+        MainWindow window = new MainWindow(preferences);
         window.setVisible(true);
         file.ifPresentOrElse(window::open, () -> window.openShipped(DEFAULT_SCENARIO));
         return window;
     }
 
     private static void openOnEventThread(Optional<Path> file) {
-        WindowPreferences memory = WindowPreferences.forCurrentUser();
-        MainWindow window = createWindow(memory, file);
-        // One question at a time: the examples are not shown in front of what a crash has left.
+        WindowPreferences preferences = WindowPreferences.forCurrentUser();
+        MainWindow window = createWindow(preferences, file);
+        // One question at a time: the gallery does not cover the recovery prompt.
         window.enableRecovery(RecoveryStore.forCurrentUser(), () -> {
-            if (file.isEmpty() && memory.isGalleryShownAtStart()) {
+            if (file.isEmpty() && preferences.isGalleryShownAtStart()) {
                 window.showExamples();
             }
         });

@@ -1,2 +1,2 @@
-/** The front door of the window. */
+/** The entry point of the graphical user interface. */
 package faultline.gui;

@@ -17,12 +17,12 @@ public final class EditActions {
     private final UiAction undo;
     private final UiAction redo;
 
-    public EditActions(UndoController desk) {
-        this.undoController = desk;
-        this.undo = UiAction.of("undo", desk::undo)
+    public EditActions(UndoController undoController) {
+        this.undoController = undoController;
+        this.undo = UiAction.of("undo", undoController::undo)
                 .withAccelerator(menuShortcut(KeyEvent.VK_Z))
                 .withIcon(Glyph.UNDO);
-        this.redo = UiAction.of("redo", desk::redo)
+        this.redo = UiAction.of("redo", undoController::redo)
                 .withAccelerator(menuShiftShortcut(KeyEvent.VK_Z))
                 .withIcon(Glyph.REDO);
         update();

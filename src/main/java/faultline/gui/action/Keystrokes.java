@@ -106,11 +106,11 @@ public final class Keystrokes {
      * @return such as Ctrl+O, or [
      */
     public static String toText(KeyStroke stroke) {
-        String held = MODIFIERS.stream()
+        String modifiers = MODIFIERS.stream()
                 .filter(modifier -> (stroke.getModifiers() & modifier.mask()) != 0)
                 .map(modifier -> Messages.get(modifier.name()) + "+")
                 .collect(Collectors.joining());
-        return held
+        return modifiers
                 + (stroke.getKeyCode() == KeyEvent.VK_UNDEFINED
                         ? String.valueOf(stroke.getKeyChar())
                         : keyText(stroke.getKeyCode()));
@@ -118,8 +118,8 @@ public final class Keystrokes {
 
     /** Keys that are called by a word have it in the texts; others are called by what is printed on them. */
     private static String keyText(int code) {
-        String named = unmodified(code).toString().replace("pressed ", "key.");
-        return Messages.contains(named) ? Messages.get(named) : KeyEvent.getKeyText(code);
+        String key = unmodified(code).toString().replace("pressed ", "key.");
+        return Messages.contains(key) ? Messages.get(key) : KeyEvent.getKeyText(code);
     }
 
     /**

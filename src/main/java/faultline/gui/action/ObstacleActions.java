@@ -82,21 +82,21 @@ public final class ObstacleActions {
      * @param editor where changes go
      * @param note told what the user should know
      * @param askSpeed asks for a speed, metres per second, given the present one
-     * @param memory keeps how obstacles snap
+     * @param preferences keeps how obstacles snap
      */
     public ObstacleActions(
             CanvasTools tools,
             CommandSink editor,
             Consumer<String> note,
             DoubleFunction<OptionalDouble> askSpeed,
-            WindowPreferences memory) {
+            WindowPreferences preferences) {
         this.tools = tools;
         this.editor = editor;
         this.notifier = note;
         this.askSpeed = askSpeed;
-        this.preferences = memory;
-        snapGrid = UiAction.toggle("snapGrid", memory.isGridSnapped(), on -> applySnap());
-        snapAngle = UiAction.toggle("snapAngle", memory.isAngleSnapped(), on -> applySnap());
+        this.preferences = preferences;
+        snapGrid = UiAction.toggle("snapGrid", preferences.isGridSnapped(), on -> applySnap());
+        snapAngle = UiAction.toggle("snapAngle", preferences.isAngleSnapped(), on -> applySnap());
         applySnap();
     }
 
@@ -161,7 +161,7 @@ public final class ObstacleActions {
             askSpeed.apply(moving.get(0).motion().orElseThrow().speed())
                     .ifPresent(speed -> editor.send(moving.stream()
                             .<Command>map(obstacle -> new Command.PlaceObstacle(
-                                    obstacle.withMotion(obstacle.motion().map(way -> way.withSpeed(speed)))))
+                                    obstacle.withMotion(obstacle.motion().map(motion -> motion.withSpeed(speed)))))
                             .toList()));
         }
     }
@@ -210,9 +210,10 @@ public final class ObstacleActions {
     private void paste(String text) {
         try {
             addCopies(ObstacleXml.parse(text));
-        } catch (ScenarioException bad) {
-            int more = bad.problems().size() - 1;
-            String first = MessageTranslator.translate(bad.problems().get(0).message());
+        } catch (ScenarioException exception) {
+            int more = exception.problems().size() - 1;
+            String first =
+                    MessageTranslator.translate(exception.problems().get(0).message());
             notifier.accept(
                     more == 0
                             ? Messages.get("note.notPasted", first)

@@ -20,9 +20,9 @@ public final class PreferenceActions {
     private final Component parent;
     private final WindowPreferences preferences;
 
-    public PreferenceActions(Component parent, WindowPreferences memory) {
+    public PreferenceActions(Component parent, WindowPreferences preferences) {
         this.parent = parent;
-        this.preferences = memory;
+        this.preferences = preferences;
     }
 
     public void addTo(ActionRegistry actions) {

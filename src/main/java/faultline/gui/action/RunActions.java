@@ -22,13 +22,13 @@ public final class RunActions {
     private final UiAction runAction;
     private boolean running;
 
-    public RunActions(RunController desk, BoundedRangeModel speed) {
-        this.runController = desk;
+    public RunActions(RunController runController, BoundedRangeModel speed) {
+        this.runController = runController;
         this.speedModel = speed;
-        this.runAction = UiAction.of("run", desk::toggleRunning)
+        this.runAction = UiAction.of("run", runController::toggleRunning)
                 .withAccelerator(unmodified(KeyEvent.VK_SPACE))
                 .withIcon(Glyph.RUN);
-        speed.addChangeListener(event -> desk.setSpeed(SpeedScale.speedAt(speed.getValue())));
+        speed.addChangeListener(event -> runController.setSpeed(SpeedScale.speedAt(speed.getValue())));
     }
 
     public void addTo(ActionRegistry actions, IntConsumer toggleSensor) {

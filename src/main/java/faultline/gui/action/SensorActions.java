@@ -18,8 +18,8 @@ public final class SensorActions {
     private final RunController runController;
     private final CommandSink editor;
 
-    public SensorActions(Workspace bench, RunController run, CommandSink editor) {
-        this.workspace = bench;
+    public SensorActions(Workspace workspace, RunController run, CommandSink editor) {
+        this.workspace = workspace;
         this.runController = run;
         this.editor = editor;
     }

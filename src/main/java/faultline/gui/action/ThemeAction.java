@@ -16,10 +16,10 @@ public final class ThemeAction {
     private final UiAction darkAction =
             UiAction.toggle("dark", Theme.current() == Theme.DARK, on -> switchTo(on ? Theme.DARK : Theme.LIGHT));
 
-    public ThemeAction(JFrame window, SimulationCanvas canvas, WindowPreferences memory) {
+    public ThemeAction(JFrame window, SimulationCanvas canvas, WindowPreferences preferences) {
         this.window = window;
         this.canvas = canvas;
-        this.preferences = memory;
+        this.preferences = preferences;
         updateIcon();
     }
 

@@ -18,9 +18,9 @@ public final class UiAction extends AbstractAction {
     private final String key;
     private final transient Consumer<UiAction> handler;
 
-    private UiAction(String key, Consumer<UiAction> deed) {
+    private UiAction(String key, Consumer<UiAction> handler) {
         this.key = key;
-        this.handler = deed;
+        this.handler = handler;
         rename(key);
         putValue(ACTION_COMMAND_KEY, key);
     }
@@ -29,11 +29,11 @@ public final class UiAction extends AbstractAction {
      * An action that is done.
      *
      * @param key of its texts
-     * @param deed what it does, on the event dispatch thread
+     * @param handler what it does, on the event dispatch thread
      * @return the action, without a key and an icon
      */
-    public static UiAction of(String key, Runnable deed) {
-        return new UiAction(key, action -> deed.run());
+    public static UiAction of(String key, Runnable handler) {
+        return new UiAction(key, action -> handler.run());
     }
 
     /**
@@ -41,11 +41,11 @@ public final class UiAction extends AbstractAction {
      *
      * @param key of its texts
      * @param on how it stands at first
-     * @param deed told how it stands from now on, on the event dispatch thread
+     * @param handler told how it stands from now on, on the event dispatch thread
      * @return the action, without a key and an icon
      */
-    public static UiAction toggle(String key, boolean on, Consumer<Boolean> deed) {
-        UiAction action = new UiAction(key, self -> deed.accept(self.isOn()));
+    public static UiAction toggle(String key, boolean on, Consumer<Boolean> handler) {
+        UiAction action = new UiAction(key, self -> handler.accept(self.isOn()));
         action.putValue(SELECTED_KEY, on);
         return action;
     }

@@ -11,7 +11,7 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** The picture of the program in task bars: a robot and one cone, with a crack through it. */
+/** The program's icon: a robot and one cone with a crack through it. */
 public final class AppIcon {
 
     private AppIcon() {}

@@ -25,7 +25,7 @@ import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.UIManager;
 
-/** What the window tells its user in a dialog. */
+/** The window's messages: failures, problems in a file, shortcuts and the about box. */
 public final class Dialogs {
 
     private static final List<Integer> PROBLEM_COLUMN_WIDTHS = List.of(60, 70, 560);
@@ -45,7 +45,7 @@ public final class Dialogs {
         actions.add(UiAction.of("about", this::showAbout));
     }
 
-    /** Brings the dialog of a kind to the front, if one is open. Says whether one is. */
+    /** Brings a dialog of the given class to the front and returns whether one is open. */
     public static boolean bringToFront(Window owner, Class<? extends Window> kind) {
         Optional<Window> open = Stream.of(owner.getOwnedWindows())
                 .filter(kind::isInstance)
@@ -56,35 +56,35 @@ public final class Dialogs {
         return open.isPresent();
     }
 
-    /** Says why something asked for was not done. */
-    public void showFailure(TaskKind task, Path file, Throwable why) {
-        if (why instanceof ScenarioException bad
-                && bad.problems().stream()
-                        .anyMatch(complaint -> complaint.location().line() > 0)) {
-            createProblemsDialog(file, bad.problems()).setVisible(true);
+    /** Reports why a task failed. */
+    public void showFailure(TaskKind task, Path file, Throwable cause) {
+        if (cause instanceof ScenarioException exception
+                && exception.problems().stream()
+                        .anyMatch(problem -> problem.location().line() > 0)) {
+            createProblemsDialog(file, exception.problems()).setVisible(true);
             return;
         }
         String sentence =
-                Messages.get("failed." + task, String.valueOf(file.getFileName()), ErrorMessages.describe(why, file));
+                Messages.get("failed." + task, String.valueOf(file.getFileName()), ErrorMessages.describe(cause, file));
         JOptionPane.showMessageDialog(
                 owner, TextWrap.wrap(sentence), Messages.get("failed.title"), JOptionPane.ERROR_MESSAGE);
     }
 
-    /** Says of the open file that somebody else has made it unreadable. */
-    public static String unreadableFileText(ScenarioException bad) {
-        Problem first = bad.problems().get(0);
+    /** Returns the message for an open file that another program has made unreadable. */
+    public static String unreadableFileText(ScenarioException exception) {
+        Problem first = exception.problems().get(0);
         return Messages.get(
                 "broken",
                 Path.of(first.file()).getFileName() + first.location().toString() + ": "
                         + MessageTranslator.translate(first.message()));
     }
 
-    private JDialog createProblemsDialog(Path file, List<Problem> complaints) {
-        List<List<String>> rows = complaints.stream()
-                .map(complaint -> List.of(
-                        positionText(complaint.location().line()),
-                        positionText(complaint.location().column()),
-                        MessageTranslator.translate(complaint.message())))
+    private JDialog createProblemsDialog(Path file, List<Problem> problems) {
+        List<List<String>> rows = problems.stream()
+                .map(problem -> List.of(
+                        positionText(problem.location().line()),
+                        positionText(problem.location().column()),
+                        MessageTranslator.translate(problem.message())))
                 .toList();
         List<String> columns =
                 List.of(Messages.get("badFile.line"), Messages.get("badFile.column"), Messages.get("badFile.what"));
@@ -108,8 +108,8 @@ public final class Dialogs {
         actions.allActions().forEach(action -> action.accelerator()
                 .ifPresent(stroke -> rows.add(List.of(
                         Keystrokes.toText(stroke), String.valueOf(action.getValue(UiAction.LONG_DESCRIPTION))))));
-        for (String hand : Messages.get("shortcuts.canvas").split(";")) {
-            rows.add(List.of(hand.split(":")));
+        for (String gesture : Messages.get("shortcuts.canvas").split(";")) {
+            rows.add(List.of(gesture.split(":")));
         }
         List<String> columns = List.of(Messages.get("shortcuts.key"), Messages.get("shortcuts.what"));
         return new TableDialog(

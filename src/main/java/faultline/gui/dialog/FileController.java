@@ -19,7 +19,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
-/** Opening and saving, with the questions that go with it. */
+/** Opens and saves files, and asks the questions that this requires. */
 public final class FileController {
 
     private final Component parent;
@@ -28,12 +28,15 @@ public final class FileController {
     private final FileDialogs fileDialogs;
     private final BooleanSupplier commitPendingEdit;
 
-    /** For a bench; {@code settle} takes what is being typed, and says whether that changed anything. */
-    public FileController(Component parent, Workspace bench, BooleanSupplier settle) {
+    /**
+     * Creates a controller for a workspace. {@code commitPendingEdit} commits the number being typed and returns
+     * whether that changed a value.
+     */
+    public FileController(Component parent, Workspace workspace, BooleanSupplier commitPendingEdit) {
         this.parent = parent;
-        this.workspace = bench;
-        this.documentStore = new DocumentStore(bench);
-        this.commitPendingEdit = settle;
+        this.workspace = workspace;
+        this.documentStore = new DocumentStore(workspace);
+        this.commitPendingEdit = commitPendingEdit;
         this.fileDialogs = new FileDialogs(parent);
     }
 
@@ -58,17 +61,17 @@ public final class FileController {
                 () -> fileDialogs.chooseFileToOpen("open", workspace.file()).ifPresent(documentStore::open));
     }
 
-    /** Asks which run to show beside this one. */
+    /** Asks for the reference run to load. */
     public Optional<Path> chooseReferenceRunFile() {
         return fileDialogs.chooseFileToOpen("openGhost", workspace.file());
     }
 
-    /** Opens a file, whatever is lost. */
+    /** Opens a file and discards unsaved changes. */
     public void openWithoutAsking(Path file) {
         documentStore.open(file);
     }
 
-    /** Opens a scenario that ships with the program, whatever is lost. */
+    /** Opens a shipped scenario and discards unsaved changes. */
     public void openShippedWithoutAsking(String name) {
         documentStore.openShipped(name);
     }
@@ -91,7 +94,7 @@ public final class FileController {
         }
     }
 
-    /** Somebody else has changed the open file: it is read again only if the user wants it. */
+    /** Asks whether to reload the open file after another program has changed it. */
     public void onFileChangedOnDisk(Path file) {
         String name = String.valueOf(file.getFileName());
         boolean reload = workspace.isChanged()
@@ -109,7 +112,7 @@ public final class FileController {
         }
     }
 
-    /** Offers what a crash has left; a user who only closes the question is asked again at the next start. */
+    /** Offers to recover edits after a crash. If the user closes the question, it is asked again at the next start. */
     public RecoveryPrompt.Answer offerRecovery(RecoveryStore.RecoveredFile rescue) {
         String name = rescue.origin()
                 .map(file -> String.valueOf(file.getFileName()))
@@ -142,12 +145,12 @@ public final class FileController {
                 .ifPresent(documentStore::saveJournal);
     }
 
-    /** Asks which file of another kind to write; its name is suggested after the open file's. */
+    /** Asks for an export file; its suggested name follows that of the open file. */
     public Optional<Path> chooseExportFile(String action, String extension) {
         return fileDialogs.chooseFileToSave(action, suggestedFile(extension));
     }
 
-    /** The name of the open file, or of the scenario, with something behind it. */
+    /** Returns the name of the open file, or of the scenario, with another ending. */
     private Path suggestedFile(String ending) {
         String scenario =
                 FileNames.forScenario(workspace.scenario().map(Scenario::name).orElse(""));
@@ -156,32 +159,32 @@ public final class FileController {
         return file.resolveSibling(name + ending);
     }
 
-    /** Does something that would lose unsaved changes, after asking what is to become of them. */
-    public void runIfChangesHandled(Runnable deed) {
-        // What is taken only now is on its way to the run, and no change yet.
+    /** Runs an action that would lose unsaved changes, after asking whether to save them. */
+    public void runIfChangesHandled(Runnable action) {
+        // A number committed just now is still on its way to the run and not yet counted as a change.
         boolean changed = commitPendingEdit.getAsBoolean() || workspace.isChanged();
         if (!changed) {
-            deed.run();
+            action.run();
             return;
         }
         int answer = fileDialogs.showOptions(
                 "unsaved", Messages.get("unsaved.question"), "unsaved.save", "unsaved.discard", "unsaved.cancel");
         if (answer == 0) {
-            save(deed);
+            save(action);
         } else if (answer == 1) {
-            deed.run();
+            action.run();
         }
     }
 
-    /** The name of what is open, for the window's title. */
+    /** Returns the title of the window. */
     public String documentTitle() {
         Optional<String> name = workspace.file().map(file -> file.getFileName().toString());
-        String shown = name.or(() -> workspace.scenario().map(Scenario::name)).orElse(Messages.get("title.none"));
+        String title = name.or(() -> workspace.scenario().map(Scenario::name)).orElse(Messages.get("title.none"));
         String kind = workspace
                 .scenario()
                 .filter(Scenario::recorded)
                 .map(run -> " " + Messages.get("title.replay"))
                 .orElse("");
-        return shown + (workspace.isChanged() ? "*" : "") + kind + " – Faultline";
+        return title + (workspace.isChanged() ? "*" : "") + kind + " – Faultline";
     }
 }

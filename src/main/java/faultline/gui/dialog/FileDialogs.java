@@ -15,7 +15,7 @@ import javax.swing.JOptionPane;
 import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-/** Asks which file. */
+/** File choosers and option dialogs. */
 final class FileDialogs {
 
     private final Component parent;
@@ -25,7 +25,7 @@ final class FileDialogs {
         this.parent = parent;
     }
 
-    /** The file to open, empty where the user thinks better of it. */
+    /** Asks for a file to open; empty if cancelled. */
     Optional<Path> chooseFileToOpen(String action, Optional<Path> open) {
         JFileChooser chooser = createChooser(action, "xml");
         open.map(Path::toAbsolutePath).map(Path::toFile).ifPresent(chooser::setSelectedFile);
@@ -33,8 +33,8 @@ final class FileDialogs {
     }
 
     /**
-     * The file to write, of the suggestion's kind; empty where the user thinks better of it; asks before a file is
-     * replaced.
+     * Asks for a file to write, of the same type as the suggestion; empty if cancelled. Confirms before replacing a
+     * file.
      */
     Optional<Path> chooseFileToSave(String action, Path suggestion) {
         String name = suggestion.getFileName().toString();
@@ -64,14 +64,14 @@ final class FileDialogs {
         return Optional.of(chooser.getSelectedFile().toPath());
     }
 
-    /** The file, with the extension behind its name unless it is there. */
+    /** Returns the file with the extension appended if it lacks it. */
     static Path withExtension(Path file, String extension) {
         String name = file.getFileName().toString();
         boolean has = name.toLowerCase(Locale.ROOT).endsWith("." + extension);
         return has ? file : file.resolveSibling(name + "." + extension);
     }
 
-    /** A file dialog that Escape closes wherever in it the focus is. */
+    /** A file chooser that Escape closes wherever the focus is. */
     private static final class EscapableFileChooser extends JFileChooser {
         EscapableFileChooser(File folder) {
             super(folder);
@@ -90,8 +90,8 @@ final class FileDialogs {
     }
 
     /**
-     * Asks a question; says which of the answers, given by their keys, was chosen, the first being what Enter chooses:
-     * negative where the question was closed.
+     * Asks a question and returns the index of the chosen answer, or a negative number if the dialog was closed. Enter
+     * chooses the first answer.
      */
     int showOptions(String key, String question, String... answerKeys) {
         String[] answers = Stream.of(answerKeys).map(Messages::get).toArray(String[]::new);

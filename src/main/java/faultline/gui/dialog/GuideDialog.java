@@ -16,7 +16,7 @@ import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.SwingWorker;
 
-/** The short guide, beside the window rather than in its way. */
+/** The user guide in a non-modal dialog. */
 final class GuideDialog extends JDialog {
 
     private static final Dimension SIZE = new Dimension(620, 560);
@@ -34,7 +34,7 @@ final class GuideDialog extends JDialog {
         setLocationRelativeTo(owner);
     }
 
-    /** Shows the guide, soon, or brings it to the front where it is open. */
+    /** Shows the guide asynchronously, or brings it to the front if it is open. */
     static void showGuide(Window owner) {
         if (!Dialogs.bringToFront(owner, GuideDialog.class)) {
             loadAndShow(owner);
@@ -62,7 +62,7 @@ final class GuideDialog extends JDialog {
     }
 
     private static void showPage(Window owner, GuidePage page) {
-        // Another may have been asked for, and have come, while this page was read.
+        // Another guide may have been opened while this page was loading.
         if (!Dialogs.bringToFront(owner, GuideDialog.class)) {
             new GuideDialog(owner, page).setVisible(true);
         }

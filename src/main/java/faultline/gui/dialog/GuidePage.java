@@ -15,14 +15,14 @@ import javax.swing.text.html.HTMLEditorKit;
 import javax.swing.text.html.StyleSheet;
 
 /**
- * The text of the guide, read and styled. That takes as long as several frames, and may be done on any thread.
+ * The text of the guide, loaded and styled. Loading takes as long as several frames and may be done on any thread.
  *
- * @param kit that shows it
+ * @param kit the editor kit that displays the document
  * @param document the text
  */
 record GuidePage(HTMLEditorKit kit, Document document) {
 
-    /** Reads the guide in today's language, colours and size. */
+    /** Loads the guide in the current language, colours and text size. */
     static GuidePage load() {
         HTMLEditorKit kit = new HTMLEditorKit();
         kit.setStyleSheet(createStyleSheet(kit));
@@ -37,7 +37,7 @@ record GuidePage(HTMLEditorKit kit, Document document) {
         return new GuidePage(kit, document);
     }
 
-    /** The kit's own sheet is shared by all kits, so ours goes on top of it. */
+    /** Returns a style sheet for this page only; the kit's own sheet is shared by all kits. */
     private static StyleSheet createStyleSheet(HTMLEditorKit kit) {
         StyleSheet styles = new StyleSheet();
         styles.addStyleSheet(kit.getStyleSheet());
@@ -55,11 +55,11 @@ record GuidePage(HTMLEditorKit kit, Document document) {
         return String.format(Locale.ROOT, "#%06x", colour.getRGB() & 0xFFFFFF);
     }
 
-    /** The component that shows it; event dispatch thread only. */
+    /** Creates the component that displays the page. Event dispatch thread only. */
     JEditorPane createPane() {
         JEditorPane pane = new JEditorPane();
         pane.setEditorKit(kit);
-        // Without this a pixel of the page would be 1.3 of the window.
+        // Otherwise one CSS pixel would be 1.3 screen pixels.
         pane.putClientProperty(JEditorPane.W3C_LENGTH_UNITS, true);
         pane.setDocument(document);
         pane.setEditable(false);

@@ -19,7 +19,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.KeyStroke;
 
-/** Shows how far something slow has come; its button, Esc and the closing of the dialog give it up. */
+/** Shows the progress of a slow task. Its button, Escape and closing the dialog cancel the task. */
 final class ProgressDialog extends JDialog {
 
     private static final int PROGRESS_STEPS = 1000;
@@ -68,7 +68,7 @@ final class ProgressDialog extends JDialog {
         return buttons;
     }
 
-    /** Shows how far it has come. */
+    /** Shows the completed share. */
     void setProgress(OptionalDouble share) {
         progressBar.setIndeterminate(share.isEmpty());
         share.ifPresent(known -> progressBar.setValue((int) (PROGRESS_STEPS * known)));

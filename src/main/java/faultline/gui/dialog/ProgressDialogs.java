@@ -7,10 +7,10 @@ import java.awt.Window;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Shows what is under way once it has taken long enough for a user to wonder, and lets it be given up. */
+/** Shows a progress dialog for a task that takes longer than half a second, and lets the user cancel it. */
 public final class ProgressDialogs {
 
-    /** At sixty looks in a second, half a second. */
+    /** Half a second at sixty polls per second. */
     private static final int POLLS_BEFORE_DIALOG = 30;
 
     private final Window owner;
@@ -24,7 +24,7 @@ public final class ProgressDialogs {
         this.cancelHandler = cancel;
     }
 
-    /** Shows how it stands; asked some sixty times in a second. */
+    /** Updates the dialog; called about sixty times per second. */
     public void update(Optional<TaskProgress> now) {
         if (!now.equals(currentTask)) {
             closeDialog();
@@ -33,19 +33,19 @@ public final class ProgressDialogs {
         now.ifPresent(this::update);
     }
 
-    private void update(TaskProgress way) {
+    private void update(TaskProgress progress) {
         polls += isOtherDialogOpen() ? 0 : 1;
-        dialog.ifPresent(shown -> shown.setProgress(way.fraction()));
+        dialog.ifPresent(shown -> shown.setProgress(progress.fraction()));
         if (polls == POLLS_BEFORE_DIALOG) {
-            ProgressDialog made = new ProgressDialog(owner, way, cancelHandler);
+            ProgressDialog made = new ProgressDialog(owner, progress, cancelHandler);
             dialog = Optional.of(made);
-            // Not at once: whoever looks here must be able to look again while the dialog is open.
+            // Asynchronously: the caller must be able to poll again while the modal dialog is open.
             EventQueue.invokeLater(
                     () -> dialog.filter(shown -> shown == made).ifPresent(shown -> shown.setVisible(true)));
         }
     }
 
-    /** Whether another question is open: one at a time. */
+    /** Returns whether another modal dialog is open. */
     private boolean isOtherDialogOpen() {
         return dialog.isEmpty()
                 && Stream.of(owner.getOwnedWindows())

@@ -5,17 +5,17 @@ import faultline.gui.text.Messages;
 import java.awt.Component;
 import java.util.OptionalDouble;
 
-/** Asks how fast an obstacle is to move along its way-points. */
+/** Asks for the speed of an obstacle along its waypoints. */
 public final class SpeedDialog {
 
-    /** As fast as people run, metres per second. */
+    /** About as fast as people run, metres per second. */
     private static final double MAX_SPEED = 5;
 
     private static final double SPEED_STEP = 0.05;
 
     private SpeedDialog() {}
 
-    /** The speed, metres per second, given the present one; empty where the user thinks better of it. */
+    /** Asks for a speed in metres per second, given the current one; empty if cancelled. */
     public static OptionalDouble showDialog(Component parent, double now) {
         return new NumberDialog(
                         Messages.get("waySpeed.title"),

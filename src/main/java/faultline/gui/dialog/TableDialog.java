@@ -20,21 +20,21 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableModel;
 
-/** A window in front of the window: a heading, a table to read, and a button that closes it, as Esc and Enter do. */
+/** A modal dialog with a heading, a read-only table and a button. Escape and Enter close it. */
 final class TableDialog extends JDialog {
 
     private static final int MAX_TABLE_HEIGHT = 360;
 
     /**
-     * A dialog, not yet shown.
+     * Creates a dialog that is not yet visible.
      *
      * @param owner the window behind it
-     * @param title of the dialog
+     * @param title the title of the dialog
      * @param heading a sentence above the table
-     * @param icon before the heading
-     * @param columns the table's headings
-     * @param widths of the columns, pixels
-     * @param rows the table's texts
+     * @param icon shown before the heading
+     * @param columns the column headings
+     * @param widths the column widths, pixels
+     * @param rows the texts of the cells
      */
     TableDialog(
             Window owner,
@@ -68,7 +68,7 @@ final class TableDialog extends JDialog {
         });
         rows.forEach(row -> ((DefaultTableModel) table.getModel()).addRow(row.toArray()));
         table.setShowVerticalLines(false);
-        // Tab goes on to the button, not to the next cell: nothing can be typed into a cell.
+        // Tab moves on to the button, not to the next cell: cells cannot be edited.
         table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         table.getTableHeader().setReorderingAllowed(false);

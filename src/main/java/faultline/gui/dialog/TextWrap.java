@@ -3,7 +3,7 @@ package faultline.gui.dialog;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Breaks sentences for message boxes, which would be as wide as the sentence otherwise. */
+/** Wraps sentences for message boxes. */
 final class TextWrap {
 
     private static final int MAX_LINE_LENGTH = 80;
@@ -12,7 +12,7 @@ final class TextWrap {
 
     private TextWrap() {}
 
-    /** The sentence with line breaks in place of blanks, where possible within eighty letters; longer words are cut. */
+    /** Returns the sentence with line breaks so that lines have at most eighty characters; longer words are broken. */
     static String wrap(String sentence) {
         StringBuilder lines = new StringBuilder();
         Matcher line = LINE.matcher(sentence);

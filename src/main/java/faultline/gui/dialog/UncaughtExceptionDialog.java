@@ -9,8 +9,8 @@ import java.util.logging.Logger;
 import javax.swing.JOptionPane;
 
 /**
- * Tells the user of a fault of the program itself in one sentence; the details go to the log. One dialog at a time, or
- * a fault in painting would fill the screen.
+ * Reports an internal error in one sentence; the details go to the log. Only one dialog is shown at a time, because an
+ * error in painting would repeat with every frame.
  */
 public final class UncaughtExceptionDialog implements Thread.UncaughtExceptionHandler {
 

@@ -18,12 +18,12 @@ final class WrappedCellRenderer extends JTextArea implements TableCellRenderer {
     }
 
     /**
-     * Gives columns at least these widths, pixels, and what their headings need, and rows the heights that their texts
-     * need.
+     * Gives columns at least the given widths, in pixels, and the width of their headings, and rows the height of their
+     * texts.
      */
-    static void install(JTable table, List<Integer> least) {
-        List<Integer> widths = IntStream.range(0, least.size())
-                .mapToObj(column -> Math.max(least.get(column), headingWidth(table, column)))
+    static void install(JTable table, List<Integer> minWidths) {
+        List<Integer> widths = IntStream.range(0, minWidths.size())
+                .mapToObj(column -> Math.max(minWidths.get(column), headingWidth(table, column)))
                 .toList();
         WrappedCellRenderer cells = new WrappedCellRenderer();
         table.setDefaultRenderer(Object.class, cells);
@@ -42,7 +42,7 @@ final class WrappedCellRenderer extends JTextArea implements TableCellRenderer {
         }
     }
 
-    /** How wide a column's heading is, pixels. */
+    /** Returns the preferred width of a column's heading, pixels. */
     private static int headingWidth(JTable table, int column) {
         return table.getTableHeader()
                 .getDefaultRenderer()

@@ -1,4 +1,4 @@
 /**
- * The dialogs of the window: questions, progress, the guide, and the about box. Event dispatch thread only, asserted.
+ * The dialogs of the window: questions, progress, the guide and the about box. Event dispatch thread only, asserted.
  */
 package faultline.gui.dialog;

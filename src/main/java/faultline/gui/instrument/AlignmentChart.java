@@ -18,7 +18,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.stream.DoubleStream;
 
-/** Paints the left reading over the alignment clock, with F3, F4, and t_p back from F4 to the middle of t_D. */
+/** Plots the left reading over the manoeuvre's time, with F3, F4, and t_p from F4 back to the middle of t_D. */
 final class AlignmentChart {
 
     private static final double TEXT_SIZE = 11;

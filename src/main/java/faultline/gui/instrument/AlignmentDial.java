@@ -14,8 +14,8 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 
 /**
- * The headings of a spin seen from above, as on the canvas: the sector of t_D, its middle broken, the robot's heading
- * as a needle.
+ * Draws the headings of an alignment manoeuvre seen from above, as on the canvas: the sector of t_D, its dashed
+ * bisector, and the robot's heading as a needle.
  */
 final class AlignmentDial {
 

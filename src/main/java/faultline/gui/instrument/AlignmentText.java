@@ -6,16 +6,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 
-/** The numbers of a t_D/2 manoeuvre in words; a dash for what is not known yet. */
+/** Formats the values of an alignment manoeuvre; a dash for a value that is not yet known. */
 final class AlignmentText {
 
     private AlignmentText() {}
 
     /**
-     * A number with its name.
+     * A labelled value.
      *
-     * @param name for people
-     * @param value with its unit
+     * @param name the label
+     * @param value the value with its unit
      */
     record Row(String name, String value) {}
 

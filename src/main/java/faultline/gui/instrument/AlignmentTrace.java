@@ -14,17 +14,17 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * The newest t_D/2 manoeuvre of a run, as its recording and telemetry have it. Times are the spin clock's: what the
- * robot has turned from where TURN began, at the constant rate.
+ * The newest alignment manoeuvre of a run. Times are those of the manoeuvre's clock: the angle turned since TURN began,
+ * divided by the constant turn rate.
  *
- * @param samples the left reading over the spin, up to frame F4
- * @param start the heading in which TURN began, radians
- * @param rate how the heading changes while the clock goes on, radians per second; negative for a spin to the right
- * @param headingNow the heading by now, or in which ALIGN handed over, radians
- * @param f3 when the left sensor came to the wall, seconds, not a number before it is known
- * @param f4 when it left it, seconds, not a number before it is known
- * @param tP how long to turn back, seconds, not a number before it is known
- * @param achievedHeading the heading in which ALIGN handed over, radians
+ * @param samples the left reading during the turn, up to frame F4
+ * @param start the heading at the beginning of TURN, radians
+ * @param rate the turn rate, radians per second; negative for a turn to the right
+ * @param headingNow the current heading, or the one at the end of ALIGN, radians
+ * @param f3 when the left sensor met the wall, seconds; NaN if not yet known
+ * @param f4 when the left sensor lost the wall, seconds; NaN if not yet known
+ * @param tP the duration of the turn back, seconds; NaN if not yet known
+ * @param achievedHeading the heading at the end of ALIGN, radians; NaN if not yet known
  */
 record AlignmentTrace(
         List<Sample> samples,
@@ -39,8 +39,8 @@ record AlignmentTrace(
     /**
      * A reading.
      *
-     * @param clock seconds
-     * @param reading metres; infinite for nothing
+     * @param clock the time, seconds
+     * @param reading the distance, metres; infinite if nothing is in range
      */
     record Sample(double clock, double reading) {}
 
@@ -48,7 +48,7 @@ record AlignmentTrace(
         samples = List.copyOf(samples);
     }
 
-    /** The ticks of a manoeuvre; one that has not come yet is the tick after the newest. */
+    /** The first ticks of the phases; for a phase that has not begun, the tick after the newest. */
     private record PhaseTicks(long turn, long align, long follow, boolean done) {
 
         static Optional<PhaseTicks> of(EventLog log, long end) {
@@ -76,8 +76,7 @@ record AlignmentTrace(
     }
 
     /**
-     * The newest manoeuvre; empty before the first, and when it is so long ago that its single ticks are no longer
-     * recorded.
+     * Returns the newest manoeuvre; empty before the first one, and if its ticks are no longer recorded individually.
      */
     static Optional<AlignmentTrace> latest(SessionFrame frame) {
         TraceLevel level = frame.recording().trace().finestLevel();
@@ -91,7 +90,7 @@ record AlignmentTrace(
         double turnedBy = headingAt(level, ticks.align() - 1) - start;
         double rate = Math.copySign(frame.snapshot().robot().turnRate(), turnedBy == 0 ? -1 : turnedBy);
         List<Sample> samples = new ArrayList<>();
-        // The reading that the controller shows in a tick was taken at the end of the one before.
+        // The reading that the controller reports in a tick was taken at the end of the tick before.
         for (long tick = ticks.turn(); tick < ticks.align(); tick++) {
             samples.add(new Sample(
                     (headingAt(level, tick - 1) - start) / rate, level.min(TraceChannels.MEASURED_DISTANCE, tick)));
@@ -113,7 +112,7 @@ record AlignmentTrace(
         return level.min(TraceChannels.HEADING, tick);
     }
 
-    /** Whether F3 and F4 are known. */
+    /** Returns whether F3 and F4 are known. */
     boolean isTimed() {
         return !Double.isNaN(tP);
     }
@@ -122,22 +121,25 @@ record AlignmentTrace(
         return f4 - f3;
     }
 
-    /** The heading at a moment of the spin clock, radians. */
+    /** Returns the heading at a time of the manoeuvre's clock, radians. */
     double headingAt(double clock) {
         return start + rate * clock;
     }
 
-    /** The moment of the spin clock at which the heading was so. */
+    /** Returns the time of the manoeuvre's clock at a heading, seconds. */
     double clockAt(double heading) {
         return (heading - start) / rate;
     }
 
-    /** The heading parallel to the wall by eq. (4), radians: turned back from F4 for t_p. */
+    /** Returns the heading parallel to the wall by eq. (4), radians: that at F4, turned back for t_p. */
     double predictedHeading() {
         return headingAt(f4 - tP);
     }
 
-    /** How far the achieved heading is to the left of the predicted one, radians. */
+    /**
+     * Returns the angle from the predicted to the achieved heading, radians, counter-clockwise positive; empty if not
+     * yet known.
+     */
     OptionalDouble headingError() {
         return achievedHeading.isPresent() && isTimed()
                 ? OptionalDouble.of(Angles.normalize(achievedHeading.getAsDouble() - predictedHeading()))

@@ -19,8 +19,8 @@ import javax.accessibility.AccessibleContext;
 import javax.swing.JComponent;
 
 /**
- * The paper's eq. (4) at work: the newest spin past a wall, its frames F3 and F4, t_D and t_p, and how well the heading
- * came out.
+ * Shows eq. (4) of the paper: the newest turn past a wall with its frames F3 and F4, t_D and t_p, and the error of the
+ * resulting heading.
  */
 public final class AlignmentView extends JComponent {
 
@@ -35,7 +35,7 @@ public final class AlignmentView extends JComponent {
 
     private transient Optional<AlignmentTrace> trace = Optional.empty();
 
-    /** An instrument that shows nothing yet. */
+    /** Creates an empty view. */
     public AlignmentView() {
         setMinimumSize(MIN_SIZE);
         setPreferredSize(MIN_SIZE);
@@ -44,11 +44,7 @@ public final class AlignmentView extends JComponent {
         getAccessibleContext().setAccessibleName(Messages.get("spin"));
     }
 
-    /**
-     * Shows a newer frame.
-     *
-     * @param frame with the recording of its run
-     */
+    /** Shows a frame with the recording of its run. */
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         trace = AlignmentTrace.latest(frame);
@@ -59,7 +55,7 @@ public final class AlignmentView extends JComponent {
         repaint();
     }
 
-    /** All numbers. */
+    /** Returns all values as text. */
     private String accessibleText() {
         return rows().stream().map(row -> row.name() + " " + row.value()).collect(Collectors.joining(", "));
     }

@@ -9,18 +9,18 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * One line of a strip chart.
+ * A line of a strip chart.
  *
- * @param name for the legend
- * @param channel of {@link faultline.engine.recording.TraceChannels}
- * @param colour by theme
- * @param dash so that lines are told apart without colours
+ * @param name the name in the legend
+ * @param channel a channel of {@link faultline.engine.recording.TraceChannels}
+ * @param colour the colour by theme
+ * @param dash the dash pattern, which distinguishes lines without colour
  */
 record ChartLine(String name, int channel, Function<Theme, Color> colour, DashPattern dash) {
 
     private static final double LINE_WIDTH = 1.6;
 
-    /** A line in one of the colours of charts, counted from 0. */
+    /** Creates a line in one of the series colours, counted from 0. */
     static ChartLine seriesLine(String name, int channel, int series, DashPattern dash) {
         return new ChartLine(name, channel, theme -> series(theme).get(series), dash);
     }

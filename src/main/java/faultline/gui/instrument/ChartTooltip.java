@@ -14,7 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** The values of a chart's lines at the moment under the mouse, as texts and as a plate on the chart. */
+/** The values of a chart's lines at the time under the cursor, as text and as a box on the chart. */
 final class ChartTooltip {
 
     private static final int PADDING = 6;
@@ -33,7 +33,7 @@ final class ChartTooltip {
         return bucket < 0;
     }
 
-    /** The moment, then one line a curve. */
+    /** Returns the time, then one text per line. */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
         lines.add(format("t %.3f s", chart.data().timeOf(bucket)));
@@ -82,7 +82,7 @@ final class ChartTooltip {
         }
     }
 
-    /** Beside the moment, on the side that has room. */
+    /** Paints the box beside the marked time, on the side that has room. */
     private void paintBackground(Graphics2D g, Theme theme, double x) {
         FontMetrics metrics = g.getFontMetrics();
         List<String> lines = lines();

@@ -23,7 +23,10 @@ import java.awt.geom.Rectangle2D;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Paints the state diagram: the state that holds is filled and bold, the arrow taken last is thick and named below. */
+/**
+ * Paints the state diagram. The current state is filled and bold; the last transition is a thick arrow and is described
+ * below the diagram.
+ */
 final class DiagramPainter {
 
     private static final Font NAME_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
@@ -71,13 +74,13 @@ final class DiagramPainter {
                 last.isPresent() ? colours.accent() : colours.muted());
     }
 
-    /** Where all of it does not fit, the condition alone: the arrow that is thick says the rest. */
+    /** Returns the description of the last transition, or its condition alone if the full text does not fit. */
     private String transitionText(RunEvent.StateChanged last, double room, Font font) {
         String whole = transitionText(last);
         return g.getFontMetrics(font).stringWidth(whole) <= room ? whole : conditionText(last);
     }
 
-    /** The newest transition that the log still has. */
+    /** Returns the newest transition that is still in the log. */
     static Optional<RunEvent.StateChanged> lastTransition(SessionFrame frame) {
         EventLog log = frame.recording().events();
         for (long i = log.endIndex() - 1; i >= log.firstIndex(); i--) {
@@ -143,14 +146,14 @@ final class DiagramPainter {
                 active ? colours.onAccent() : colours.muted());
     }
 
-    /** How long and how often; a dash where never. */
+    /** Returns the total duration and the number of visits of a state, or a dash if there are none. */
     private String visitText(FollowerState state) {
         return tally.dwell(state.name())
-                .map(stay -> String.format(Locale.ROOT, "%.1f s · %d×", stay.ticks() * dt, stay.visits()))
+                .map(interval -> String.format(Locale.ROOT, "%.1f s · %d×", interval.ticks() * dt, interval.visits()))
                 .orElse("–");
     }
 
-    /** In smaller letters where the room is short. */
+    /** Draws a text, in a smaller font if the width is too small. */
     private void drawFitted(String text, Vector2 foot, double room, Font font, Color colour) {
         double share = Math.min(1, room / g.getFontMetrics(font).stringWidth(text));
         drawCentred(

@@ -10,7 +10,7 @@ import javax.swing.Icon;
 import javax.swing.JTable;
 import javax.swing.table.DefaultTableCellRenderer;
 
-/** The cells of the event log: with room at the sides, and a sign before what went wrong. */
+/** Renders the cells of the event log with padding, and with an icon for failures. */
 final class EventCellRenderer extends DefaultTableCellRenderer {
 
     private static final int SIDE_PADDING = 6;

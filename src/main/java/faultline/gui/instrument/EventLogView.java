@@ -26,8 +26,8 @@ import javax.swing.SwingConstants;
 import javax.swing.table.TableColumn;
 
 /**
- * The list of what happened in a run. A double click or Enter on an event jumps to its moment. The newest stays in view
- * unless a row is chosen.
+ * The event log of a run. A double click or Enter on an event jumps to its time. The newest event stays in view unless
+ * a row is selected.
  */
 public final class EventLogView extends JPanel {
 
@@ -42,9 +42,9 @@ public final class EventLogView extends JPanel {
     private final transient LongConsumer seekHandler;
 
     /**
-     * A list that shows nothing yet.
+     * Creates an empty log.
      *
-     * @param jump given the tick of the moment to go to
+     * @param jump receives the tick to go to
      */
     public EventLogView(LongConsumer jump) {
         super(new BorderLayout());
@@ -56,7 +56,7 @@ public final class EventLogView extends JPanel {
         add(scroll, BorderLayout.CENTER);
     }
 
-    /** As many rows as show whole; half a row below the headings would look like a damaged one. */
+    /** Shows whole rows only; half a row at the bottom would look like a defect. */
     @Override
     public void doLayout() {
         super.doLayout();
@@ -107,12 +107,12 @@ public final class EventLogView extends JPanel {
         bindKey("ESCAPE", "release", table::clearSelection);
     }
 
-    private void bindKey(String key, String name, Runnable deed) {
+    private void bindKey(String key, String name, Runnable action) {
         table.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), name);
         table.getActionMap().put(name, new AbstractAction() {
             @Override
             public void actionPerformed(ActionEvent event) {
-                deed.run();
+                action.run();
             }
         });
     }
@@ -123,21 +123,13 @@ public final class EventLogView extends JPanel {
         }
     }
 
-    /**
-     * Shows, from now on, where the run became another than an earlier one.
-     *
-     * @param divergence empty where it did not
-     */
+    /** Shows the moment at which the run differs from the reference run, or removes it. */
     public void setDivergence(Optional<RunEvent.Diverged> divergence) {
         assert EventQueue.isDispatchThread();
         events.setDivergence(divergence);
     }
 
-    /**
-     * Shows a newer frame.
-     *
-     * @param frame with the recording of its run
-     */
+    /** Shows a frame with the recording of its run. */
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         int chosen = table.getSelectedRow();
@@ -149,7 +141,7 @@ public final class EventLogView extends JPanel {
         }
     }
 
-    /** Where the oldest events are forgotten, what is chosen stays where it is on the screen. */
+    /** Keeps the visible rows in place when the oldest events are dropped. */
     private void scrollByRows(int rows) {
         if (rows != 0) {
             Point top = scroll.getViewport().getViewPosition();

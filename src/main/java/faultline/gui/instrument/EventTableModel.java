@@ -6,21 +6,21 @@ import faultline.gui.text.Messages;
 import java.util.Optional;
 import javax.swing.table.AbstractTableModel;
 
-/** The event log as rows: time, kind, and what happened. */
+/** The event log as a table of time, kind and description. */
 final class EventTableModel extends AbstractTableModel {
 
-    /** The column of the kinds. */
+    /** The index of the kind column. */
     static final int KIND_COLUMN = 1;
 
     private static final String[] COLUMNS = {"events.time", "events.kind", "events.what"};
 
     private transient EventLog log = EventLog.EMPTY;
-    /** The oldest event that has a row. */
+    /** The number of the oldest event that has a row. */
     private long firstEvent;
 
     private transient Optional<RunEvent.Diverged> divergence = Optional.empty();
 
-    /** Shows, from now on, where the run became another than an earlier one, among the events of the run itself. */
+    /** Inserts the divergence from the reference run among the events of the run, or removes it. */
     void setDivergence(Optional<RunEvent.Diverged> newDivergence) {
         if (newDivergence.equals(divergence)) {
             return;
@@ -36,7 +36,7 @@ final class EventTableModel extends AbstractTableModel {
         }
     }
 
-    /** Shows a newer log; true where rows were added. */
+    /** Shows a newer log and returns whether rows were added. */
     boolean update(EventLog newest) {
         EventLog before = log;
         if (!isContinuation(before, newest)) {
@@ -55,7 +55,7 @@ final class EventTableModel extends AbstractTableModel {
         return newest.endIndex() > before.endIndex();
     }
 
-    /** Whether a log is of the same run: another run's events are other objects. */
+    /** Returns whether a log belongs to the same run; another run has other event objects. */
     private static boolean isContinuation(EventLog before, EventLog newest) {
         if (before.endIndex() > newest.endIndex() || before.firstIndex() > newest.firstIndex()) {
             return false;
@@ -66,13 +66,13 @@ final class EventTableModel extends AbstractTableModel {
                         && before.get(newest.firstIndex()) == newest.get(newest.firstIndex());
     }
 
-    /** Whether events are new that happened before the divergence, which then no longer stands where it stood. */
+    /** Returns whether new events precede the divergence, which then moves to another row. */
     private static boolean insertsBeforeDivergence(RunEvent.Diverged divergence, EventLog before, EventLog newest) {
         return before.endIndex() < newest.endIndex()
                 && newest.get(before.endIndex()).tick() < divergence.tick();
     }
 
-    /** The oldest events are forgotten, and the divergence is not. */
+    /** Removes the rows of dropped events; the divergence keeps its row. */
     private void removeOldest(long newFirst) {
         int forgotten = (int) (newFirst - firstEvent);
         int marked = divergenceRow();
@@ -102,7 +102,7 @@ final class EventTableModel extends AbstractTableModel {
         return log.get(firstEvent + (row < extra ? row : row - 1));
     }
 
-    /** After all events of earlier ticks; beyond the last row where there is none. */
+    /** Returns the row of the divergence, after all events of earlier ticks; past the last row if there is none. */
     private int divergenceRow() {
         return divergence
                 .map(event -> (int) (Math.max(firstEvent, log.firstIndexSince(event.tick())) - firstEvent))

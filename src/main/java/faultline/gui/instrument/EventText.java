@@ -8,12 +8,12 @@ import faultline.gui.text.StateText;
 import faultline.world.Command;
 import java.util.Locale;
 
-/** The events of a run in words. */
+/** Describes the events of a run. */
 final class EventText {
 
     private EventText() {}
 
-    /** What sort of event it is. */
+    /** Returns the kind of an event. */
     static String kind(RunEvent event) {
         if (event instanceof RunEvent.CommandExecuted done) {
             return Messages.get(CommandText.isFaultChange(done.command()) ? "event.fault" : "event.command");
@@ -27,7 +27,7 @@ final class EventText {
                         : event instanceof RunEvent.CommandRefused ? "event.refused" : "event.collision");
     }
 
-    /** Whether something broke: a sensor, or the run into an obstacle. */
+    /** Returns whether an event is a sensor fault or a collision. */
     static boolean isFailure(RunEvent event) {
         return event instanceof RunEvent.Collided
                 || event instanceof RunEvent.CommandExecuted done && done.command() instanceof Command.InjectFault;
@@ -37,7 +37,7 @@ final class EventText {
         return format("%.3f", event.time());
     }
 
-    /** What happened. */
+    /** Describes an event. */
     static String sentence(RunEvent event) {
         if (event instanceof RunEvent.StateChanged move) {
             return Messages.get(

@@ -12,10 +12,7 @@ import javax.swing.JComponent;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 
-/**
- * All instruments, on tabs. Only those on the chosen tab are kept up to date, and those some twenty times a second,
- * which eyes take for steady.
- */
+/** All instruments, on tabs. Only those on the selected tab are updated, about twenty times per second. */
 public final class InstrumentDock extends JTabbedPane {
 
     private static final int FRAMES_PER_UPDATE = 3;
@@ -31,9 +28,9 @@ public final class InstrumentDock extends JTabbedPane {
     private int skippedFrames;
 
     /**
-     * Instruments that show nothing yet.
+     * Creates empty instruments.
      *
-     * @param jump given the tick of an event that the user wants to go to
+     * @param jump receives the tick of an event to go to
      */
     public InstrumentDock(LongConsumer jump) {
         events = new EventLogView(jump);
@@ -53,9 +50,9 @@ public final class InstrumentDock extends JTabbedPane {
     }
 
     /**
-     * Shows a frame, now or with one of the next.
+     * Shows a frame, immediately or with one of the next updates.
      *
-     * @param frame the newest; the same one again is shown for sure before long
+     * @param frame the newest frame; repeated calls with the same frame show it eventually
      */
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
@@ -68,11 +65,7 @@ public final class InstrumentDock extends JTabbedPane {
         }
     }
 
-    /**
-     * Shows in the event log, from now on, where the run became another than an earlier one.
-     *
-     * @param divergence empty where it did not
-     */
+    /** Shows in the event log where the run differs from the reference run, or removes the mark. */
     public void setDivergence(Optional<RunEvent.Diverged> divergence) {
         events.setDivergence(divergence);
     }
@@ -88,11 +81,7 @@ public final class InstrumentDock extends JTabbedPane {
         }
     }
 
-    /**
-     * The divider between strip chart and state diagram.
-     *
-     * @return the split pane
-     */
+    /** Returns the split pane between strip chart and state diagram. */
     public PositionedSplitPane split() {
         return split;
     }

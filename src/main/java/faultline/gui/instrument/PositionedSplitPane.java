@@ -7,8 +7,8 @@ import javax.swing.BorderFactory;
 import javax.swing.JSplitPane;
 
 /**
- * A split pane whose divider can be placed before the pane has a size, and keeps to its place whenever the pane gets
- * another one. Where somebody moves it, that is its place.
+ * A split pane whose divider can be placed before the pane has a size, and which keeps that position when the pane is
+ * resized. If the user moves the divider, the new position replaces it.
  */
 public final class PositionedSplitPane extends JSplitPane {
 
@@ -17,13 +17,13 @@ public final class PositionedSplitPane extends JSplitPane {
     private boolean placing;
 
     /**
-     * A split pane without a border that lays out while its divider is dragged.
+     * Creates a split pane without a border and with continuous layout.
      *
-     * @param orientation of {@link JSplitPane}
-     * @param before left or above
-     * @param after right or below
-     * @param weight how much of the room that a larger pane has goes before a divider that somebody has moved, in [0,
-     *     1]
+     * @param orientation the orientation as in {@link JSplitPane}
+     * @param before the left or top component
+     * @param after the right or bottom component
+     * @param weight the share of additional space that goes to {@code before} after the user has moved the divider, in
+     *     [0, 1]
      */
     public PositionedSplitPane(int orientation, Component before, Component after, double weight) {
         super(orientation, before, after);
@@ -40,7 +40,7 @@ public final class PositionedSplitPane extends JSplitPane {
     /**
      * Places the divider.
      *
-     * @param location its place for a size of the pane less the divider's, pixels
+     * @param location maps the size of the pane, less that of the divider, to the divider's position; pixels
      */
     public void place(IntUnaryOperator location) {
         place = Optional.of(location);
@@ -49,14 +49,14 @@ public final class PositionedSplitPane extends JSplitPane {
         revalidate();
     }
 
-    /** Somebody has moved the divider: from there it goes on by its share of what the pane grows or shrinks. */
+    /** Stores the position chosen by the user, which then moves with its share of the pane's growth. */
     private void rememberPosition(int location, int room) {
         double share = getResizeWeight();
         place = Optional.of(size -> location + (int) Math.round(share * (size - room)));
         placedSize = room;
     }
 
-    /** Laid out first, because a pane that has not been yet moves a divider once more. */
+    /** Lays out first, because a pane that has not been laid out moves the divider once more. */
     @Override
     public void doLayout() {
         runPlacing(() -> {

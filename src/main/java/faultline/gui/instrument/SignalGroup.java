@@ -8,11 +8,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a strip chart can show: lines that belong together.
+ * A choice of a strip chart: lines that are shown together.
  *
- * @param name for the choice
- * @param unit of all its lines
- * @param lines from the lowest to the topmost
+ * @param name the name of the choice
+ * @param unit the unit of all lines
+ * @param lines the lines from back to front
  */
 record SignalGroup(String name, String unit, List<ChartLine> lines) {
 
@@ -20,7 +20,7 @@ record SignalGroup(String name, String unit, List<ChartLine> lines) {
         lines = List.copyOf(lines);
     }
 
-    /** Everything that can be shown of a robot with these sensors. */
+    /** Returns all groups for a robot with the given sensors. */
     static List<SignalGroup> allOf(List<SensorSnapshot> sensors) {
         List<SignalGroup> signals = new ArrayList<>();
         signals.add(pair("distance", "m", TraceChannels.MEASURED_DISTANCE, TraceChannels.WANTED_DISTANCE));

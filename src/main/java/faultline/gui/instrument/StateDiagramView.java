@@ -24,7 +24,7 @@ import javax.accessibility.AccessibleContext;
 import javax.swing.JComponent;
 import javax.swing.ToolTipManager;
 
-/** The six-state diagram as it runs. What is under the mouse explains itself. */
+/** The live state diagram, with tool tips for its boxes and arrows. */
 public final class StateDiagramView extends JComponent {
 
     private static final int MESSAGE_INSET = 14;
@@ -33,7 +33,7 @@ public final class StateDiagramView extends JComponent {
 
     private transient Optional<SessionFrame> frame = Optional.empty();
 
-    /** A diagram that shows nothing yet. */
+    /** Creates an empty diagram. */
     public StateDiagramView() {
         setMinimumSize(MIN_SIZE);
         setPreferredSize(MIN_SIZE);
@@ -42,11 +42,7 @@ public final class StateDiagramView extends JComponent {
         ToolTipManager.sharedInstance().registerComponent(this);
     }
 
-    /**
-     * Shows a newer frame.
-     *
-     * @param newest with the recording of its run
-     */
+    /** Shows a frame with the recording of its run. */
     public void setFrame(SessionFrame newest) {
         assert EventQueue.isDispatchThread();
         boolean moved = frame.isEmpty()
@@ -100,7 +96,7 @@ public final class StateDiagramView extends JComponent {
                 }));
     }
 
-    /** The parts of a sentence, one below the other: it is longer than a narrow window is wide. */
+    /** Draws the parts of a sentence on separate lines, because the view may be narrow. */
     private static void paintMessage(Graphics2D g, String sentence) {
         String[] parts = sentence.split("(?<=;) ");
         g.setColor(Theme.currentColours().muted());

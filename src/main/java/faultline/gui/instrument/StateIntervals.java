@@ -6,37 +6,37 @@ import faultline.engine.recording.RunEvent;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The states of the controller one after another, as far as the event log still has them. */
+/** The sequence of controller states, as far as it is still in the event log. */
 final class StateIntervals {
 
     /**
-     * A stay in a state.
+     * An interval during which the controller is in one state.
      *
-     * @param state its name
-     * @param start its beginning, seconds
-     * @param end its end, seconds
+     * @param state the name of the state
+     * @param start the start, seconds
+     * @param end the end, seconds
      */
     record StateInterval(String state, double start, double end) {}
 
     private StateIntervals() {}
 
-    /** The stays that reach into a span, in order. */
+    /** Returns the intervals that overlap a time span, in order. */
     static List<StateInterval> within(SessionFrame frame, TimeSpan span) {
-        List<StateInterval> stays = new ArrayList<>();
+        List<StateInterval> intervals = new ArrayList<>();
         String state = frame.telemetry().state();
         double end = frame.snapshot().time();
         EventLog log = frame.recording().events();
         for (long i = log.endIndex() - 1; i >= log.firstIndex() && end > span.start(); i--) {
             if (log.get(i) instanceof RunEvent.StateChanged transition && transition.time() <= end) {
-                stays.add(0, new StateInterval(state, transition.time(), end));
+                intervals.add(0, new StateInterval(state, transition.time(), end));
                 state = transition.from();
                 end = transition.time();
             }
         }
         if (log.firstIndex() == 0 && end > span.start()) {
-            stays.add(0, new StateInterval(state, 0, end));
+            intervals.add(0, new StateInterval(state, 0, end));
         }
-        stays.removeIf(stay -> stay.start() > span.end());
-        return stays;
+        intervals.removeIf(interval -> interval.start() > span.end());
+        return intervals;
     }
 }

@@ -18,7 +18,7 @@ import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 
-/** A chart of numbers over time, with a choice of what it shows and a button that holds it still. */
+/** A chart of values over time, with a choice of signals and a button that holds it still. */
 public final class StripChart extends JPanel {
 
     private static final int MIN_CHOICE_WIDTH = 100;
@@ -29,7 +29,7 @@ public final class StripChart extends JPanel {
     private final JToggleButton freeze = new JToggleButton(Glyph.PAUSE.icon());
     private List<String> sensors = List.of("");
 
-    /** A chart that shows nothing yet. */
+    /** Creates an empty chart. */
     public StripChart() {
         super(new BorderLayout());
         choice.getAccessibleContext().setAccessibleName(Messages.get("strip.choice"));
@@ -55,7 +55,7 @@ public final class StripChart extends JPanel {
         add(view, BorderLayout.CENTER);
     }
 
-    /** The longest name that a usual robot has to choose from. */
+    /** Returns the group with the longest name for a typical robot. */
     private SignalGroup widestSignal() {
         Stream<String> names = Stream.of(
                 Messages.get("signal.distance"),
@@ -79,18 +79,14 @@ public final class StripChart extends JPanel {
         }
     }
 
-    /**
-     * Shows a newer frame.
-     *
-     * @param frame with the recording of its run
-     */
+    /** Shows a frame with the recording of its run. */
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         updateChoices(frame.snapshot().sensors());
         view.setFrame(frame);
     }
 
-    /** Another robot has other sensors; the choice stays at its place where there is one. */
+    /** Updates the choices for another robot; the selected index is kept if it still exists. */
     private void updateChoices(List<SensorSnapshot> present) {
         List<String> ids = present.stream().map(sensor -> sensor.spec().id()).toList();
         if (!ids.equals(sensors)) {

@@ -13,8 +13,8 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
 /**
- * What mouse and keys do to a strip chart: the wheel zooms on the pointer, a drag or the arrows go through time, and
- * pointing reads out.
+ * The mouse and keyboard input of a strip chart: the wheel zooms at the cursor, dragging and the arrow keys scroll
+ * through time, and the cursor shows values.
  */
 final class StripChartMouse extends MouseAdapter implements FocusListener {
 
@@ -25,7 +25,7 @@ final class StripChartMouse extends MouseAdapter implements FocusListener {
     private final Consumer<Boolean> freezeHandler;
     private int dragX;
 
-    /** Acts on a view; to go through time, the chart is held by way of {@code hold}. */
+    /** Creates the input handler of a view; {@code hold} holds or releases the chart. */
     StripChartMouse(StripView view, Consumer<Boolean> hold) {
         this.view = view;
         this.freezeHandler = hold;

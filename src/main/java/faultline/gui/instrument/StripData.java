@@ -9,19 +9,19 @@ import java.util.stream.LongStream;
 /**
  * The buckets of a trace that a chart shows.
  *
- * @param level at a resolution that suits the chart's width
+ * @param level a resolution suitable for the chart's width
  * @param from the first bucket
- * @param to the bucket after the last
+ * @param to the end of the buckets, exclusive
  * @param dt the length of a tick, seconds
  */
 record StripData(TraceLevel level, long from, long to, double dt) {
 
     private static final int MAX_BUCKETS_PER_PIXEL = 3;
 
-    /** What of a frame's recording lies in a span, for a chart of so many pixels. */
+    /** Returns the recorded data in a time span, for a chart of the given width. */
     static StripData of(SessionFrame frame, TimeSpan span, int pixels) {
         Trace trace = frame.recording().trace();
-        // At tick 0 the length of a tick does not show, nor matter.
+        // At tick 0 the length of a tick is not known and not needed.
         double dt = frame.snapshot().tick() > 0
                 ? frame.snapshot().time() / frame.snapshot().tick()
                 : 1;
@@ -34,18 +34,18 @@ record StripData(TraceLevel level, long from, long to, double dt) {
         return new StripData(level, Math.max(0, from), Math.max(from, to), dt);
     }
 
-    /** The middle of a bucket, seconds. */
+    /** Returns the centre of a bucket, seconds. */
     double timeOf(long bucket) {
         return (bucket + 0.5) * level.ticksPerBucket() * dt - dt / 2;
     }
 
-    /** The bucket of a time, as near as there is one; -1 where there is none at all. */
+    /** Returns the bucket nearest to a time, or -1 if there is none. */
     long bucketAt(double time) {
         long wanted = Math.round(time / dt) / level.ticksPerBucket();
         return from < to ? Math.max(from, Math.min(to - 1, wanted)) : -1;
     }
 
-    /** All values of a curve, the gaps left out. */
+    /** Returns all values of a line without gaps. */
     DoubleStream values(ChartLine curve) {
         return LongStream.range(from, to)
                 .mapToObj(bucket ->

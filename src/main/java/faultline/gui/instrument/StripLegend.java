@@ -11,7 +11,7 @@ import java.awt.geom.Line2D;
 import java.util.List;
 import javax.swing.JComponent;
 
-/** What the lines of a strip chart are called. */
+/** The legend of a strip chart. */
 final class StripLegend extends JComponent {
 
     private static final int SAMPLE_WIDTH = 26;
@@ -55,7 +55,7 @@ final class StripLegend extends JComponent {
     protected void paintComponent(Graphics graphics) {
         Antialiasing.paint(graphics, g -> {
             g.setFont(getFont());
-            // Where the bar is too short, names that do not fit are left out.
+            // Names that do not fit are left out.
             int room = getParent().getWidth() - getX();
             double x = 0;
             for (int i = lines.size() - 1; i >= 0 && x + width(lines.get(i)) <= room; i--) {

@@ -15,7 +15,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Paints a strip chart: the ribbon of states, axes and lines. */
+/** Paints a strip chart: the bar of controller states, axes and lines. */
 final class StripPainter {
 
     private static final int RIBBON_GAP = 6;

@@ -32,7 +32,7 @@ record StripScale(SignalGroup signal, StripData data, Plot plot) {
         return new StripScale(signal, data, new Plot(area, time, createAxis(signal, data)));
     }
 
-    /** Returns an axis that includes zero, so that the heights of the chart can be compared. */
+    /** Returns the vertical axis, which always includes zero. */
     private static Axis createAxis(SignalGroup signal, StripData data) {
         double[] values = values(signal, data).toArray();
         boolean flat = DoubleStream.of(values).allMatch(value -> value == 0);
@@ -45,7 +45,7 @@ record StripScale(SignalGroup signal, StripData data, Plot plot) {
         return signal.lines().stream().flatMapToDouble(data::values);
     }
 
-    /** Returns whether there is nothing to draw. */
+    /** Returns whether there is no data. */
     boolean isEmpty() {
         return values(signal, data).findAny().isEmpty();
     }

@@ -17,7 +17,7 @@ import java.util.OptionalDouble;
 import javax.accessibility.AccessibleContext;
 import javax.swing.JComponent;
 
-/** The picture of a strip chart. It runs along with the newest frame, or holds still over a piece of the past. */
+/** The plot area of a strip chart. It follows the newest frame, or is held over a past time span. */
 final class StripView extends JComponent {
 
     private static final Dimension MIN_SIZE = new Dimension(220, 110);
@@ -52,7 +52,7 @@ final class StripView extends JComponent {
         repaint();
     }
 
-    /** Holds the chart still, or lets it run along again. */
+    /** Holds the chart, or lets it follow the newest frame. */
     void setFrozen(boolean hold) {
         frozen = hold;
         frame.ifPresent(this::setFrame);
@@ -66,25 +66,25 @@ final class StripView extends JComponent {
         return span;
     }
 
-    /** Shows another piece; while the chart runs along, its end stays at the newest moment. */
+    /** Shows another time span; while the chart follows the run, the span ends at the newest frame. */
     void setSpan(TimeSpan wanted) {
         span = wanted;
         frame.ifPresent(this::setFrame);
     }
 
-    /** Where on the chart a place of this component is: 0 at its beginning, 1 at its end. */
+    /** Returns the position of an x coordinate on the time axis, 0 at its start and 1 at its end. */
     double shareAt(double x) {
         return (x / imageScale() - StripScale.LEFT_MARGIN)
                 / Math.max(1, getWidth() / imageScale() - StripScale.LEFT_MARGIN - StripScale.RIGHT_MARGIN);
     }
 
-    /** Reads out the values at a place of this component, or none. */
+    /** Shows the values at an x coordinate, or none. */
     void setPointer(OptionalDouble x) {
         pointer = x;
         repaint();
     }
 
-    /** What is read out; empty where nothing is pointed at. */
+    /** Returns the values shown at the cursor; empty if there are none. */
     List<String> tooltip() {
         return scale().flatMap(this::tooltip).map(ChartTooltip::lines).orElse(List.of());
     }

@@ -1,17 +1,17 @@
 package faultline.gui.instrument;
 
 /**
- * A piece of a run that a chart shows.
+ * The time span that a chart shows.
  *
- * @param start its beginning, seconds; before 0 where the run has not filled the chart yet
- * @param length seconds, in [{@link #MIN_LENGTH}, {@link #MAX_LENGTH}]
+ * @param start the start, seconds; negative if the run is shorter than the span
+ * @param length the length, seconds, in [{@link #MIN_LENGTH}, {@link #MAX_LENGTH}]
  */
 record TimeSpan(double start, double length) {
 
     static final double MIN_LENGTH = 0.2;
     static final double MAX_LENGTH = 100_000;
 
-    /** What a chart shows at first. */
+    /** The span that a chart shows initially. */
     static final TimeSpan DEFAULT = new TimeSpan(0, 10);
 
     TimeSpan {
@@ -22,7 +22,7 @@ record TimeSpan(double start, double length) {
         return start + length;
     }
 
-    /** The time at a share of the span. */
+    /** Returns the time at a share of the span. */
     double timeAt(double share) {
         return start + share * length;
     }
@@ -31,18 +31,18 @@ record TimeSpan(double start, double length) {
         return (time - start) / length;
     }
 
-    /** So many times as long, with the moment at a share of the span where it is. */
+    /** Returns this span scaled by a factor, with the time at the given share kept in place. */
     TimeSpan zoomed(double factor, double share) {
         TimeSpan resized = new TimeSpan(start, length * factor);
         return new TimeSpan(timeAt(share) - share * resized.length, resized.length);
     }
 
-    /** Moved by a share of its length. */
+    /** Returns this span moved by a share of its length. */
     TimeSpan moved(double share) {
         return new TimeSpan(start + share * length, length);
     }
 
-    /** Moved so that it ends at a time, or begins at 0 where that fills it not. */
+    /** Returns this span moved to end at a time, or to start at 0 if the time is smaller than the length. */
     TimeSpan endingAt(double time) {
         return new TimeSpan(Math.max(0, time - length), length);
     }

@@ -1,6 +1,5 @@
 /**
- * The controller seen: its state diagram, the t_D/2 manoeuvre, strip charts and the event log. Each instrument is shown
- * frames on the event dispatch thread and reads what the frames' recordings remember; none needs a display to be
- * painted, and none knows the session.
+ * The instruments: state diagram, alignment manoeuvre, strip charts and event log. Each one shows frames on the event
+ * dispatch thread and reads their recordings. All can be painted without a display, and none knows the session.
  */
 package faultline.gui.instrument;

@@ -2,7 +2,10 @@ package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
 
-/** An angle in degrees, remembered, because the exact conversion is slow and asked for with every snapshot. */
+/**
+ * Converts an angle to degrees and caches the result, because the exact conversion is slow and needed for every
+ * snapshot.
+ */
 final class CachedDegrees {
 
     private double radians;

@@ -19,7 +19,7 @@ import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 
-/** The control panel of the paper's Fig. 1: the robot, its sensors and its faults, one below the other. */
+/** The control panel of the paper's Fig. 1: the robot, its sensors and its faults. */
 public final class ControlPanel extends JPanel {
 
     private static final int WHEEL_STEP = 16;
@@ -31,9 +31,9 @@ public final class ControlPanel extends JPanel {
     private final transient OptimisticSensors optimisticSensors = new OptimisticSensors();
 
     /**
-     * A panel that shows nothing yet.
+     * Creates an empty panel.
      *
-     * @param editor where all changes go
+     * @param editor receives all changes
      * @param path shows or hides the path
      */
     public ControlPanel(CommandSink editor, Action path) {
@@ -60,7 +60,7 @@ public final class ControlPanel extends JPanel {
         add(scroll, BorderLayout.CENTER);
     }
 
-    /** As wide as at the normal size of texts; larger ones can be scrolled to where the window has no room for more. */
+    /** Returns the width at the normal text size; larger text scrolls if the window has no room for it. */
     @Override
     public Dimension getMinimumSize() {
         return new Dimension(WIDTH, super.getMinimumSize().height);
@@ -71,20 +71,12 @@ public final class ControlPanel extends JPanel {
         return new Dimension(defaultWidth(), super.getPreferredSize().height);
     }
 
-    /**
-     * Wide enough for its rows before there are any, and for the scroll bar before it comes.
-     *
-     * @return pixels
-     */
+    /** Returns the width in pixels that fits the sensor rows and the scroll bar, even before they exist. */
     public int defaultWidth() {
         return TextSize.scaled(WIDTH);
     }
 
-    /**
-     * Shows how the world is now.
-     *
-     * @param world the newest snapshot
-     */
+    /** Shows a snapshot of the world. */
     public void setSnapshot(Snapshot world) {
         assert EventQueue.isDispatchThread();
         robot.setRobot(world.robot());
@@ -93,11 +85,7 @@ public final class ControlPanel extends JPanel {
         sensorDetails.setSensors(world.sensors());
     }
 
-    /**
-     * Takes a number that is being typed, as if the field were left.
-     *
-     * @return whether that changed anything
-     */
+    /** Commits the number being typed, as if the field lost the focus, and returns whether that changed a value. */
     public boolean commitPendingEdit() {
         Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
         return SwingUtilities.getAncestorOfClass(NumberSpinner.class, owner) instanceof NumberSpinner typed
@@ -106,9 +94,9 @@ public final class ControlPanel extends JPanel {
     }
 
     /**
-     * Marks a sensor's row, and shows how it is mounted.
+     * Highlights a sensor's row and shows its details.
      *
-     * @param sensor its id, empty for none
+     * @param sensor the id of the sensor, empty for none
      */
     public void selectSensor(Optional<String> sensor) {
         sensors.selectSensor(sensor);
@@ -116,18 +104,18 @@ public final class ControlPanel extends JPanel {
     }
 
     /**
-     * Tells a listener, from now on, when the user chooses a sensor here.
+     * Adds a listener for sensors selected by the user.
      *
-     * @param listener gets the sensor's id
+     * @param listener receives the id of the sensor
      */
     public void addSelectionListener(Consumer<Optional<String>> listener) {
         sensors.addSelectionListener(listener);
     }
 
     /**
-     * Switches a sensor the other way.
+     * Switches a sensor on or off.
      *
-     * @param index its place in the robot's order, from 0; nothing happens where there is none
+     * @param index the index of the sensor in the robot's order; ignored if there is no such sensor
      */
     public void toggleSensor(int index) {
         sensors.toggle(index);

@@ -9,7 +9,8 @@ import java.util.regex.Pattern;
 import javax.swing.text.DefaultFormatter;
 
 /**
- * Numbers in fields: written with a point in every country, read with a point or a comma, and only within their limits.
+ * Formats numbers in fields with a decimal point in every locale; parses numbers with a point or a comma, within
+ * limits.
  */
 final class DecimalFormatter extends DefaultFormatter {
 
@@ -19,25 +20,25 @@ final class DecimalFormatter extends DefaultFormatter {
     private double min;
     private double max;
 
-    /** Numbers from {@code least} to {@code most}, written by a pattern of {@link DecimalFormat}. */
-    DecimalFormatter(String pattern, double least, double most) {
+    /** Creates a formatter for numbers from {@code min} to {@code max} with a pattern of {@link DecimalFormat}. */
+    DecimalFormatter(String pattern, double min, double max) {
         this.format = new DecimalFormat(pattern, DecimalFormatSymbols.getInstance(Locale.ROOT));
-        setLimits(least, most);
+        setLimits(min, max);
         setOverwriteMode(false);
     }
 
-    void setLimits(double newLeast, double newMost) {
-        min = newLeast;
-        max = newMost;
+    void setLimits(double newMin, double newMax) {
+        min = newMin;
+        max = newMax;
     }
 
     @Override
     public Double stringToValue(String text) throws ParseException {
-        String plain = text.strip().replace(',', '.');
-        if (!NUMBER.matcher(plain).matches()) {
+        String normalized = text.strip().replace(',', '.');
+        if (!NUMBER.matcher(normalized).matches()) {
             throw new ParseException(Messages.get("number.none"), 0);
         }
-        double value = Double.parseDouble(plain);
+        double value = Double.parseDouble(normalized);
         if (value < min || value > max) {
             throw new ParseException(limitsText(), 0);
         }
@@ -53,7 +54,7 @@ final class DecimalFormatter extends DefaultFormatter {
         return format.format(value);
     }
 
-    /** What is allowed, in words. */
+    /** Returns a text that states the limits. */
     String limitsText() {
         return Messages.get("number.limits", format(min), format(max));
     }

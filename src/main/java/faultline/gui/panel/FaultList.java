@@ -16,7 +16,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
-/** The active faults, oldest first for each sensor, each with a button that mends it. */
+/** The active faults, oldest first for each sensor, each with a button that repairs it. */
 final class FaultList extends JPanel {
 
     private static final GlyphIcon WARNING_ICON =
@@ -27,7 +27,7 @@ final class FaultList extends JPanel {
     private final transient CommandSink editor;
     private transient List<ActiveFault> shownFaults = List.of();
 
-    /** One fault of one sensor. */
+    /** A fault of a sensor. */
     private record ActiveFault(String sensor, Fault fault) {}
 
     FaultList(CommandSink editor) {
@@ -81,10 +81,10 @@ final class FaultList extends JPanel {
                 .distinct()
                 .<Command>map(Command.ClearFaults::new)
                 .toList()));
-        GridBagConstraints place = FormConstraints.fillRow(0, row);
-        place.fill = GridBagConstraints.NONE;
-        place.anchor = GridBagConstraints.LINE_END;
-        place.insets.top += 4;
-        add(all, place);
+        GridBagConstraints constraints = FormConstraints.fillRow(0, row);
+        constraints.fill = GridBagConstraints.NONE;
+        constraints.anchor = GridBagConstraints.LINE_END;
+        constraints.insets.top += 4;
+        add(all, constraints);
     }
 }

@@ -3,12 +3,12 @@ package faultline.gui.panel;
 import faultline.gui.text.Messages;
 import faultline.sensor.FaultKind;
 
-/** What kinds of fault are called. */
+/** The names of fault kinds. */
 final class FaultNames {
 
     private FaultNames() {}
 
-    /** The kind in the user's language. */
+    /** Returns the name of a kind in the user's language. */
     static String nameOf(FaultKind kind) {
         return Messages.get("fault." + kind.fileName());
     }

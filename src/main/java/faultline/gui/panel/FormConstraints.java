@@ -3,49 +3,49 @@ package faultline.gui.panel;
 import java.awt.GridBagConstraints;
 import java.awt.Insets;
 
-/** Places in a grid of controls. */
+/** Constraints for the cells of a form. */
 final class FormConstraints {
 
     private static final int GAP = 6;
 
     private FormConstraints() {}
 
-    /** A cell that is as wide as what it holds; text and fields stand on one base line. */
+    /** Returns a cell as wide as its component; texts and fields share a baseline. */
     static GridBagConstraints cell(int column, int row) {
-        GridBagConstraints place = new GridBagConstraints();
-        place.gridx = column;
-        place.gridy = row;
-        place.anchor = GridBagConstraints.BASELINE_LEADING;
-        place.insets = new Insets(2, column == 0 ? 0 : GAP, 2, 0);
-        return place;
+        GridBagConstraints constraints = new GridBagConstraints();
+        constraints.gridx = column;
+        constraints.gridy = row;
+        constraints.anchor = GridBagConstraints.BASELINE_LEADING;
+        constraints.insets = new Insets(2, column == 0 ? 0 : GAP, 2, 0);
+        return constraints;
     }
 
-    /** A cell that takes the width that is left. */
+    /** Returns a cell that fills the remaining width. */
     static GridBagConstraints fillCell(int column, int row) {
-        GridBagConstraints place = cell(column, row);
-        place.weightx = 1;
-        place.fill = GridBagConstraints.HORIZONTAL;
-        return place;
+        GridBagConstraints constraints = cell(column, row);
+        constraints.weightx = 1;
+        constraints.fill = GridBagConstraints.HORIZONTAL;
+        return constraints;
     }
 
-    /** A cell that takes all columns that are left. */
+    /** Returns a cell that spans the remaining columns. */
     static GridBagConstraints fillRow(int column, int row) {
-        GridBagConstraints place = fillCell(column, row);
-        place.gridwidth = GridBagConstraints.REMAINDER;
-        return place;
+        GridBagConstraints constraints = fillCell(column, row);
+        constraints.gridwidth = GridBagConstraints.REMAINDER;
+        return constraints;
     }
 
-    /** A cell for something without a base line, in the middle of its row. */
+    /** Returns a cell for a component without a baseline, centred in its row. */
     static GridBagConstraints centredCell(int column, int row) {
-        GridBagConstraints place = cell(column, row);
-        place.anchor = GridBagConstraints.CENTER;
-        return place;
+        GridBagConstraints constraints = cell(column, row);
+        constraints.anchor = GridBagConstraints.CENTER;
+        return constraints;
     }
 
-    /** A cell for something without a base line, at the left of its column and in the middle of its row. */
+    /** Returns a cell for a component without a baseline, at the start of its column and centred in its row. */
     static GridBagConstraints leadingCell(int column, int row) {
-        GridBagConstraints place = cell(column, row);
-        place.anchor = GridBagConstraints.LINE_START;
-        return place;
+        GridBagConstraints constraints = cell(column, row);
+        constraints.anchor = GridBagConstraints.LINE_START;
+        return constraints;
     }
 }

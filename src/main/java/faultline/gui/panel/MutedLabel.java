@@ -4,14 +4,14 @@ import faultline.gui.theme.Theme;
 import java.awt.Dimension;
 import javax.swing.JLabel;
 
-/** A label of less weight: a unit, or the heading of a column. */
+/** A label of less emphasis: a unit or a column heading. */
 final class MutedLabel extends JLabel {
 
     MutedLabel(String text) {
         super(text);
     }
 
-    /** A little wider than the text, which on a fine screen is up to two pixels wider than on a coarse one. */
+    /** Adds two pixels, because the text may be that much wider on a high-resolution screen. */
     @Override
     public Dimension getPreferredSize() {
         Dimension size = super.getPreferredSize();

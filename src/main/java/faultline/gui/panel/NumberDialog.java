@@ -9,25 +9,25 @@ import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 
 /**
- * Asks for a number in front of a window.
+ * Asks for a number.
  *
- * @param title of the dialog
- * @param name what the number is
- * @param unit for people
- * @param min allowed
- * @param max allowed
- * @param step of the field's arrows
+ * @param title the title of the dialog
+ * @param name the name of the number
+ * @param unit the unit
+ * @param min the smallest value
+ * @param max the largest value
+ * @param step the step of the arrows
  */
 public record NumberDialog(String title, String name, String unit, double min, double max, double step) {
 
     private static final int COLUMNS = 6;
 
     /**
-     * Asks and waits for the answer.
+     * Shows the dialog and waits for the answer.
      *
-     * @param parent what the dialog is in front of
-     * @param value that shows at first
-     * @return the number, empty where the user thinks better of it
+     * @param parent the component behind the dialog
+     * @param value the initial value
+     * @return the number, empty if cancelled
      */
     public OptionalDouble showDialog(Component parent, double value) {
         NumberSpinner field = new NumberSpinner("0.00##", min, max, step, ignored -> {})
@@ -40,7 +40,7 @@ public record NumberDialog(String title, String name, String unit, double min, d
         line.add(label);
         line.add(field);
         line.add(new MutedLabel(unit));
-        // So that one can type at once.
+        // The field has the focus initially.
         JOptionPane pane = new JOptionPane(line, JOptionPane.PLAIN_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
             @Override
             public void selectInitialValue() {

@@ -15,7 +15,7 @@ import javax.swing.SpinnerNumberModel;
 import javax.swing.SwingConstants;
 import javax.swing.text.DefaultFormatterFactory;
 
-/** A field for one number, which follows the world while the user leaves it alone. */
+/** A field for one number, which shows the value of the world unless the user is typing. */
 final class NumberSpinner extends JSpinner {
 
     private final transient DecimalFormatter formatter;
@@ -24,17 +24,17 @@ final class NumberSpinner extends JSpinner {
     private boolean updating;
 
     /**
-     * A field for a number.
+     * Creates a field.
      *
-     * @param pattern how it is written, see {@link java.text.DecimalFormat}
-     * @param least allowed
-     * @param most allowed
-     * @param step of the arrows
-     * @param onChange told of every number that the user gives
+     * @param pattern the format, see {@link java.text.DecimalFormat}
+     * @param min the smallest value
+     * @param max the largest value
+     * @param step the step of the arrows
+     * @param onChange receives every number that the user enters
      */
-    NumberSpinner(String pattern, double least, double most, double step, DoubleConsumer onChange) {
-        formatter = new DecimalFormatter(pattern, least, most);
-        model = new SpinnerNumberModel(least, least, most, step);
+    NumberSpinner(String pattern, double min, double max, double step, DoubleConsumer onChange) {
+        formatter = new DecimalFormatter(pattern, min, max);
+        model = new SpinnerNumberModel(min, min, max, step);
         setModel(model);
         JSpinner.DefaultEditor editor = new JSpinner.DefaultEditor(this);
         setEditor(editor);
@@ -56,11 +56,11 @@ final class NumberSpinner extends JSpinner {
                 EventQueue.invokeLater(text::selectAll);
             }
         });
-        // The outline, which is the spinner's, shows whether the text can be taken.
+        // The outline of the spinner shows whether the text is valid.
         text.addPropertyChangeListener("editValid", event -> repaint());
     }
 
-    /** Gives a name for readers of the screen, and the limits as tool tip. */
+    /** Sets the accessible name, and shows the limits as a tool tip. */
     NumberSpinner withName(String newName) {
         name = newName;
         updateAccessibleText();
@@ -85,16 +85,16 @@ final class NumberSpinner extends JSpinner {
         }
     }
 
-    /** Sets other limits and shows a number within them, without telling anyone. */
-    void setLimits(double least, double most, double value) {
-        formatter.setLimits(least, most);
-        model.setMinimum(least);
-        model.setMaximum(most);
+    /** Sets other limits and a value within them, without notifying the listener. */
+    void setLimits(double min, double max, double value) {
+        formatter.setLimits(min, max);
+        model.setMinimum(min);
+        model.setMaximum(max);
         setValueQuietly(value);
         updateAccessibleText();
     }
 
-    /** Shows what is true now, unless the user is typing; the limits do not bind the truth. */
+    /** Shows the value of the world, unless the user is typing; it may be outside the limits. */
     void setWorldValue(double truth) {
         assert EventQueue.isDispatchThread();
         if (truth != doubleValue() && !isTyping()) {
@@ -102,10 +102,7 @@ final class NumberSpinner extends JSpinner {
         }
     }
 
-    /**
-     * Ends the typing: takes what was typed, or drops it where it is not allowed; says whether the number is another
-     * one now.
-     */
+    /** Commits the text, or reverts it if it is invalid, and returns whether the value changed. */
     boolean commitPendingEdit() {
         double before = doubleValue();
         try {
@@ -134,7 +131,7 @@ final class NumberSpinner extends JSpinner {
         return ((JSpinner.DefaultEditor) getEditor()).getTextField();
     }
 
-    /** The widest number that fits. */
+    /** Sets the width in digits. */
     NumberSpinner withColumns(int digits) {
         textField().setColumns(0);
         int width = getFontMetrics(getFont()).stringWidth("0".repeat(digits)) + 32;

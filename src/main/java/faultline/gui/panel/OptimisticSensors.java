@@ -7,14 +7,14 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What the user last asked of each sensor, shared by all controls that set a part of it, so that none takes back what
- * another has just set.
+ * The sensor settings last requested by the user, shared by all controls that change a part of them, so that no control
+ * reverts the change of another.
  */
 final class OptimisticSensors {
 
     private final Map<String, OptimisticValue<SensorSpec>> values = new HashMap<>();
 
-    /** Takes note of what is true now. */
+    /** Updates the settings from a snapshot. */
     void update(List<SensorSnapshot> sensors) {
         for (SensorSnapshot sensor : sensors) {
             values.computeIfAbsent(sensor.spec().id(), id -> new OptimisticValue<>(sensor.spec()))
@@ -22,13 +22,13 @@ final class OptimisticSensors {
         }
     }
 
-    /** How a sensor is to show. */
+    /** Returns the settings to show for a sensor. */
     SensorSpec spec(String sensor) {
         return values.get(sensor).value();
     }
 
-    /** Takes note of what the user asks for. */
-    SensorSpec request(SensorSpec wanted) {
-        return values.get(wanted.id()).request(wanted);
+    /** Stores requested settings and returns them. */
+    SensorSpec request(SensorSpec requested) {
+        return values.get(requested.id()).request(requested);
     }
 }

@@ -1,37 +1,37 @@
 package faultline.gui.panel;
 
 /**
- * Bridges the moment between a command and the first snapshot that shows what it did, so that a control does not jump
- * back and forth. What does not come back within that moment was refused, and the control shows what is true.
+ * Shows a requested value until a snapshot confirms it, so that a control does not jump back and forth. A value that is
+ * not confirmed in time was refused, and the control shows the actual value.
  *
- * @param <T> what the control sets
+ * @param <T> the type of the value
  */
 final class OptimisticValue<T> {
 
-    /** How many snapshots a command may take; at sixty in a second, half a second. */
+    /** Number of snapshots until a request expires; half a second at sixty snapshots per second. */
     static final int TIMEOUT_SNAPSHOTS = 30;
 
     private T value;
     private int snapshotsLeft;
 
-    /** Begins with what is true now. */
-    OptimisticValue(T told) {
-        this.value = told;
+    /** Creates a value with the actual value. */
+    OptimisticValue(T actual) {
+        this.value = actual;
     }
 
-    /** What the user last asked for, or what is true where that was long ago. */
+    /** Returns the requested value, or the actual one if the request has expired. */
     T value() {
         return value;
     }
 
-    /** Takes note of what the user asks for. */
-    T request(T wanted) {
-        value = wanted;
+    /** Stores a requested value and returns it. */
+    T request(T requested) {
+        value = requested;
         snapshotsLeft = TIMEOUT_SNAPSHOTS;
-        return wanted;
+        return requested;
     }
 
-    /** Takes note of what is true; says what is to show. */
+    /** Updates the actual value and returns the value to show. */
     T update(T truth) {
         if (snapshotsLeft > 0 && !truth.equals(value)) {
             snapshotsLeft--;

@@ -21,8 +21,8 @@ import javax.swing.JComponent;
 import javax.swing.UIManager;
 
 /**
- * What a sensor should read or what it reports: as a number on a bar that is its share of the range, and with a sign
- * where the sensor is faulty.
+ * Shows a true or reported reading as a number on a bar of its share of the range, with an icon if the sensor is
+ * faulty.
  */
 final class ReadingBar extends JComponent {
 
@@ -40,11 +40,11 @@ final class ReadingBar extends JComponent {
     private double fillShare;
     private boolean faulty;
 
-    /** Which of a sensor's two readings. */
+    /** The readings of a sensor. */
     enum ReadingKind {
-        /** What is really there. */
+        /** The true distance. */
         ACTUAL("sensor.true", SensorSnapshot::truth),
-        /** What the controller gets. */
+        /** The distance that the controller receives. */
         REPORTED("sensor.reading", SensorSnapshot::reported);
 
         private final String key;
@@ -91,12 +91,12 @@ final class ReadingBar extends JComponent {
         }
     }
 
-    /** The number as it shows. */
+    /** Returns the displayed number. */
     String text() {
         return text;
     }
 
-    /** Which of the sensor's readings it shows. */
+    /** Returns which of the sensor's readings is shown. */
     ReadingKind readingKind() {
         return readingKind;
     }

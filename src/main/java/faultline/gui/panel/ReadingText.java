@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** Readings and faults in words. */
+/** Formats readings and faults. */
 public final class ReadingText {
 
     private ReadingText() {}
 
-    /** Metres, a dash where nothing is within range, or "off". */
+    /** Returns the distance in metres, a dash if nothing is in range, or "off". */
     static String format(Reading reading) {
         if (reading.isOff()) {
             return Messages.get("reading.off");
@@ -24,17 +24,12 @@ public final class ReadingText {
         return String.format(Locale.ROOT, "%.3f", value);
     }
 
-    /** The faults of one sensor, by kind and number. */
+    /** Formats the faults of a sensor. */
     static String format(List<Fault> faults) {
         return faults.stream().map(ReadingText::format).collect(Collectors.joining(", "));
     }
 
-    /**
-     * A fault.
-     *
-     * @param fault any
-     * @return such as "stuck 0.40 m"
-     */
+    /** Formats a fault, for example "stuck 0.40 m". */
     public static String format(Fault fault) {
         String kind = FaultNames.nameOf(fault.kind());
         if (!fault.kind().takesValue()) {

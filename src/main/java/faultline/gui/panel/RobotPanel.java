@@ -39,9 +39,9 @@ public final class RobotPanel extends JPanel {
     });
 
     /**
-     * The robot's controls.
+     * Creates the robot's controls.
      *
-     * @param editor where changes go
+     * @param editor receives the changes
      * @param path shows or hides the path
      */
     public RobotPanel(CommandSink editor, Action path) {
@@ -54,10 +54,10 @@ public final class RobotPanel extends JPanel {
         drawPath.setIcon(null);
         drawPath.setText(Messages.get("robot.path"));
         drawPath.setMnemonic(0);
-        GridBagConstraints place = FormConstraints.fillRow(0, 3);
-        place.insets.top += 2;
-        place.insets.left -= 2;
-        add(drawPath, place);
+        GridBagConstraints constraints = FormConstraints.fillRow(0, 3);
+        constraints.insets.top += 2;
+        constraints.insets.left -= 2;
+        add(drawPath, constraints);
     }
 
     private void addRow(int row, String key, NumberSpinner spinner, String unit) {
@@ -69,7 +69,7 @@ public final class RobotPanel extends JPanel {
         add(createUnitLabel(unit), FormConstraints.cell(2, row));
     }
 
-    /** All as wide as the widest, so that the fields stand in line. */
+    /** Returns a label as wide as the widest unit, so that the fields are aligned. */
     private static JLabel createUnitLabel(String text) {
         JLabel label = new MutedLabel(text);
         label.setPreferredSize(new Dimension(TextSize.scaled(UNIT_WIDTH), label.getPreferredSize().height));
@@ -80,15 +80,11 @@ public final class RobotPanel extends JPanel {
         return new Command.SetPlatform(robot.length(), robot.width(), robot.speed());
     }
 
-    private void sendPlatform(Command.SetPlatform wanted) {
-        editor.send(platform.request(wanted));
+    private void sendPlatform(Command.SetPlatform requested) {
+        editor.send(platform.request(requested));
     }
 
-    /**
-     * Shows how the robot is now.
-     *
-     * @param robot as built and set
-     */
+    /** Shows the current settings of the robot. */
     public void setRobot(RobotSpec robot) {
         assert EventQueue.isDispatchThread();
         Command.SetPlatform shown = platform.update(platform(robot));

@@ -23,7 +23,7 @@ final class SensorBadge extends JComponent {
     private final int size = TextSize.scaled(SIZE);
     private final Font font = TextSize.scaledFont(Font.BOLD, 11);
 
-    /** The swatch of a sensor by its place in the robot's order, from 0. */
+    /** Creates the badge of the sensor with the given index. */
     SensorBadge(int index) {
         this.index = index;
         setPreferredSize(new Dimension(size, size));
@@ -53,7 +53,7 @@ final class SensorBadge extends JComponent {
         g.drawString(number, (float) (size / 2.0 - bounds.getCenterX()), (float) (size / 2.0 - bounds.getCenterY()));
     }
 
-    /** Whether black stands out better than white, by the usual weights of red, green and blue. */
+    /** Returns whether black has a higher contrast than white, by the common weights of red, green and blue. */
     static boolean isLight(Color colour) {
         return 0.299 * colour.getRed() + 0.587 * colour.getGreen() + 0.114 * colour.getBlue() > 125;
     }

@@ -23,7 +23,7 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
 
-/** One sensor, chosen by its name: how it is mounted, and what breaks it. Below it all that is broken. */
+/** The settings of the selected sensor: its mounting and faults. Below them, all active faults. */
 public final class SensorDetailsPanel extends JPanel {
 
     private static final int SECTION_GAP = 8;
@@ -40,15 +40,15 @@ public final class SensorDetailsPanel extends JPanel {
     private List<String> ids = List.of();
 
     /**
-     * Without sensors at first.
+     * Creates a panel without sensors.
      *
-     * @param echoes what was asked of each sensor
-     * @param editor where changes and faults go
+     * @param optimisticSensors the requested settings of the sensors
+     * @param editor receives changes and faults
      */
-    SensorDetailsPanel(OptimisticSensors echoes, CommandSink editor) {
+    SensorDetailsPanel(OptimisticSensors optimisticSensors, CommandSink editor) {
         super(new BorderLayout(0, SECTION_GAP));
         this.editor = editor;
-        this.mountFields = new SensorMountFields(echoes, editor);
+        this.mountFields = new SensorMountFields(optimisticSensors, editor);
         this.faultList = new FaultList(editor);
         configureControls();
         add(createForm(), BorderLayout.NORTH);
@@ -99,9 +99,9 @@ public final class SensorDetailsPanel extends JPanel {
         return form;
     }
 
-    private static GridBagConstraints withSectionGap(GridBagConstraints place) {
-        place.insets.top += SECTION_GAP;
-        return place;
+    private static GridBagConstraints withSectionGap(GridBagConstraints constraints) {
+        constraints.insets.top += SECTION_GAP;
+        return constraints;
     }
 
     private static JLabel label(String key, JComponent control) {
@@ -135,9 +135,9 @@ public final class SensorDetailsPanel extends JPanel {
     }
 
     /**
-     * Goes over to a sensor.
+     * Selects a sensor.
      *
-     * @param id of the sensor; with none, the last one stays
+     * @param id the id of the sensor; empty keeps the selection
      */
     void selectSensor(Optional<String> id) {
         assert EventQueue.isDispatchThread();
@@ -146,16 +146,12 @@ public final class SensorDetailsPanel extends JPanel {
         }
     }
 
-    /** Tells a listener, from now on, when another sensor is chosen here. */
+    /** Adds a listener for sensors selected here. */
     void addChoiceListener(Consumer<Optional<String>> listener) {
         listeners.add(listener);
     }
 
-    /**
-     * Shows which sensors there are, and what is broken now.
-     *
-     * @param sensors in the robot's order
-     */
+    /** Shows the sensors and their faults, in the robot's order. */
     public void setSensors(List<SensorSnapshot> sensors) {
         assert EventQueue.isDispatchThread();
         List<String> now =

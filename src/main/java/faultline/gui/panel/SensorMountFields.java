@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
-/** How one sensor is mounted and how noisy it is: its bearing, its noise and its seat on the robot. */
+/** The fields for a sensor's mounting and noise. */
 final class SensorMountFields {
 
     private static final double MAX_BEARING = 360;
@@ -49,8 +49,8 @@ final class SensorMountFields {
     private final CachedDegrees shownBearing = new CachedDegrees();
     private Optional<String> sensor = Optional.empty();
 
-    SensorMountFields(OptimisticSensors echoes, CommandSink editor) {
-        this.optimisticSensors = echoes;
+    SensorMountFields(OptimisticSensors optimisticSensors, CommandSink editor) {
+        this.optimisticSensors = optimisticSensors;
         this.editor = editor;
         fields().forEach(field -> field.withColumns(6).setEnabled(false));
     }
@@ -59,7 +59,7 @@ final class SensorMountFields {
         return Stream.of(bearing, noise, forwardOffset, leftOffset);
     }
 
-    /** Puts the fields into two rows of a grid of six columns. */
+    /** Adds the fields to two rows of a grid of six columns. */
     void addTo(JPanel grid, int row) {
         add(grid, 0, row, "bearing", bearing, "°");
         add(grid, 3, row, "noise", noise, "m");
@@ -84,7 +84,7 @@ final class SensorMountFields {
                 new Command.ConfigureSensor(optimisticSensors.request(change.apply(optimisticSensors.spec(id))))));
     }
 
-    /** Goes over to another sensor, after taking what was being typed for the one before. */
+    /** Selects another sensor, after committing the number being typed for the previous one. */
     void setSensor(Optional<String> chosen) {
         if (!chosen.equals(sensor)) {
             fields().forEach(NumberSpinner::commitPendingEdit);
@@ -94,7 +94,7 @@ final class SensorMountFields {
         }
     }
 
-    /** Shows how the sensor is now. */
+    /** Shows the current settings of the sensor. */
     void update() {
         sensor.map(optimisticSensors::spec).ifPresent(spec -> {
             bearing.setWorldValue(shownBearing.toDegrees(spec.bearing()));

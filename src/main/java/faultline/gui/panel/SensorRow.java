@@ -17,7 +17,7 @@ import java.util.function.Consumer;
 import javax.swing.JCheckBox;
 import javax.swing.JPanel;
 
-/** The controls of one sensor: its switch, range and cone, and what it reports. */
+/** The controls of one sensor: its switch, range and cone, and its readings. */
 final class SensorRow {
 
     private static final double MAX_RANGE = 100;
@@ -37,9 +37,9 @@ final class SensorRow {
     private final CommandSink editor;
     private final CachedDegrees coneDegrees = new CachedDegrees();
 
-    SensorRow(int index, String id, OptimisticSensors echoes, CommandSink editor, Consumer<String> chosen) {
+    SensorRow(int index, String id, OptimisticSensors optimisticSensors, CommandSink editor, Consumer<String> chosen) {
         this.id = id;
-        this.optimisticSensors = echoes;
+        this.optimisticSensors = optimisticSensors;
         this.editor = editor;
         badge = new SensorBadge(index);
         range = new NumberSpinner(
@@ -58,7 +58,7 @@ final class SensorRow {
         return optimisticSensors.spec(id);
     }
 
-    /** A row is chosen by its number, or by going to one of its controls. */
+    /** Selects the row on a click on its badge, or when one of its controls gains the focus. */
     private void installSelectionListeners(Runnable chosen) {
         badge.addMouseListener(new MouseAdapter() {
             @Override
@@ -77,7 +77,7 @@ final class SensorRow {
         cone.textField().addFocusListener(focus);
     }
 
-    /** Where the row is in its grid. */
+    /** Returns the bounds of the row in its grid. */
     Rectangle bounds() {
         return enabledBox
                 .getBounds()
@@ -96,7 +96,7 @@ final class SensorRow {
         enabledBox.addActionListener(event -> setSensorOn(enabledBox.isSelected()));
     }
 
-    /** Puts the controls into a row of a grid. */
+    /** Adds the controls to a row of a grid. */
     void addTo(JPanel grid, int row) {
         grid.add(badge, FormConstraints.centredCell(0, row));
         grid.add(enabledBox, FormConstraints.fillCell(1, row));
@@ -111,16 +111,16 @@ final class SensorRow {
         editor.send(new Command.SwitchSensor(id, on));
     }
 
-    private void configureSensor(SensorSpec wanted) {
-        editor.send(new Command.ConfigureSensor(optimisticSensors.request(wanted)));
+    private void configureSensor(SensorSpec requested) {
+        editor.send(new Command.ConfigureSensor(optimisticSensors.request(requested)));
     }
 
-    /** Switches the sensor the other way. */
+    /** Switches the sensor on or off. */
     void toggle() {
         setSensorOn(!spec().on());
     }
 
-    /** Shows how the sensor is now. */
+    /** Shows the current state of the sensor. */
     void setSnapshot(SensorSnapshot snapshot) {
         SensorSpec shown = spec();
         if (enabledBox.isSelected() != shown.on()) {

@@ -16,7 +16,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
 
-/** A row of controls for every sensor of the robot. */
+/** The controls of all sensors, one row each. */
 public final class SensorsPanel extends JPanel {
 
     private static final int SELECTION_MARGIN = 2;
@@ -30,22 +30,18 @@ public final class SensorsPanel extends JPanel {
     private transient Optional<String> selected = Optional.empty();
 
     /**
-     * Without sensors at first.
+     * Creates a panel without sensors.
      *
-     * @param echoes what was asked of each sensor
-     * @param editor where switching and tuning goes
+     * @param optimisticSensors the requested settings of the sensors
+     * @param editor receives the changes
      */
-    SensorsPanel(OptimisticSensors echoes, CommandSink editor) {
+    SensorsPanel(OptimisticSensors optimisticSensors, CommandSink editor) {
         super(new GridBagLayout());
-        this.optimisticSensors = echoes;
+        this.optimisticSensors = optimisticSensors;
         this.editor = editor;
     }
 
-    /**
-     * Shows how the sensors are now.
-     *
-     * @param sensors in the robot's order
-     */
+    /** Shows the current state of the sensors, in the robot's order. */
     public void setSensors(List<SensorSnapshot> sensors) {
         assert EventQueue.isDispatchThread();
         List<String> now = sensors.stream().map(sensor -> sensor.spec().id()).toList();
@@ -59,9 +55,9 @@ public final class SensorsPanel extends JPanel {
     }
 
     /**
-     * Switches a sensor the other way.
+     * Switches a sensor on or off.
      *
-     * @param index its place in the robot's order, from 0; nothing happens where there is none
+     * @param index the index of the sensor in the robot's order; ignored if there is no such sensor
      */
     public void toggle(int index) {
         assert EventQueue.isDispatchThread();
@@ -71,9 +67,9 @@ public final class SensorsPanel extends JPanel {
     }
 
     /**
-     * Marks the row of a sensor.
+     * Highlights the row of a sensor.
      *
-     * @param sensor its id, empty for none
+     * @param sensor the id of the sensor, empty for none
      */
     public void selectSensor(Optional<String> sensor) {
         assert EventQueue.isDispatchThread();
@@ -85,16 +81,15 @@ public final class SensorsPanel extends JPanel {
     }
 
     /**
-     * Tells a listener, from now on, when the user chooses a row: by a click on its number, or by going to one of its
-     * controls.
+     * Adds a listener for rows selected by the user, by a click on the badge or by moving the focus.
      *
-     * @param listener gets the sensor's id
+     * @param listener receives the id of the sensor
      */
     public void addSelectionListener(Consumer<Optional<String>> listener) {
         listeners.add(listener);
     }
 
-    /** Marks the row of a sensor and tells the listeners. */
+    /** Highlights the row of a sensor and notifies the listeners. */
     void selectByUser(Optional<String> sensor) {
         selectSensor(sensor);
         listeners.forEach(listener -> listener.accept(selected));

@@ -8,7 +8,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
-/** A part of the control panel under a heading. */
+/** A section of the control panel with a heading. */
 final class TitledSection extends JPanel {
 
     TitledSection(String title, JComponent content) {

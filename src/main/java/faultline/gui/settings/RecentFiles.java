@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** The files that were open last, newest first. */
+/** The files opened most recently, newest first. */
 public final class RecentFiles {
 
     private static final String PREFERENCE_KEY = "recent";
     private static final int MAX_FILES = 8;
-    /** As long as a text in the preferences may be. */
+    /** The longest value that a preference may have. */
     private static final int MAX_TEXT_LENGTH = 8192;
 
     private final PreferenceStore store;
@@ -21,7 +21,7 @@ public final class RecentFiles {
         this.store = store;
     }
 
-    /** The files, newest first; whether they are still there is found out when one is opened. */
+    /** Returns the files, newest first; they may no longer exist. */
     public List<Path> files() {
         return store.get(PREFERENCE_KEY).lines().flatMap(RecentFiles::parsePath).toList();
     }
@@ -50,7 +50,7 @@ public final class RecentFiles {
         store(List.of());
     }
 
-    /** Keeps as many of the newest as the preferences have room for. */
+    /** Stores as many of the newest files as the preferences have room for. */
     private void store(List<Path> files) {
         String lines = files.stream().map(Path::toString).collect(Collectors.joining("\n"));
         if (lines.length() > MAX_TEXT_LENGTH) {

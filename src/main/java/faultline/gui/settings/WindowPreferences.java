@@ -11,14 +11,13 @@ import java.util.prefs.Preferences;
 import java.util.stream.Stream;
 
 /**
- * What is remembered of the window from one day to the next. Where the machine keeps no preferences, nothing is, and
- * nothing else changes.
+ * The preferences of the window. If the system has no preference store, nothing is remembered and nothing else changes.
  */
 public final class WindowPreferences {
 
     /**
-     * The platform's own messages about preferences are of no use to a user; held here, or the level would be
-     * forgotten.
+     * The platform's messages about preferences are of no use to a user. Held in a field, because a logger that is
+     * garbage collected loses its level.
      */
     private static final Logger PREFERENCES_LOG = Logger.getLogger("java.util.prefs");
 
@@ -37,12 +36,12 @@ public final class WindowPreferences {
 
     private final PreferenceStore store;
 
-    /** Keeps texts by key. */
+    /** A store of texts by key. */
     public interface PreferenceStore {
-        /** The text of a key, empty where there is none. */
+        /** Returns the text of a key, or an empty text if there is none. */
         String get(String key);
 
-        /** Keeps a text. */
+        /** Stores a text. */
         void put(String key, String text);
     }
 
@@ -50,11 +49,7 @@ public final class WindowPreferences {
         this.store = store;
     }
 
-    /**
-     * The memory of this user.
-     *
-     * @return the user's preferences, or nothing where there are none
-     */
+    /** Returns the preferences of the current user; they forget everything if the system has no preference store. */
     public static WindowPreferences forCurrentUser() {
         PREFERENCES_LOG.setLevel(Level.OFF);
         try {
@@ -75,11 +70,7 @@ public final class WindowPreferences {
         }
     }
 
-    /**
-     * A memory that forgets.
-     *
-     * @return remembers nothing
-     */
+    /** Returns preferences that forget everything. */
     public static WindowPreferences nonPersistent() {
         return new WindowPreferences(new PreferenceStore() {
             @Override
@@ -89,16 +80,12 @@ public final class WindowPreferences {
 
             @Override
             public void put(String key, String text) {
-                // Forgotten.
+                // Not stored.
             }
         });
     }
 
-    /**
-     * The theme that was chosen last.
-     *
-     * @return light where none was
-     */
+    /** Returns the chosen theme, light by default. */
     public Theme theme() {
         return store.get(THEME).equals(Theme.DARK.name()) ? Theme.DARK : Theme.LIGHT;
     }
@@ -107,11 +94,7 @@ public final class WindowPreferences {
         store.put(THEME, theme.name());
     }
 
-    /**
-     * The language that was chosen.
-     *
-     * @return English where none was
-     */
+    /** Returns the chosen language, English by default. */
     public Language language() {
         return readEnum(LANGUAGE, Language.class, Language.ENGLISH);
     }
@@ -120,11 +103,7 @@ public final class WindowPreferences {
         store.put(LANGUAGE, language.name());
     }
 
-    /**
-     * The size of texts that was chosen.
-     *
-     * @return normal where none was
-     */
+    /** Returns the chosen text size, normal by default. */
     public TextSize textSize() {
         return readEnum(TEXT_SIZE, TextSize.class, TextSize.NORMAL);
     }
@@ -141,11 +120,7 @@ public final class WindowPreferences {
                 .orElse(otherwise);
     }
 
-    /**
-     * Whether the examples show at start.
-     *
-     * @return true until the user has said no
-     */
+    /** Returns whether the gallery is shown at start, true by default. */
     public boolean isGalleryShownAtStart() {
         return !store.get(GALLERY).equals(HIDDEN);
     }
@@ -154,12 +129,12 @@ public final class WindowPreferences {
         store.put(GALLERY, shown ? "" : HIDDEN);
     }
 
-    /** Whether places snap to the grid. */
+    /** Returns whether positions snap to the grid. */
     public boolean isGridSnapped() {
         return Boolean.parseBoolean(store.get(SNAP_GRID));
     }
 
-    /** Whether headings snap. */
+    /** Returns whether headings snap. */
     public boolean isAngleSnapped() {
         return Boolean.parseBoolean(store.get(SNAP_ANGLE));
     }
@@ -173,7 +148,7 @@ public final class WindowPreferences {
         return new RecentFiles(store);
     }
 
-    /** Where the window was, empty where nobody knows. */
+    /** Returns the bounds of the window, or empty if they are not known. */
     public Optional<Rectangle> bounds() {
         String[] numbers = store.get(BOUNDS).split(" ");
         try {
@@ -193,7 +168,7 @@ public final class WindowPreferences {
         store.put(BOUNDS, bounds.x + " " + bounds.y + " " + bounds.width + " " + bounds.height);
     }
 
-    /** How wide the control panel was, pixels, empty where nobody knows. */
+    /** Returns the width of the control panel in pixels, or empty if it is not known. */
     public Optional<Integer> panelWidth() {
         return readPixels(DIVIDER);
     }
@@ -202,17 +177,17 @@ public final class WindowPreferences {
         store.put(DIVIDER, Integer.toString(width));
     }
 
-    /** How high the instruments were, pixels, empty where nobody knows. */
+    /** Returns the height of the instruments in pixels, or empty if it is not known. */
     public Optional<Integer> dockHeight() {
         return readPixels(DOCK);
     }
 
-    /** How wide the strip chart was, pixels, empty where nobody knows. */
+    /** Returns the width of the strip chart in pixels, or empty if it is not known. */
     public Optional<Integer> chartWidth() {
         return readPixels(CHART);
     }
 
-    /** Whether the instruments show. */
+    /** Returns whether the instruments are visible. */
     public boolean isDockShown() {
         return !Boolean.parseBoolean(store.get(DOCK_HIDDEN));
     }

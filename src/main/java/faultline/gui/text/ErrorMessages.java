@@ -9,61 +9,63 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletionException;
 
-/** Why something could not be done, as a phrase for people and never a trace. */
+/** Describes exceptions to users. */
 public final class ErrorMessages {
 
     private ErrorMessages() {}
 
     /**
-     * What an exception says.
+     * Describes an exception.
      *
-     * @param why the exception
-     * @return a phrase without a stop, in the user's language as far as it is known there
+     * @param exception the exception
+     * @return a phrase without a full stop, in the user's language if the message is known
      */
-    public static String describe(Throwable why) {
-        if (why.getCause() != null && (why instanceof CompletionException || why instanceof UncheckedIOException)) {
-            return describe(why.getCause());
+    public static String describe(Throwable exception) {
+        if (exception.getCause() != null
+                && (exception instanceof CompletionException || exception instanceof UncheckedIOException)) {
+            return describe(exception.getCause());
         }
-        if (why instanceof ScenarioException bad) {
+        if (exception instanceof ScenarioException bad) {
             return MessageTranslator.translate(bad.problems().get(0).message());
         }
-        if (why instanceof OutOfMemoryError) {
+        if (exception instanceof OutOfMemoryError) {
             return Messages.get("reason.memory");
         }
-        if (why instanceof FileSystemException file) {
+        if (exception instanceof FileSystemException file) {
             return describeFileError(file);
         }
-        return Optional.ofNullable(why.getMessage())
+        return Optional.ofNullable(exception.getMessage())
                 .filter(message -> !message.isBlank())
                 .map(MessageTranslator::translate)
-                .orElseGet(() -> Messages.get("reason.inside", why.getClass().getSimpleName()));
+                .orElseGet(
+                        () -> Messages.get("reason.inside", exception.getClass().getSimpleName()));
     }
 
     /**
-     * What an exception says about a file whose name the user is told anyhow.
+     * Describes an exception about a file whose name the user already knows.
      *
-     * @param why the exception
-     * @param file that may be named before the reason
+     * @param exception the exception
+     * @param file a name that may precede the reason
      * @return the phrase without the name
      */
-    public static String describe(Throwable why, Path file) {
-        String named = file + ": ";
-        boolean plain = !(why instanceof ScenarioException || why instanceof FileSystemException);
-        return Optional.ofNullable(why.getMessage())
-                .filter(text -> plain && text.startsWith(named))
-                .map(text -> MessageTranslator.translate(text.substring(named.length())))
-                .orElseGet(() -> describe(why));
+    public static String describe(Throwable exception, Path file) {
+        String prefix = file + ": ";
+        boolean stripPrefix = !(exception instanceof ScenarioException || exception instanceof FileSystemException);
+        return Optional.ofNullable(exception.getMessage())
+                .filter(text -> stripPrefix && text.startsWith(prefix))
+                .map(text -> MessageTranslator.translate(text.substring(prefix.length())))
+                .orElseGet(() -> describe(exception));
     }
 
-    /** The system names the file, and often nothing else. */
-    private static String describeFileError(FileSystemException why) {
-        if (why instanceof AccessDeniedException) {
+    /** Describes a file system error, whose message is often only the file's name. */
+    private static String describeFileError(FileSystemException exception) {
+        if (exception instanceof AccessDeniedException) {
             return Messages.get("reason.denied");
         }
-        if (why instanceof NoSuchFileException) {
+        if (exception instanceof NoSuchFileException) {
             return Messages.get("reason.noFile");
         }
-        return Optional.ofNullable(why.getReason())
+        return Optional.ofNullable(exception.getReason())
                 .filter(reason -> !reason.isBlank())
                 .orElseGet(() -> Messages.get("reason.disk"));
     }

@@ -2,11 +2,11 @@ package faultline.gui.text;
 
 import java.util.Locale;
 
-/** The languages that the window speaks. It speaks English until another is chosen, whatever the machine speaks. */
+/** The languages of the window. English is the default, whatever the system's language. */
 public enum Language {
     /** English. */
     ENGLISH(Locale.ROOT),
-    /** Polish, the language of the paper's home. */
+    /** Polish. */
     POLISH(new Locale("pl"));
 
     private final Locale locale;
@@ -15,11 +15,7 @@ public enum Language {
         this.locale = locale;
     }
 
-    /**
-     * For the names of resources.
-     *
-     * @return the root for English
-     */
+    /** Returns the locale of the resource bundles, {@link Locale#ROOT} for English. */
     public Locale locale() {
         return locale;
     }

@@ -18,7 +18,7 @@ public final class MessageTranslator {
 
     private static final Pattern PLACEHOLDER = Pattern.compile("([\"<]?)\\{(\\d)}");
 
-    /** Those that say most come first, because others would take their words for what fills a gap. */
+    /** Longest literal text first, because the text of a longer message may match an argument of a shorter one. */
     private static final List<MessagePattern> PATTERNS = Messages.keys(Language.ENGLISH)
             .filter(key -> KEY_PREFIXES.stream().anyMatch(key::startsWith))
             .map(MessagePattern::of)
@@ -30,14 +30,13 @@ public final class MessageTranslator {
     private MessageTranslator() {}
 
     /**
-     * A text that is known by its wording.
+     * A message that is recognised by its text.
      *
-     * @param key of the text
-     * @param pattern with a group for each gap
-     * @param groupIndexes which gap each group is
-     * @param verbatim whether each group is somebody's own words or a name, as those in quotes and angle brackets are:
-     *     never translated
-     * @param literalLength how many letters are not in gaps
+     * @param key the key of the message
+     * @param pattern the text, with a group for each placeholder
+     * @param groupIndexes the placeholder index of each group
+     * @param verbatim whether each group is quoted or a name, and therefore not translated
+     * @param literalLength the number of characters outside placeholders
      */
     private record MessagePattern(
             String key, Pattern pattern, List<Integer> groupIndexes, List<Boolean> verbatim, int literalLength) {
@@ -50,7 +49,7 @@ public final class MessageTranslator {
             Matcher gap = PLACEHOLDER.matcher(text);
             int end = 0;
             for (; gap.find(); end = gap.end()) {
-                // Somebody's own words may hold what follows them; what we say after them does not.
+                // A quoted value may contain the text that follows it; other values do not.
                 pattern.append(Pattern.quote(text.substring(end, gap.end(1))))
                         .append(gap.group(1).equals("\"") ? "(.*)" : "(.*?)");
                 gaps.add(Integer.valueOf(gap.group(2)));
@@ -72,20 +71,20 @@ public final class MessageTranslator {
     }
 
     /**
-     * A sentence for people.
+     * Translates a sentence.
      *
-     * @param said as a floor below says it
-     * @return the same in the user's language; one of another wording as it is
+     * @param sentence the English sentence
+     * @return the sentence in the user's language, or unchanged if it is not known
      */
-    public static String translate(String said) {
+    public static String translate(String sentence) {
         return PATTERNS.stream()
-                .flatMap(known -> translateIfMatching(known, said))
+                .flatMap(known -> translateIfMatching(known, sentence))
                 .findFirst()
-                .orElse(said);
+                .orElse(sentence);
     }
 
-    private static Stream<String> translateIfMatching(MessagePattern known, String said) {
-        Matcher match = known.pattern().matcher(said);
+    private static Stream<String> translateIfMatching(MessagePattern known, String sentence) {
+        Matcher match = known.pattern().matcher(sentence);
         return match.matches() ? Stream.of(known.translateMatch(match)) : Stream.empty();
     }
 }

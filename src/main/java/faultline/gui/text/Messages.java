@@ -10,7 +10,7 @@ import java.util.MissingResourceException;
 import java.util.ResourceBundle;
 import java.util.stream.Stream;
 
-/** The texts that users see. Numbers in them are written before they get here, so that no locale changes them. */
+/** The texts of the user interface. Numbers are formatted by the caller, so that no locale changes them. */
 public final class Messages {
 
     private static final String MESSAGES_BUNDLE = "Messages";
@@ -28,11 +28,7 @@ public final class Messages {
                 ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
     }
 
-    /**
-     * Chooses the language of all texts that are asked for from now on.
-     *
-     * @param chosen the language
-     */
+    /** Sets the language of all texts that are requested afterwards. */
     public static void setLanguage(Language chosen) {
         language = chosen;
         bundle = bundle(MESSAGES_BUNDLE, chosen);
@@ -42,22 +38,17 @@ public final class Messages {
         return keys(language);
     }
 
-    /** The keys of all texts in a language, in order. */
+    /** Returns the keys of all texts in a language, sorted. */
     static Stream<String> keys(Language of) {
         return bundle(MESSAGES_BUNDLE, of).keySet().stream().sorted();
     }
 
-    /** The text of a key in a language, whichever is spoken. */
+    /** Returns the text of a key in a given language. */
     static String get(Language of, String key) {
         return bundle(MESSAGES_BUNDLE, of).getString(key);
     }
 
-    /**
-     * A page of more than a few words.
-     *
-     * @param name of the page
-     * @return HTML
-     */
+    /** Loads an HTML page in the current language. */
     public static String loadPage(String name) {
         String file = name
                 + (language == Language.ENGLISH ? "" : "_" + language.locale().getLanguage()) + ".html";
@@ -72,46 +63,30 @@ public final class Messages {
     }
 
     /**
-     * The text of a key.
+     * Returns the text of a key.
      *
-     * @param key as in the properties file
-     * @return the text
-     * @throws java.util.MissingResourceException if there is none
+     * @throws MissingResourceException if there is none
      */
     public static String get(String key) {
         return bundle.getString(key);
     }
 
     /**
-     * The text of a key with its gaps filled.
+     * Returns the text of a key with its placeholders replaced.
      *
-     * @param key as in the properties file, whose text has gaps {0}, {1} and so on
-     * @param values what goes there
-     * @return the text
-     * @throws java.util.MissingResourceException if there is none
+     * @throws MissingResourceException if there is none
      */
     public static String get(String key, String... values) {
         return new MessageFormat(get(key), Locale.ROOT).format(values);
     }
 
-    /**
-     * What is said of an example, in the user's language.
-     *
-     * @param key as in the examples' properties file
-     * @param own what the example says itself
-     * @return the text of the key, or what it says itself where there is none
-     */
+    /** Returns the text of a key of the examples' bundle, or the example's own text if there is none. */
     public static String exampleText(String key, String own) {
         ResourceBundle examples = bundle(EXAMPLES_BUNDLE, language);
         return examples.containsKey(key) ? examples.getString(key) : own;
     }
 
-    /**
-     * Whether there is a text.
-     *
-     * @param key as in the properties file
-     * @return true where there is
-     */
+    /** Returns whether there is a text for a key. */
     public static boolean contains(String key) {
         return bundle.containsKey(key);
     }

@@ -2,14 +2,14 @@ package faultline.gui.text;
 
 import javax.swing.UIManager;
 
-/** Puts our words in the place of those that Swing's own dialogs would take from the machine's language. */
+/** Replaces the texts of Swing's own dialogs, which would follow the system's language. */
 public final class SwingMessages {
 
     private static final String PREFIX = "swing.";
 
     private SwingMessages() {}
 
-    /** Installs every text whose key begins with {@code swing.}, for dialogs made from now on. */
+    /** Installs every text whose key begins with {@code swing.} for dialogs created afterwards. */
     public static void install() {
         Messages.keys()
                 .filter(key -> key.startsWith(PREFIX))

@@ -1,2 +1,2 @@
-/** The texts of the window, by key; in English, and in whatever other language has a file beside it. */
+/** The texts of the user interface by key, in English and in every language that has a properties file. */
 package faultline.gui.text;

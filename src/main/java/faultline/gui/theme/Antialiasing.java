@@ -9,7 +9,7 @@ import java.awt.Stroke;
 import java.awt.geom.RoundRectangle2D;
 import java.util.function.Consumer;
 
-/** Painting with smooth edges. */
+/** Antialiased painting. */
 public final class Antialiasing {
 
     /** The diameter of the corners of buttons and fields, pixels. */
@@ -18,10 +18,10 @@ public final class Antialiasing {
     private Antialiasing() {}
 
     /**
-     * Paints on a graphics of its own, so that no hint or stroke leaks to other painters.
+     * Paints on a copy of the graphics, so that changes to it do not affect other painters.
      *
-     * @param graphics where to
-     * @param painting what to paint
+     * @param graphics the target
+     * @param painting the painting
      */
     public static void paint(Graphics graphics, Consumer<Graphics2D> painting) {
         Graphics2D own = (Graphics2D) graphics.create();
@@ -36,24 +36,16 @@ public final class Antialiasing {
     }
 
     /**
-     * A rectangle with round corners whose one-pixel outline falls on whole pixels.
+     * Returns a rounded rectangle whose one-pixel outline is aligned with the pixel grid. Its size includes the
+     * outline.
      *
-     * @param x left edge
-     * @param y upper edge
-     * @param width the outline included
-     * @param height the outline included
-     * @return the middle of the outline
+     * @return the centre line of the outline
      */
     public static Shape roundedRectangle(double x, double y, double width, double height) {
         return new RoundRectangle2D.Double(x + 0.5, y + 0.5, width - 1, height - 1, CORNER_DIAMETER, CORNER_DIAMETER);
     }
 
-    /**
-     * A line with round ends and joins.
-     *
-     * @param width pixels
-     * @return the stroke
-     */
+    /** Returns a stroke with round caps and joins. */
     public static Stroke roundStroke(double width) {
         return new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     }

@@ -6,7 +6,7 @@ import java.awt.geom.Path2D;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 
-/** The small arrow of spinners and combo boxes. */
+/** The small arrow button of spinners and combo boxes. */
 final class ArrowButton extends JButton {
 
     private final int down;

@@ -8,22 +8,17 @@ import javax.swing.AbstractButton;
 import javax.swing.ButtonModel;
 import javax.swing.JToolBar;
 
-/** What a button of either kind looks like behind its text and icon. */
+/** Paints the background of buttons. */
 public final class ButtonPainter {
 
-    /** The client property of the one button that stands out in the accent. */
+    /** The client property of a button in the accent colour. */
     public static final String PRIMARY = "faultline.primary";
 
     private static final int SELECTED_ALPHA = 50;
 
     private ButtonPainter() {}
 
-    /**
-     * Whether a button is the one that stands out.
-     *
-     * @param button any button
-     * @return true where its property says so
-     */
+    /** Returns whether a button has the property {@link #PRIMARY}. */
     static boolean isPrimary(AbstractButton button) {
         return Boolean.TRUE.equals(button.getClientProperty(PRIMARY));
     }

@@ -10,7 +10,7 @@ import javax.swing.AbstractButton;
 import javax.swing.Icon;
 import javax.swing.plaf.UIResource;
 
-/** The box of check boxes, ticked or empty. */
+/** The box of a check box. */
 final class CheckBoxIcon implements Icon, UIResource {
 
     private static final int SIZE = 16;

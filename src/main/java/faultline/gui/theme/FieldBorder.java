@@ -14,15 +14,15 @@ import javax.swing.JSpinner;
 import javax.swing.border.AbstractBorder;
 
 /**
- * The round outline of a field: in the accent while the focus is inside, in the warning colour while what is typed
- * cannot be taken.
+ * The rounded outline of a field, in the accent colour if the focus is inside, in the warning colour if the text is
+ * invalid.
  */
 final class FieldBorder extends AbstractBorder {
 
     private final int vertical;
     private final int horizontal;
 
-    /** A border with room inside, pixels above and below, and at either side. */
+    /** Creates a border with vertical and horizontal padding in pixels. */
     FieldBorder(int vertical, int horizontal) {
         this.vertical = vertical;
         this.horizontal = horizontal;

@@ -10,12 +10,7 @@ import javax.swing.plaf.basic.BasicButtonUI;
 /** A flat button. */
 public final class FlatButtonUI extends BasicButtonUI {
 
-    /**
-     * Made by Swing for a component.
-     *
-     * @param component a button
-     * @return a delegate
-     */
+    /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
         return new FlatButtonUI();
     }
@@ -38,12 +33,12 @@ public final class FlatButtonUI extends BasicButtonUI {
 
     @Override
     protected void paintButtonPressed(Graphics graphics, AbstractButton button) {
-        // The face shows it.
+        // The background shows the pressed state.
     }
 
     @Override
     protected void paintFocus(
             Graphics graphics, AbstractButton button, Rectangle view, Rectangle text, Rectangle icon) {
-        // The face shows it.
+        // The background shows the focus.
     }
 }

@@ -4,15 +4,10 @@ import javax.swing.JComponent;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicCheckBoxMenuItemUI;
 
-/** A menu item with a tick, and with room between its name and its keys. */
+/** A check box menu item with a gap between its name and its accelerator. */
 public final class FlatCheckBoxMenuItemUI extends BasicCheckBoxMenuItemUI {
 
-    /**
-     * Made by Swing for a component.
-     *
-     * @param component a menu item with a tick
-     * @return a delegate
-     */
+    /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
         return new FlatCheckBoxMenuItemUI();
     }

@@ -8,17 +8,12 @@ import javax.swing.JComponent;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicComboBoxUI;
 
-/** A flat combo box: one outline round value and arrow. */
+/** A flat combo box: value and arrow share one outline. */
 public final class FlatComboBoxUI extends BasicComboBoxUI {
 
     private static final int INDENT = 4;
 
-    /**
-     * Made by Swing for a component.
-     *
-     * @param component a combo box
-     * @return a delegate
-     */
+    /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
         return new FlatComboBoxUI();
     }
@@ -28,9 +23,7 @@ public final class FlatComboBoxUI extends BasicComboBoxUI {
         return ArrowButton.down();
     }
 
-    /**
-     * Only the box itself takes the focus: the arrow would be a second stop on the way of the Tab key, without a name.
-     */
+    /** Makes the arrow not focusable; it would be a second tab stop without a name. */
     @Override
     public void configureArrowButton() {
         super.configureArrowButton();

@@ -11,7 +11,7 @@ import javax.swing.border.MatteBorder;
 import javax.swing.plaf.BorderUIResource;
 import javax.swing.plaf.InsetsUIResource;
 
-/** The table of defaults that turns Metal flat. */
+/** The UI defaults that make Metal flat. */
 final class FlatDefaults {
 
     private final ThemeColours colours;

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 
-/** Our icons in the places where file choosers and message boxes look for theirs. */
+/** The icons of file choosers and option panes. */
 final class FlatIcons {
 
     private static final int LIST_ICON_SIZE = 16;

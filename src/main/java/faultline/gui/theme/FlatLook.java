@@ -9,10 +9,10 @@ import javax.swing.UnsupportedLookAndFeelException;
 import javax.swing.plaf.FontUIResource;
 import javax.swing.plaf.metal.MetalLookAndFeel;
 
-/** Puts the flat look on top of Metal. */
+/** Installs the flat look on top of Metal. */
 final class FlatLook {
 
-    /** Each control whose painting is ours, and who paints it. */
+    /** The UI delegates. */
     private static final List<Class<?>> DELEGATES = List.of(
             FlatButtonUI.class,
             FlatToggleButtonUI.class,
@@ -48,15 +48,14 @@ final class FlatLook {
     }
 
     /**
-     * A delegate FlatXyzUI paints what Swing knows as XyzUI; the class under its own name spares Swing the search by
-     * class loader.
+     * Registers a delegate FlatXyzUI for XyzUI; the entry under the class name spares Swing a lookup by class loader.
      */
     private static void register(UIDefaults defaults, Class<?> delegate) {
         defaults.put(delegate.getSimpleName().substring("Flat".length()), delegate.getName());
         defaults.put(delegate.getName(), delegate);
     }
 
-    /** Where the desktop says nothing of text edges, they are smooth. */
+    /** Enables text antialiasing if the desktop does not specify it. */
     private static void enableTextAntialiasing(UIDefaults defaults) {
         if (Toolkit.getDefaultToolkit().getDesktopProperty("awt.font.desktophints") == null) {
             defaults.put(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);

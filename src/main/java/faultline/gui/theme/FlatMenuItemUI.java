@@ -4,18 +4,13 @@ import javax.swing.JComponent;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicMenuItemUI;
 
-/** A menu item with room between its name and its keys. */
+/** A menu item with a gap between its name and its accelerator. */
 public final class FlatMenuItemUI extends BasicMenuItemUI {
 
-    /** Between the longest name of a menu and the column of its keys, and before the names, in pixels. */
+    /** The gap between the longest name of a menu and the accelerators, and before the names, pixels. */
     static final int KEYS_GAP = 16;
 
-    /**
-     * Made by Swing for a component.
-     *
-     * @param component a menu item
-     * @return a delegate
-     */
+    /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
         return new FlatMenuItemUI();
     }

@@ -9,15 +9,10 @@ import javax.swing.JMenu;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicMenuUI;
 
-/** A menu whose name, inside another menu, stands in line with the items around it. */
+/** A menu; as a submenu, its name is aligned with the items around it. */
 public final class FlatMenuUI extends BasicMenuUI {
 
-    /**
-     * Made by Swing for a component.
-     *
-     * @param component a menu
-     * @return a delegate
-     */
+    /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
         return new FlatMenuUI();
     }
@@ -39,7 +34,7 @@ public final class FlatMenuUI extends BasicMenuUI {
         super.paintMenuItem(graphics, component, check, arrow, background, foreground, textIconGap(component, gap));
     }
 
-    /** On the menu bar there are no keys to stand clear of. */
+    /** Returns the gap of a submenu, or the usual one for a menu of the menu bar. */
     private static int textIconGap(JComponent component, int usual) {
         return ((JMenu) component).isTopLevelMenu() ? usual : FlatMenuItemUI.KEYS_GAP;
     }

@@ -6,7 +6,7 @@ import javax.swing.plaf.ColorUIResource;
 import javax.swing.plaf.FontUIResource;
 import javax.swing.plaf.metal.DefaultMetalTheme;
 
-/** Our colours and our one font in the places where Metal looks for its own. */
+/** The colours and the font of the flat look, as Metal requests them. */
 final class FlatMetalTheme extends DefaultMetalTheme {
 
     private final FontUIResource font = font();
@@ -17,7 +17,7 @@ final class FlatMetalTheme extends DefaultMetalTheme {
         this.colours = colours;
     }
 
-    /** Our font at the installed size. */
+    /** Returns the font at the installed text size. */
     static FontUIResource font() {
         return new FontUIResource(Font.SANS_SERIF, Font.PLAIN, TextSize.scaled(13));
     }

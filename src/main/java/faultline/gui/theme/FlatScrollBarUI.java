@@ -10,15 +10,10 @@ import javax.swing.JScrollBar;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicScrollBarUI;
 
-/** A flat scroll bar: a round thumb and no arrows. */
+/** A flat scroll bar: a rounded thumb without arrows. */
 public final class FlatScrollBarUI extends BasicScrollBarUI {
 
-    /**
-     * Made by Swing for a component.
-     *
-     * @param component a scroll bar
-     * @return a delegate
-     */
+    /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
         return new FlatScrollBarUI();
     }

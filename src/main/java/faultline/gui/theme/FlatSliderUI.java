@@ -13,10 +13,13 @@ import javax.swing.SwingUtilities;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicSliderUI;
 
-/** A flat slider: a thin track, filled up to a round thumb. A press on the track takes the thumb there and holds it. */
+/**
+ * A flat slider: a thin track, filled up to a round thumb. Pressing the track moves the thumb there and starts to drag
+ * it.
+ */
 public final class FlatSliderUI extends BasicSliderUI {
 
-    /** The key of a slider's property that holds a value to be marked on the track, an Integer. */
+    /** The client property that holds a value to be marked on the track, an Integer. */
     public static final String MARK_PROPERTY = "faultline.mark";
 
     private static final int MARK_SIZE = 5;
@@ -28,12 +31,7 @@ public final class FlatSliderUI extends BasicSliderUI {
         super(slider);
     }
 
-    /**
-     * Made by Swing for a component.
-     *
-     * @param component a slider
-     * @return a delegate
-     */
+    /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
         return new FlatSliderUI((JSlider) component);
     }
@@ -105,6 +103,6 @@ public final class FlatSliderUI extends BasicSliderUI {
 
     @Override
     public void paintFocus(Graphics graphics) {
-        // The thumb shows it.
+        // The thumb shows the focus.
     }
 }

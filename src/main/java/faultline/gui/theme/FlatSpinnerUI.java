@@ -11,10 +11,10 @@ import javax.swing.border.EmptyBorder;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicSpinnerUI;
 
-/** A flat spinner: one outline round text and arrows. */
+/** A flat spinner: text and arrows share one outline. */
 public final class FlatSpinnerUI extends BasicSpinnerUI {
 
-    /** A text field does not paint its surroundings when the focus comes or goes, but the outline shows the focus. */
+    /** Repaints the outline when the focus changes; a text field repaints only itself. */
     private final FocusListener repainter = new FocusListener() {
         @Override
         public void focusGained(FocusEvent event) {
@@ -27,12 +27,7 @@ public final class FlatSpinnerUI extends BasicSpinnerUI {
         }
     };
 
-    /**
-     * Made by Swing for a component.
-     *
-     * @param component a spinner
-     * @return a delegate
-     */
+    /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
         return new FlatSpinnerUI();
     }
@@ -66,7 +61,7 @@ public final class FlatSpinnerUI extends BasicSpinnerUI {
         flatten(after);
     }
 
-    /** The editor stays when another delegate takes over. */
+    /** Removes the listener from the editor, which remains when another delegate is installed. */
     @Override
     protected void uninstallListeners() {
         if (spinner.getEditor() instanceof JSpinner.DefaultEditor numbers) {

@@ -6,15 +6,10 @@ import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicSplitPaneDivider;
 import javax.swing.plaf.basic.BasicSplitPaneUI;
 
-/** A flat split pane: the divider is one line. */
+/** A flat split pane: the divider is a line. */
 public final class FlatSplitPaneUI extends BasicSplitPaneUI {
 
-    /**
-     * Made by Swing for a component.
-     *
-     * @param component a split pane
-     * @return a delegate
-     */
+    /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
         return new FlatSplitPaneUI();
     }

@@ -9,18 +9,13 @@ import javax.swing.JComponent;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicTabbedPaneUI;
 
-/** Flat tabs: the chosen one is underlined in the accent and bold. */
+/** Flat tabs: the selected one is bold and underlined in the accent colour. */
 public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
 
     private static final int UNDERLINE = 3;
     private static final Insets NONE = new Insets(0, 0, 0, 0);
 
-    /**
-     * Made by Swing for a component.
-     *
-     * @param component a tabbed pane
-     * @return a delegate
-     */
+    /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
         return new FlatTabbedPaneUI();
     }

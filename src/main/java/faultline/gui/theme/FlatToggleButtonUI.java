@@ -7,15 +7,10 @@ import javax.swing.JComponent;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicToggleButtonUI;
 
-/** A flat button that stays down. */
+/** A flat toggle button. */
 public final class FlatToggleButtonUI extends BasicToggleButtonUI {
 
-    /**
-     * Made by Swing for a component.
-     *
-     * @param component a button
-     * @return a delegate
-     */
+    /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
         return new FlatToggleButtonUI();
     }
@@ -38,12 +33,12 @@ public final class FlatToggleButtonUI extends BasicToggleButtonUI {
 
     @Override
     protected void paintButtonPressed(Graphics graphics, AbstractButton button) {
-        // The face shows it.
+        // The background shows the pressed state.
     }
 
     @Override
     protected void paintFocus(
             Graphics graphics, AbstractButton button, Rectangle view, Rectangle text, Rectangle icon) {
-        // The face shows it.
+        // The background shows the focus.
     }
 }

@@ -7,9 +7,7 @@ import java.awt.event.FocusEvent;
 import java.util.EnumSet;
 import java.util.Set;
 
-/**
- * A line round a component while it has the focus from the keyboard. Who has clicked on it knows where the focus is.
- */
+/** A line around a component that has gained the focus by keyboard. */
 public final class FocusRing extends FocusAdapter {
 
     private static final Set<FocusEvent.Cause> KEYBOARD_CAUSES = EnumSet.of(
@@ -23,9 +21,9 @@ public final class FocusRing extends FocusAdapter {
     private boolean shown;
 
     /**
-     * A ring that knows the focus of a component from now on.
+     * Creates a ring that observes the focus of a component.
      *
-     * @param component which is to call {@link #paint} after it has painted itself
+     * @param component the component, which must call {@link #paint} after it has painted itself
      */
     public FocusRing(Component component) {
         this.component = component;
@@ -47,11 +45,7 @@ public final class FocusRing extends FocusAdapter {
         component.repaint();
     }
 
-    /**
-     * Paints the ring where there is one.
-     *
-     * @param graphics of the component
-     */
+    /** Paints the ring if it is visible. */
     public void paint(Graphics graphics) {
         if (shown) {
             Antialiasing.paint(graphics, g -> {

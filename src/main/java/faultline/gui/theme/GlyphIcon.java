@@ -9,11 +9,11 @@ import javax.swing.Icon;
 import javax.swing.plaf.UIResource;
 
 /**
- * A glyph as an icon, sharp at any scale of the screen.
+ * A glyph as an icon, sharp at any screen scale.
  *
- * @param glyph the drawing
- * @param size width and height, pixels
- * @param colour which of the theme's colours, empty for that of the component's text
+ * @param glyph the shape
+ * @param size the width and height, pixels
+ * @param colour selects a colour of the theme, empty for the component's foreground
  */
 public record GlyphIcon(Glyph glyph, int size, Function<ThemeColours, Optional<Color>> colour)
         implements Icon, UIResource {

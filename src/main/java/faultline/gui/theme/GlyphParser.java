@@ -4,7 +4,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.util.Scanner;
 
-/** Reads the drawings of glyphs. */
+/** Parses the shapes of glyphs. */
 final class GlyphParser {
 
     private final Path2D path = new Path2D.Double();

@@ -5,10 +5,7 @@ import java.awt.Graphics;
 import java.awt.Insets;
 import javax.swing.border.AbstractBorder;
 
-/**
- * Room round a group of controls, and a ruling at one edge in the colour of the theme that is installed when it is
- * painted.
- */
+/** Padding around a group of controls, with a line at one edge in the colour of the current theme. */
 public final class SeparatorBorder extends AbstractBorder {
 
     private final boolean above;
@@ -19,26 +16,12 @@ public final class SeparatorBorder extends AbstractBorder {
         this.padding = room;
     }
 
-    /**
-     * A ruling along the upper edge.
-     *
-     * @param top room below the ruling, pixels
-     * @param side room at either side, pixels
-     * @param bottom room at the bottom, pixels
-     * @return the border
-     */
+    /** Returns a border with a line along the upper edge and the given padding in pixels. */
     public static SeparatorBorder above(int top, int side, int bottom) {
         return new SeparatorBorder(true, new Insets(top + 1, side, bottom, side));
     }
 
-    /**
-     * A ruling along the lower edge.
-     *
-     * @param top room at the top, pixels
-     * @param side room at either side, pixels
-     * @param bottom room above the ruling, pixels
-     * @return the border
-     */
+    /** Returns a border with a line along the lower edge and the given padding in pixels. */
     public static SeparatorBorder below(int top, int side, int bottom) {
         return new SeparatorBorder(false, new Insets(top, side, bottom + 1, side));
     }

@@ -4,15 +4,13 @@ import java.awt.Dimension;
 import java.awt.Font;
 import javax.swing.UIManager;
 
-/**
- * How large texts are. Whole screens are enlarged by whole numbers only on some systems; this is for what lies between.
- */
+/** The text sizes. Some systems scale the screen by whole numbers only; this allows sizes in between. */
 public enum TextSize {
-    /** As designed. */
+    /** The designed size. */
     NORMAL(100),
-    /** A quarter larger. */
+    /** 125 %. */
     LARGE(125),
-    /** Half as large again. */
+    /** 150 %. */
     LARGEST(150);
 
     private static final String DEFAULTS_KEY = "faultline.textSize";
@@ -24,60 +22,40 @@ public enum TextSize {
         this.percent = percent;
     }
 
-    /**
-     * The size that is installed.
-     *
-     * @return normal where none is
-     */
+    /** Returns the installed size, normal if none is. */
     public static TextSize current() {
         return UIManager.get(DEFAULTS_KEY) instanceof TextSize size ? size : NORMAL;
     }
 
-    /**
-     * A length that goes along with texts.
-     *
-     * @param pixels at the normal size
-     * @return pixels at the installed size
-     */
+    /** Scales a length in pixels with the text. */
     public static int scaled(int pixels) {
         return (int) Math.round(pixels * current().percent / FULL_PERCENT);
     }
 
-    /**
-     * A font of pictures' texts that goes along with all others.
-     *
-     * @param style of {@link Font}
-     * @param points at the normal size
-     * @return the sans serif font at the installed size
-     */
+    /** Returns the sans serif font for texts in images, scaled with all other texts. */
     public static Font scaledFont(int style, int points) {
         return new Font(Font.SANS_SERIF, style, scaled(points));
     }
 
     /**
-     * How much a picture with texts in it is enlarged: like all texts, but never so much that it has less room than it
-     * needs.
+     * Returns the scale of an image with text: that of the text, but limited so that the image fits.
      *
-     * @param width of the place for the picture, pixels
-     * @param height of the place for the picture, pixels
-     * @param least what the picture needs at the normal size
+     * @param width the available width, pixels
+     * @param height the available height, pixels
+     * @param minSize the size of the image at the normal text size
      * @return at least 1
      */
-    public static double imageScale(int width, int height, Dimension least) {
-        double room = Math.min((double) width / least.width, (double) height / least.height);
+    public static double imageScale(int width, int height, Dimension minSize) {
+        double room = Math.min((double) width / minSize.width, (double) height / minSize.height);
         return Math.max(1, Math.min(current().percent / FULL_PERCENT, room));
     }
 
-    /** Makes this the size of all texts of windows made from now on, once a theme is installed after it. */
+    /** Installs this size for windows created afterwards, once a theme is installed. */
     public void install() {
         UIManager.put(DEFAULTS_KEY, this);
     }
 
-    /**
-     * The size.
-     *
-     * @return percent of the normal one
-     */
+    /** Returns the size in percent of the normal one. */
     public int percent() {
         return percent;
     }

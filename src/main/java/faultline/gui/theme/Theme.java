@@ -3,7 +3,7 @@ package faultline.gui.theme;
 import faultline.paint.surface.Palette;
 import javax.swing.UIManager;
 
-/** Light or dark. */
+/** The light and the dark theme. */
 public enum Theme {
     /** Dark on light. */
     LIGHT(ThemeColours.LIGHT, Palette.LIGHT),
@@ -20,53 +20,36 @@ public enum Theme {
         this.palette = palette;
     }
 
-    /**
-     * The theme that is installed.
-     *
-     * @return light where none is
-     */
+    /** Returns the installed theme, light if none is. */
     public static Theme current() {
         return UIManager.get(DEFAULTS_KEY) instanceof Theme theme ? theme : LIGHT;
     }
 
     /**
-     * The colours of controls now. Painting asks anew each time, so that a switch of themes shows at once.
-     *
-     * @return the installed theme's
+     * Returns the control colours of the installed theme. Components request them whenever they paint, so that a change
+     * of the theme takes effect.
      */
     public static ThemeColours currentColours() {
         return current().colours;
     }
 
-    /** Makes this the theme of all components made or updated from now on. */
+    /** Installs this theme for all components created or updated afterwards. */
     public void install() {
         FlatLook.install(this);
         UIManager.put(DEFAULTS_KEY, this);
     }
 
-    /**
-     * The colours of controls.
-     *
-     * @return this theme's
-     */
+    /** Returns the colours of controls. */
     public ThemeColours colours() {
         return colours;
     }
 
-    /**
-     * The colours of the canvas.
-     *
-     * @return this theme's
-     */
+    /** Returns the colours of the canvas. */
     public Palette palette() {
         return palette;
     }
 
-    /**
-     * The other theme.
-     *
-     * @return dark for light, light for dark
-     */
+    /** Returns the other theme. */
     public Theme opposite() {
         return this == LIGHT ? DARK : LIGHT;
     }

@@ -4,20 +4,20 @@ import java.awt.Color;
 import javax.swing.plaf.ColorUIResource;
 
 /**
- * The colours of controls. Text stands out from all grounds at 4.5:1 at least, and what shows where a control is or how
- * it stands at 3:1, by the WCAG's contrast ratio; rulings between groups carry no meaning and are paler.
+ * The colours of controls. Text has a contrast ratio of at least 4.5:1 on all backgrounds, and the outlines and states
+ * of controls at least 3:1, as defined by WCAG; separators carry no meaning and have less.
  *
- * @param background of windows, bars and panels
- * @param field ground of what can be typed in or chosen from
- * @param text texts
- * @param muted units, headings of columns, values that do not apply
- * @param line rulings between groups
+ * @param background the background of windows, bars and panels
+ * @param field the background of fields and lists
+ * @param text text
+ * @param muted units, column headings and values that do not apply
+ * @param line separators
  * @param border outlines of fields, boxes and tracks
- * @param accent what is chosen, focused or measured
- * @param onAccent texts and icons on the accent
- * @param hover ground of a control under the mouse
- * @param pressed ground of a control that is held down
- * @param warning icons and outlines of what is wrong
+ * @param accent selected, focused and measured items
+ * @param onAccent text and icons on the accent colour
+ * @param hover the background of a control under the cursor
+ * @param pressed the background of a pressed control
+ * @param warning warning icons and outlines
  */
 public record ThemeColours(
         Color background,
@@ -58,18 +58,12 @@ public record ThemeColours(
             rgb(0x363D48),
             rgb(0xFF7B6E));
 
-    /** Resources, so that components exchange them for another theme's. */
+    /** Returns a UI resource, so that components replace it with the colour of another theme. */
     private static Color rgb(int rgb) {
         return new ColorUIResource(rgb);
     }
 
-    /**
-     * A colour made translucent.
-     *
-     * @param colour the colour
-     * @param alpha from 0, invisible, to 255, opaque
-     * @return the same colour otherwise
-     */
+    /** Returns a translucent colour; alpha ranges from 0, transparent, to 255, opaque. */
     public static Color translucent(Color colour, int alpha) {
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);
     }

@@ -1,6 +1,6 @@
 /**
- * The flat look of the window, light and dark: Metal with a theme, a table of defaults and a small delegate for each
- * control that Metal draws differently; and icons that are drawn, not loaded. Event dispatch thread only. Nothing here
- * knows what a simulation is, but for the palette of the canvas that belongs to each theme.
+ * The flat look of the window, light and dark: Metal with a theme, UI defaults, and a small delegate for each control
+ * that looks different; and vector icons. Event dispatch thread only. Nothing here depends on the simulation, except
+ * for the canvas palette of each theme.
  */
 package faultline.gui.theme;

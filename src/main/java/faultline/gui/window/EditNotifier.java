@@ -7,17 +7,17 @@ import faultline.gui.edit.EditListener;
 import faultline.gui.text.Messages;
 import java.util.function.Consumer;
 
-/** Tells the user what else an edit means for the run. */
+/** Reports the effects of an edit on the run. */
 final class EditNotifier implements EditListener {
 
     private final RunController runController;
     private final ActionRegistry actions;
     private final Consumer<String> notifier;
 
-    EditNotifier(RunController run, ActionRegistry actions, Consumer<String> told) {
+    EditNotifier(RunController run, ActionRegistry actions, Consumer<String> notifier) {
         this.runController = run;
         this.actions = actions;
-        this.notifier = told;
+        this.notifier = notifier;
     }
 
     @Override
@@ -25,7 +25,7 @@ final class EditNotifier implements EditListener {
         notifier.accept(Messages.get("edit.forked", Integer.toString(later)));
     }
 
-    /** Who takes back what the robot has run into may think that it will drive on. */
+    /** Explains that undoing an edit does not undo a collision that happened after it. */
     @Override
     public void editUndone(long since) {
         runController

@@ -7,9 +7,9 @@ import javax.swing.JMenuBar;
 import javax.swing.KeyStroke;
 
 /**
- * A menu bar whose items do not act on keys that are being typed into a text. Without it, a space typed into a field
- * would start the run, and the decimal point in a spinner would make a tick. Nor do they act on signs that are only to
- * be read, which would make two of one press.
+ * A menu bar whose accelerators do not act on keys that are being typed into a text component; otherwise a space in a
+ * field would start the run. Accelerators that are shown in the menu but bound elsewhere are not handled here either,
+ * because they would act twice.
  */
 final class GuardedMenuBar extends JMenuBar {
 

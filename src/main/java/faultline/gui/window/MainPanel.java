@@ -23,15 +23,16 @@ import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 
 /**
- * All of the window below its menu bar: tool bar, canvas, instruments, control panel and status bar. Needs no display.
+ * The contents of the window below its menu bar: tool bar, canvas, instruments, control panel and status bar. Needs no
+ * display.
  */
 final class MainPanel extends JPanel {
 
-    /** What canvas and instruments need at the normal size of texts, pixels. */
+    /** Minimum width of canvas and instruments at the normal text size, pixels. */
     private static final int MIN_STAGE_WIDTH = 300;
-    /** What the canvas and its time line keep where the window is low, pixels. */
+    /** Minimum height of the canvas with its time bar, pixels. */
     private static final int MIN_STAGE_HEIGHT = 220;
-    /** The share of the height that the instruments may have at first. */
+    /** The largest share of the height that the instruments take initially. */
     private static final double MAX_DOCK_SHARE = 0.45;
 
     private final SimulationCanvas canvas;
@@ -45,13 +46,13 @@ final class MainPanel extends JPanel {
     private transient Optional<SessionFrame> shownFrame = Optional.empty();
 
     /**
-     * Shows nothing yet.
+     * Creates a panel without a scenario.
      *
      * @param canvas the canvas
-     * @param editor where the control panel's changes go
-     * @param actions of the window
+     * @param editor receives the changes made in the control panel
+     * @param actions the actions of the window
      * @param speed positions of {@link SpeedScale}
-     * @param jump given the tick of an event that the user wants to go to
+     * @param jump receives the tick of an event to go to
      */
     MainPanel(
             SimulationCanvas canvas,
@@ -86,7 +87,7 @@ final class MainPanel extends JPanel {
         canvas.setPalette(Theme.current().palette());
     }
 
-    /** Shows how the run is; the picture is painted anew only where there is a new one. */
+    /** Shows a frame; the canvas is repainted only if the frame is new. */
     void setFrame(SessionFrame frame, Session.Status now) {
         assert EventQueue.isDispatchThread();
         if (!timeBar.isAdjusting() && (shownFrame.isEmpty() || shownFrame.get() != frame)) {
@@ -100,9 +101,9 @@ final class MainPanel extends JPanel {
         statusBar.setFrame(frame.frame(), now);
     }
 
-    /** Shows, from now on, an earlier run beside this one, and where the two first differ. */
-    void setReferenceRun(Optional<ReferenceOverlay> ghost, Optional<RunEvent.Diverged> divergence) {
-        canvas.setReferenceOverlay(ghost);
+    /** Shows a reference run beside the current one, and where the two first differ. */
+    void setReferenceRun(Optional<ReferenceOverlay> overlay, Optional<RunEvent.Diverged> divergence) {
+        canvas.setReferenceOverlay(overlay);
         timeBar.setDivergence(divergence);
         instruments.setDivergence(divergence);
     }
@@ -115,17 +116,17 @@ final class MainPanel extends JPanel {
         return instruments;
     }
 
-    /** Makes the control panel so wide, pixels, as far as the canvas and the instruments can spare it. */
+    /** Sets the width of the control panel in pixels, as far as canvas and instruments leave room for it. */
     void setPanelWidth(int width) {
         panelSplit.place(size -> size - Math.min(width, size - TextSize.scaled(MIN_STAGE_WIDTH)));
     }
 
-    /** How high the instruments are, or were before they were hidden, pixels. */
+    /** Returns the height of the instruments, or their last height if they are hidden, pixels. */
     int dockHeight() {
         return instruments.isVisible() && instruments.getHeight() > 0 ? instruments.getHeight() : dockHeight;
     }
 
-    /** Makes the instruments so high, pixels. */
+    /** Sets the height of the instruments, pixels. */
     void setDockHeight(int height) {
         dockHeight = height;
         dockSplit.place(size -> size - Math.min(height, (int) (MAX_DOCK_SHARE * size)));

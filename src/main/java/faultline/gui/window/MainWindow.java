@@ -1,6 +1,7 @@
 package faultline.gui.window;
 
 import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.ComparisonActions;
 import faultline.gui.action.EditActions;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.ObstacleActions;
@@ -45,7 +46,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 
-/** The window. A timer asks the bench for the newest frame some sixty times a second; nothing is pushed at it. */
+/** The main window. A timer polls the workspace for the newest frame about sixty times per second. */
 public final class MainWindow extends JFrame {
 
     private static final int POLL_MILLIS = 16;
@@ -74,33 +75,35 @@ public final class MainWindow extends JFrame {
     private final Timer poll = new Timer(POLL_MILLIS, event -> poll());
 
     /**
-     * A window without a scenario, not yet shown.
+     * Creates a window without a scenario, not yet visible.
      *
-     * @param memory where it was, and keeps where it is
+     * @param preferences supplies and stores the window's bounds and settings
      */
-    public MainWindow(WindowPreferences memory) {
+    public MainWindow(WindowPreferences preferences) {
         assert EventQueue.isDispatchThread();
-        this.preferences = memory;
+        this.preferences = preferences;
         BoundedRangeModel speed =
                 new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
         runActions = new RunActions(runController, speed);
         addActions();
         mainPanel = new MainPanel(canvas, undoController, actionRegistry, speed, runController.navigator()::seek);
-        comparisonActions =
-                new ComparisonActions(new ComparisonController(workspace, runController.navigator()), mainPanel);
+        comparisonActions = new ComparisonActions(
+                new ComparisonController(workspace, runController.navigator()), mainPanel::setReferenceRun);
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
         setJMenuBar(Menus.createMenuBar(actionRegistry));
-        getJMenuBar().getMenu(0).insert(new RecentMenu(memory.recentFiles(), fileController::open), 1);
+        getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), fileController::open), 1);
         setContentPane(mainPanel);
         setIconImages(AppIcon.images());
         setTransferHandler(new FileDropHandler(fileController::open));
         setTitle(fileController.documentTitle());
-        windowBounds = new WindowBounds(this, mainPanel, memory);
+        windowBounds = new WindowBounds(this, mainPanel, preferences);
         windowBounds.restore();
         installCloseHandler();
         installCanvasListeners();
         fileWatch = new FileWatch(
-                workspace, fileController::onFileChangedOnDisk, bad -> showNote(Dialogs.unreadableFileText(bad)));
+                workspace,
+                fileController::onFileChangedOnDisk,
+                exception -> showNote(Dialogs.unreadableFileText(exception)));
         undoController.setListener(new EditNotifier(runController, actionRegistry, this::showNote));
         poll.start();
     }
@@ -142,7 +145,6 @@ public final class MainWindow extends JFrame {
         showNote(Messages.get(key, String.valueOf(file.getFileName())));
     }
 
-    /** What the canvas asks for. */
     private void installCanvasListeners() {
         JPopupMenu popup = Menus.createCanvasPopup(actionRegistry);
         canvas.tools().addMenuListener(at -> popup.show(canvas, at.x, at.y));
@@ -196,34 +198,26 @@ public final class MainWindow extends JFrame {
         super.dispose();
     }
 
-    /**
-     * Opens a scenario file, soon.
-     *
-     * @param file the file
-     */
+    /** Opens a scenario file asynchronously. */
     public void open(Path file) {
         fileController.openWithoutAsking(file);
     }
 
     /**
-     * Opens a scenario that ships with the program, soon.
+     * Opens a shipped scenario asynchronously.
      *
-     * @param name its file's name
+     * @param name the name of its file
      */
     public void openShipped(String name) {
         fileController.openShippedWithoutAsking(name);
     }
 
-    /**
-     * Tells once that a frame has been painted.
-     *
-     * @param listener told on the event dispatch thread
-     */
+    /** Calls a listener once, on the event dispatch thread, after the first frame has been painted. */
     public void onFirstPaint(Runnable listener) {
         canvas.runAfterNextPaint(listener);
     }
 
-    /** Shows the examples that ship with the program, in front of the window. */
+    /** Shows the gallery of shipped scenarios in front of the window. */
     public void showExamples() {
         if (!Dialogs.bringToFront(this, Gallery.class)) {
             new Gallery(
@@ -236,11 +230,11 @@ public final class MainWindow extends JFrame {
     }
 
     /**
-     * Keeps unsaved edits from now on where a crash cannot reach them, and offers those that an earlier crash has left,
-     * soon.
+     * Starts to store unsaved edits where a crash cannot lose them, and offers those of an earlier crash
+     * asynchronously.
      *
-     * @param recovery where
-     * @param otherwise done where no crash has left any
+     * @param recovery the store
+     * @param otherwise called if no crash has left any edits
      */
     public void enableRecovery(RecoveryStore recovery, Runnable otherwise) {
         Autosave autosave = new Autosave(workspace, recovery);
@@ -255,7 +249,7 @@ public final class MainWindow extends JFrame {
 
     private void poll() {
         progressDialogs.update(workspace.taskProgress());
-        // In this order: where the status says that time is held, the frame is the one that it is held at.
+        // Status before frame: if the status says paused, the frame is the one at which the run is paused.
         runController.status().ifPresent(status -> runController.frame().ifPresent(frame -> {
             mainPanel.setFrame(frame, status);
             undoController.runAdvanced(frame.snapshot().tick());
@@ -271,7 +265,7 @@ public final class MainWindow extends JFrame {
         }));
     }
 
-    /** What the bench tells. */
+    /** Responds to events of the workspace. */
     private final class WorkspaceEvents implements WorkspaceListener {
         @Override
         public void scenarioOpened() {
@@ -314,11 +308,11 @@ public final class MainWindow extends JFrame {
         }
 
         @Override
-        public void taskFailed(TaskKind what, Path file, Throwable why) {
+        public void taskFailed(TaskKind what, Path file, Throwable cause) {
             if (what == TaskKind.OPEN && Files.notExists(file)) {
                 preferences.recentFiles().remove(file);
             }
-            dialogs.showFailure(what, file, why);
+            dialogs.showFailure(what, file, cause);
         }
     }
 }

@@ -11,7 +11,7 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 
-/** The menu bar. */
+/** Creates the menu bar and the context menu of the canvas. */
 final class Menus {
 
     private static final String SEPARATOR = "-";
@@ -91,7 +91,7 @@ final class Menus {
         return obstacles;
     }
 
-    /** What can be done to what is selected, beside the mouse. */
+    /** Creates the context menu for the selection. */
     static JPopupMenu createCanvasPopup(ActionRegistry actions) {
         JPopupMenu popup = new JPopupMenu();
         for (String key : List.of(
@@ -130,7 +130,7 @@ final class Menus {
     private static JMenuItem createItem(UiAction action) {
         JMenuItem item = action.isToggle() ? new JCheckBoxMenuItem(action) : new JMenuItem(action);
         item.setIcon(null);
-        // The name says it, and a tip would cover the items below.
+        // The tool tip would cover the items below, and the name is enough.
         item.setToolTipText(null);
         return item;
     }

@@ -6,7 +6,7 @@ import faultline.gui.text.Messages;
 import javax.swing.Box;
 import javax.swing.JToolBar;
 
-/** A column of buttons, one for each shape that can be put on the canvas. */
+/** A column of buttons, one for each shape that can be placed on the canvas. */
 final class ObstaclePalette extends JToolBar {
 
     private static final int GAP = 2;

@@ -10,7 +10,7 @@ import javax.swing.JMenuItem;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 
-/** Offers the files that were open last; filled anew each time it opens. */
+/** The menu of recently opened files, rebuilt each time it opens. */
 final class RecentMenu extends JMenu {
 
     private final transient RecentFiles recentFiles;
@@ -47,7 +47,7 @@ final class RecentMenu extends JMenu {
         return item;
     }
 
-    /** Fills the menu in time. */
+    /** Fills the menu before it is shown. */
     private final class MenuFiller implements MenuListener {
         @Override
         public void menuSelected(MenuEvent event) {
@@ -56,12 +56,12 @@ final class RecentMenu extends JMenu {
 
         @Override
         public void menuDeselected(MenuEvent event) {
-            // Stays filled.
+            // Nothing to do.
         }
 
         @Override
         public void menuCanceled(MenuEvent event) {
-            // Stays filled.
+            // Nothing to do.
         }
     }
 }

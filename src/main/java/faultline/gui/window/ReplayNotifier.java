@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
 
-/** Tells the user that a saved run is open, and when its replay has come to its end. */
+/** Notifies the user that a saved run is open, and when its replay has ended. */
 final class ReplayNotifier {
 
     private final RunNavigator runNavigator;
@@ -15,18 +15,18 @@ final class ReplayNotifier {
     private boolean announced;
     private boolean ended;
 
-    ReplayNotifier(RunNavigator travel, Consumer<String> told) {
+    ReplayNotifier(RunNavigator travel, Consumer<String> notifier) {
         this.runNavigator = travel;
-        this.notifier = told;
+        this.notifier = notifier;
     }
 
-    /** A session has begun. */
+    /** Prepares for a new session. */
     void reset() {
         announced = false;
         ended = false;
     }
 
-    /** Shows where the run is. */
+    /** Checks whether the replay has ended. */
     void update(Frame frame) {
         OptionalLong end = runNavigator.replayEnd();
         if (end.isPresent()) {

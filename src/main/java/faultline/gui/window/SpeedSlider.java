@@ -12,7 +12,7 @@ import javax.swing.BoundedRangeModel;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
 
-/** The slider for the speed, and the number that it stands for. */
+/** The slider for the speed, with a label that shows the speed as a number. */
 final class SpeedSlider extends JSlider {
 
     private static final int WIDTH = 170;
@@ -28,7 +28,7 @@ final class SpeedSlider extends JSlider {
         setMinimumSize(new Dimension(MIN_WIDTH, size.height));
         setToolTipText(Messages.get("speed.tip"));
         getAccessibleContext().setAccessibleName(Messages.get("speed"));
-        // Each press of a key is another speed; the bare model would take three for real time.
+        // Each key press selects the next speed of the scale; the model alone would need three presses around 1x.
         bindKey(KeyEvent.VK_LEFT, SpeedScale::nextSlower);
         bindKey(KeyEvent.VK_RIGHT, SpeedScale::nextFaster);
         prepareNumberLabel();
@@ -63,7 +63,7 @@ final class SpeedSlider extends JSlider {
         getAccessibleContext().setAccessibleDescription(text);
     }
 
-    /** Shows the speed as a number. */
+    /** Returns the label that shows the speed as a number. */
     JLabel numberLabel() {
         return numberLabel;
     }

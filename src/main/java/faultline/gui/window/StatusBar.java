@@ -19,16 +19,15 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 
 /**
- * One line about the run: whether it runs, its time and pace, the controller's state, the robot's pose, and where the
- * mouse is; at its end what was refused and why. Where the line is short, the cells at its end give way, to the
- * sentence too.
+ * One line about the run: its state, time, pace, controller state, pose and the cursor position, and at the end a note.
+ * If the line is too narrow, the last cells are hidden first, also in favour of the note.
  */
 final class StatusBar extends JPanel {
 
     private static final int GAP = 14;
-    /** For how many snapshots a note stays at least; at sixty in a second, five seconds. */
+    /** Minimum number of frames for which a note stays: five seconds at sixty frames per second. */
     private static final int MIN_NOTE_FRAMES = 300;
-    /** And for how many of them for each of its letters, so that a long one can be read to its end. */
+    /** Number of frames per character for which a note stays, so that a long one can be read to its end. */
     private static final int NOTE_FRAMES_PER_CHARACTER = 5;
 
     private final StatusCell running = cell(
@@ -65,7 +64,7 @@ final class StatusBar extends JPanel {
         return new StatusCell(Messages.get(key), widest);
     }
 
-    /** Shows how the run is. */
+    /** Shows the state of the run. */
     void setFrame(Frame frame, Session.Status status) {
         assert EventQueue.isDispatchThread();
         Snapshot world = frame.snapshot();
@@ -87,12 +86,12 @@ final class StatusBar extends JPanel {
     }
 
     private static String poseText(Pose pose) {
-        // Whole tenths, because a rounded -0.04 would be written as -0.0.
+        // Round to tenths first: -0.04 would be formatted as -0.0.
         double degrees = Math.round(10 * Math.toDegrees(Math.IEEEremainder(pose.heading(), 2 * Math.PI))) / 10.0;
         return format("x %.3f  y %.3f  θ %.1f°", pose.x(), pose.y(), degrees);
     }
 
-    /** Why a run broke off stays; why a command was refused goes after a while. */
+    /** Shows why the run failed, permanently, or why a command was refused, for a while. */
     private void showNote(Session.Status status) {
         status.failure().ifPresent(this::showNote);
         if (status.refusals() != shownRefusals) {
@@ -110,18 +109,19 @@ final class StatusBar extends JPanel {
         noteFramesLeft = Math.max(MIN_NOTE_FRAMES, NOTE_FRAMES_PER_CHARACTER * sentence.length());
     }
 
-    /** Forgets what belonged to another session. */
+    /** Removes what belongs to the previous session. */
     void reset() {
         shownRefusals = 0;
     }
 
-    /** Shows where the mouse is in the world. */
-    void showCursor(Optional<Vector2> place) {
-        cursor.setStatusText(place.map(at -> Messages.get("status.at", format("%.2f", at.x()), format("%.2f", at.y())))
-                .orElse(""));
+    /** Shows the cursor position in the world. */
+    void showCursor(Optional<Vector2> position) {
+        cursor.setStatusText(
+                position.map(at -> Messages.get("status.at", format("%.2f", at.x()), format("%.2f", at.y())))
+                        .orElse(""));
     }
 
-    /** Shows how many pixels a metre has. */
+    /** Shows the scale of the canvas in pixels per metre. */
     void showScale(double pixelsPerMetre) {
         scale.setStatusText(format("%.0f px/m", pixelsPerMetre));
     }

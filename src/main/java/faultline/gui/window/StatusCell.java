@@ -5,10 +5,7 @@ import java.awt.Dimension;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
 
-/**
- * A place in the status bar that is as wide as the widest of the texts it will hold, so that its neighbours stay where
- * they are.
- */
+/** A cell of the status bar that is as wide as the widest of its possible texts, so that its neighbours do not move. */
 final class StatusCell extends JLabel {
 
     private static final int HEIGHT = 20;

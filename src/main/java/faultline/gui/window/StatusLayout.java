@@ -10,15 +10,16 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
- * Parts side by side, each as wide as it wants to be. Some may be left out: the last of them that do not fit, so that
- * those before them never move. The rest of the width goes to the parts that must stay.
+ * Lays out components side by side at their preferred widths. If the width is too small, optional components are
+ * hidden, the last one first, so that those before them never move. Components that are not optional get the remaining
+ * width.
  */
 final class StatusLayout implements LayoutManager {
 
     private final int gap;
     private final Predicate<Component> optional;
 
-    /** Parts so many pixels apart, and which of them may be left out. */
+    /** Creates a layout with a gap in pixels and a predicate that selects the components that may be hidden. */
     StatusLayout(int gap, Predicate<Component> optional) {
         this.gap = gap;
         this.optional = optional;
@@ -31,17 +32,17 @@ final class StatusLayout implements LayoutManager {
         int height = parent.getHeight() - insets.top - insets.bottom;
         int needed = components(parent)
                 .filter(optional.negate())
-                .mapToInt(part -> part.getPreferredSize().width)
+                .mapToInt(component -> component.getPreferredSize().width)
                 .sum();
         int x = insets.left;
         boolean room = true;
-        for (Component part : parent.getComponents()) {
-            int width = part.getPreferredSize().width;
-            boolean stays = optional.negate().test(part);
+        for (Component component : parent.getComponents()) {
+            int width = component.getPreferredSize().width;
+            boolean stays = optional.negate().test(component);
             room &= stays || x == insets.left || x + width + gap + needed <= right;
-            part.setVisible(stays || room);
-            if (part.isVisible()) {
-                part.setBounds(x, insets.top, Math.min(width, Math.max(0, right - x)), height);
+            component.setVisible(stays || room);
+            if (component.isVisible()) {
+                component.setBounds(x, insets.top, Math.min(width, Math.max(0, right - x)), height);
                 x += width + gap;
             }
         }
@@ -55,10 +56,10 @@ final class StatusLayout implements LayoutManager {
     public Dimension preferredLayoutSize(Container parent) {
         Insets insets = parent.getInsets();
         int width = components(parent)
-                .mapToInt(part -> part.getPreferredSize().width + gap)
+                .mapToInt(component -> component.getPreferredSize().width + gap)
                 .sum();
         int height = components(parent)
-                .mapToInt(part -> part.getPreferredSize().height)
+                .mapToInt(component -> component.getPreferredSize().height)
                 .max()
                 .orElse(0);
         return new Dimension(insets.left + width + insets.right, insets.top + height + insets.bottom);
@@ -70,12 +71,12 @@ final class StatusLayout implements LayoutManager {
     }
 
     @Override
-    public void addLayoutComponent(String name, Component part) {
-        // Places have no names.
+    public void addLayoutComponent(String name, Component component) {
+        // Components have no names.
     }
 
     @Override
-    public void removeLayoutComponent(Component part) {
-        // Nothing is kept of parts.
+    public void removeLayoutComponent(Component component) {
+        // No state is kept.
     }
 }

@@ -17,8 +17,8 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 
 /**
- * The run so far as a line to go along. While the thumb is held, the remembered picture nearest before it shows at
- * once; when it is let go, the run goes to that very tick.
+ * The time line of the run. While the thumb is dragged, the nearest keyframe before it is shown immediately; when it is
+ * released, the run goes to exactly that tick.
  */
 final class TimeBar extends JPanel {
 
@@ -32,10 +32,10 @@ final class TimeBar extends JPanel {
     private boolean updating;
 
     /**
-     * A line without a run.
+     * Creates a time bar without a run.
      *
-     * @param jump given the tick that the user wants to go to
-     * @param preview given remembered pictures while the thumb is held
+     * @param jump receives the tick to go to
+     * @param preview receives keyframes while the thumb is dragged
      */
     TimeBar(LongConsumer jump, Consumer<Frame> preview) {
         super(new BorderLayout(10, 0));
@@ -51,12 +51,16 @@ final class TimeBar extends JPanel {
         add(endTimeLabel, BorderLayout.LINE_END);
     }
 
-    /** Whether the user holds the thumb, so that pictures of the run itself must wait. */
+    /** Returns whether the user drags the thumb, so that frames of the run must wait. */
     boolean isAdjusting() {
         return slider.getValueIsAdjusting();
     }
 
-    /** Shows where the run is, and how far it has been, ticks of {@code newDt} seconds. */
+    /**
+     * Shows the current tick and the last known one.
+     *
+     * @param newDt the length of a tick, seconds
+     */
     void setFrame(SessionFrame frame, long furthest, double newDt) {
         assert EventQueue.isDispatchThread();
         newestFrame = Optional.of(frame);
@@ -71,7 +75,7 @@ final class TimeBar extends JPanel {
         }
     }
 
-    /** Marks, from now on, where the run became another than an earlier one. */
+    /** Marks the moment at which the run differs from the reference run. */
     void setDivergence(Optional<RunEvent.Diverged> divergence) {
         slider.putClientProperty(
                 FlatSliderUI.MARK_PROPERTY,

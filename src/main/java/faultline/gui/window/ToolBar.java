@@ -16,8 +16,8 @@ import javax.swing.JToggleButton;
 import javax.swing.JToolBar;
 
 /**
- * The tool bar: what is used most. Its buttons leave the focus where it is, so that Space after a click still runs and
- * pauses.
+ * The tool bar with the most frequent actions. Its buttons do not take the focus, so that Space still runs and pauses
+ * after a click.
  */
 final class ToolBar extends JToolBar {
 
@@ -55,12 +55,12 @@ final class ToolBar extends JToolBar {
         add(Box.createHorizontalStrut(GROUP_GAP));
     }
 
-    /** A button that shows the drawing of an action. */
+    /** Creates a button that shows the icon of an action. */
     static AbstractButton createButton(UiAction action) {
         return configureButton(action, action.isToggle() ? new ToggleButton() : new PushButton());
     }
 
-    /** A button that also shows whether the tool that an action takes up is in use. */
+    /** Creates a button that also shows whether the tool of its action is active. */
     static AbstractButton createToolButton(UiAction action) {
         return configureButton(action, new ToggleButton());
     }
@@ -73,7 +73,7 @@ final class ToolBar extends JToolBar {
         return button;
     }
 
-    /** Run or Pause, wide enough for both, so that nothing jumps. */
+    /** Creates the Run/Pause button, wide enough for both names. */
     private AbstractButton createRunButton() {
         UiAction action = actions.get("run");
         JButton button = new PushButton();
@@ -87,12 +87,12 @@ final class ToolBar extends JToolBar {
         return button;
     }
 
-    /** Drawings stay as they are, so that buttons need to grow only half as much as texts. */
+    /** Returns the size of a button. Icons do not grow with the text, so half the growth is enough. */
     private static int buttonSize() {
         return (BUTTON_SIZE + TextSize.scaled(BUTTON_SIZE)) / 2;
     }
 
-    /** The border is no resource of the look, which tool bars would exchange for one of their own. */
+    /** Sets a border that is not a UI resource, because a tool bar would replace it with its own. */
     private static void setFixedSize(AbstractButton button, int padding, int width) {
         button.setFocusable(false);
         button.setBorder(BorderFactory.createEmptyBorder(0, padding, 0, padding));
@@ -102,7 +102,7 @@ final class ToolBar extends JToolBar {
         button.setMaximumSize(size);
     }
 
-    /** Alt and a letter are for the menus; a button with the same letter would be in their way. */
+    /** A button without a mnemonic, which would hide the menu with the same letter. */
     private static final class PushButton extends JButton {
         @Override
         public void setMnemonic(int mnemonic) {
@@ -110,7 +110,7 @@ final class ToolBar extends JToolBar {
         }
     }
 
-    /** The same for what is switched on and off. */
+    /** A toggle button without a mnemonic. */
     private static final class ToggleButton extends JToggleButton {
         @Override
         public void setMnemonic(int mnemonic) {

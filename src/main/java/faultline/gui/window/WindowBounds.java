@@ -6,7 +6,7 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import javax.swing.JFrame;
 
-/** Where the window and its panes are: as they were left last, as far as today's screen has room for that. */
+/** Restores and stores the bounds of the window and its dividers, within the current screen. */
 final class WindowBounds {
 
     private static final Dimension DEFAULT_SIZE = new Dimension(1360, 880);
@@ -16,13 +16,13 @@ final class WindowBounds {
     private final MainPanel mainPanel;
     private final WindowPreferences preferences;
 
-    WindowBounds(JFrame window, MainPanel area, WindowPreferences memory) {
+    WindowBounds(JFrame window, MainPanel area, WindowPreferences preferences) {
         this.window = window;
         this.mainPanel = area;
-        this.preferences = memory;
+        this.preferences = preferences;
     }
 
-    /** Puts all in its place before the window shows. */
+    /** Sets the bounds before the window is shown. */
     void restore() {
         window.setMinimumSize(MIN_SIZE);
         window.setSize(DEFAULT_SIZE);
@@ -38,7 +38,7 @@ final class WindowBounds {
         mainPanel.setDockShown(preferences.isDockShown());
     }
 
-    /** The window shows: only now is it known how much of it its frame takes. */
+    /** Places the divider again now that the window's insets are known. */
     void onWindowOpened() {
         restoreDivider();
     }
@@ -49,7 +49,7 @@ final class WindowBounds {
                 preferences.panelWidth().orElse(mainPanel.controlPanel().defaultWidth()));
     }
 
-    /** Remembers all for the next window. */
+    /** Stores the bounds for the next window. */
     void save() {
         preferences.setBounds(window.getBounds());
         preferences.setPanelWidth(mainPanel.controlPanel().getWidth());

@@ -1,5 +1,2 @@
-/**
- * The window: menus, tool bar, canvas, control panel, status bar, dialogs, and what is remembered of it. Event dispatch
- * thread only, asserted.
- */
+/** The main window: menus, tool bar, canvas, control panel and status bar. Event dispatch thread only, asserted. */
 package faultline.gui.window;

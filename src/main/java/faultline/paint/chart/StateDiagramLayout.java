@@ -33,10 +33,10 @@ public final class StateDiagramLayout {
     private static final double MAX_BOX_HEIGHT = 46;
     private static final double GAP_SHARE = 0.3;
 
-    /** The distance of an arrow from the line between the middles of its boxes, pixels. */
+    /** Offset of two opposite arrows between the same boxes from the centre line, pixels. */
     private static final double LANE_OFFSET = 7;
 
-    /** The height above the boxes of the arrow from one end of a row to the other, pixels. */
+    /** Height above the boxes of the arrow that spans a row, pixels. */
     private static final double ARCH_HEIGHT = 22;
 
     private final PixelRectangle area;
@@ -85,7 +85,7 @@ public final class StateDiagramLayout {
         Vector2 from = centre(arrow.from());
         Vector2 to = centre(arrow.to());
         Vector2 along = to.minus(from).times(1 / to.distanceTo(from));
-        // Every arrow is shifted to its right, so that two opposite ones do not overlap.
+        // Each direction keeps to its right, so that opposite arrows do not coincide.
         Vector2 lane = new Vector2(-along.y(), along.x()).times(LANE_OFFSET);
         Vector2 start = boxEdge(from.plus(lane), along, arrow.from());
         Vector2 tip = boxEdge(to.plus(lane), along.times(-1), arrow.to());
@@ -96,7 +96,7 @@ public final class StateDiagramLayout {
                 start.plus(tip).times(0.5).plus(lane));
     }
 
-    /** Returns the arrow over the box between two others. */
+    /** Returns a route over the box in between. */
     private ArrowRoute archRoute(Arrow arrow) {
         Rectangle2D from = box(arrow.from());
         Rectangle2D to = box(arrow.to());
@@ -124,7 +124,7 @@ public final class StateDiagramLayout {
         return new Vector2(box.getCenterX(), box.getCenterY());
     }
 
-    /** Returns the point at which a line from inside a box leaves it. */
+    /** Returns the point at which a ray from inside a box leaves it. */
     private Vector2 boxEdge(Vector2 inside, Vector2 direction, FollowerState state) {
         Rectangle2D box = box(state);
         double across = direction.x() > 0

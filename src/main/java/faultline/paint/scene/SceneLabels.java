@@ -26,10 +26,5 @@ public record SceneLabels(
 
     /** For files that no window writes. */
     public static final SceneLabels ENGLISH = new SceneLabels(
-            "First collision",
-            "Faults then",
-            "Switched off then",
-            "off",
-            FaultKind::fileName,
-            DrawContext.DEFAULT_FONT);
+            "First collision", "Active faults", "Switched off", "off", FaultKind::fileName, DrawContext.DEFAULT_FONT);
 }

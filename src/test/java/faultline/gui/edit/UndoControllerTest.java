@@ -69,10 +69,10 @@ class UndoControllerTest {
         assertEquals(
                 List.of(
                         "Move desk",
-                        "Turn desk",
+                        "Rotate desk",
                         "Add lamp",
                         "Change lamp",
-                        "Switch left off",
+                        "Turn left off",
                         "Range of front",
                         "Cone of front",
                         "Fault in front",
@@ -214,7 +214,7 @@ class UndoControllerTest {
                 new Command.InjectFault("left", new Fault.Dead()),
                 new Command.InjectFault("front", new Fault.Dead()))));
         runOnEdt(() -> controller.send(List.of(new Command.ClearFaults("left"), new Command.ClearFaults("front"))));
-        assertEquals(Optional.of("Mend 2 sensors"), undoName());
+        assertEquals(Optional.of("Repair 2 sensors"), undoName());
         runOnEdt(controller::undo);
         assertEquals(
                 List.of("front", "left"),

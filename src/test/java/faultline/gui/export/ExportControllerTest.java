@@ -302,8 +302,7 @@ class ExportControllerTest {
             }
         });
         Await.until("the failure", () -> !failures.isEmpty());
-        assertEquals(
-                "The clipboard is in use by another program", failures.get(0).getMessage());
+        assertEquals("Another program is using the clipboard", failures.get(0).getMessage());
     }
 
     private void copyTo(Clipboard clipboard) {

@@ -42,9 +42,9 @@ class EventLogViewTest {
     void whatHappenedStandsInItsOrder() {
         runOnEdt(() -> view.setFrame(SampleRuns.frame(310)));
         List<String> rows = rows();
-        assertEquals("0.000 Command rear switched off", rows.get(0));
+        assertEquals("0.000 Command rear turned off", rows.get(0));
         assertTrue(rows.contains("2.000 Fault rear-right: stuck 0.40 m"));
-        assertTrue(rows.contains("3.000 Refused nose switched on: the robot has no sensor nose"));
+        assertTrue(rows.contains("3.000 Refused nose turned on: the robot has no sensor nose"));
     }
 
     @Test
@@ -54,7 +54,7 @@ class EventLogViewTest {
         runOnEdt(() -> view.setFrame(SampleRuns.frame(2000)));
         assertTrue(rows().size() > before);
         runOnEdt(() -> view.setFrame(SampleRuns.frame(100)));
-        assertEquals(List.of("0.000 Command rear switched off"), rows());
+        assertEquals(List.of("0.000 Command rear turned off"), rows());
     }
 
     @Test
@@ -121,7 +121,7 @@ class EventLogViewTest {
                 .map(command -> EventText.sentence(new RunEvent.CommandExecuted(1, 0.01, command)))
                 .toList();
         assertEquals(commands.size(), new HashSet<>(words).size());
-        assertEquals("left: bias 0.02 m mended", words.get(4));
+        assertEquals("left: bias 0.02 m repaired", words.get(4));
         assertEquals("desk moved to 1.000, 2.000, 0.0°", words.get(6));
         assertEquals("platform 0.300 m × 0.200 m, 0.40 m/s", words.get(9));
     }

@@ -41,8 +41,7 @@ class StripChartTest {
     }
 
     private void choose(int signal) {
-        runOnEdt(() -> ComponentFinder.find(chart, JComboBox.class, "What the strip chart shows")
-                .setSelectedIndex(signal));
+        runOnEdt(() -> ComponentFinder.find(chart, JComboBox.class, "Signals").setSelectedIndex(signal));
     }
 
     /** What is read out at a time, when ten seconds show. */
@@ -61,7 +60,7 @@ class StripChartTest {
 
     @Test
     void itOffersTheControllersNumbersAndEverySensor() {
-        JComboBox<?> choice = ComponentFinder.find(chart, JComboBox.class, "What the strip chart shows");
+        JComboBox<?> choice = ComponentFinder.find(chart, JComboBox.class, "Signals");
         assertEquals(3 + 8, callOnEdt(choice::getItemCount));
         assertEquals("Sensor left", callOnEdt(() -> choice.getItemAt(5).toString()));
     }
@@ -89,7 +88,7 @@ class StripChartTest {
                 Locale.ROOT,
                 "left reading %.3f m",
                 FRAME.recording().trace().finestLevel().min(TraceChannels.MEASURED_DISTANCE, 1500));
-        assertEquals(List.of("t 15.000 s", measured, "wanted 0.250 m"), readOut(15));
+        assertEquals(List.of("t 15.000 s", measured, "target 0.250 m"), readOut(15));
     }
 
     @Test

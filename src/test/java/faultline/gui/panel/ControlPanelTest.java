@@ -184,8 +184,8 @@ class ControlPanelTest {
 
     @Test
     void aFaultyReadingSaysSoInWords() {
-        assertEquals("Reading of left: 0.400 (faulty: stuck 0.40 m)", callOnEdt(() -> ComponentFinder.find(
-                        panel, ReadingBar.class, "Reading of left")
+        assertEquals("Reported reading of left: 0.400 (faulty: stuck 0.40 m)", callOnEdt(() -> ComponentFinder.find(
+                        panel, ReadingBar.class, "Reported reading of left")
                 .getToolTipText()));
     }
 
@@ -193,7 +193,7 @@ class ControlPanelTest {
     void activeFaultsAreListedAndEachCanBeCleared() {
         assertTrue(callOnEdt(() -> ComponentFinder.findAll(panel, JLabel.class)
                 .anyMatch(label -> label.getText().equals("left: stuck 0.40 m"))));
-        runOnEdt(() -> ComponentFinder.find(panel, JButton.class, "Mend left: stuck 0.40 m")
+        runOnEdt(() -> ComponentFinder.find(panel, JButton.class, "Repair left: stuck 0.40 m")
                 .doClick(0));
         assertEquals(List.of(new Command.ClearFault("left", new Fault.Stuck(0.4))), commands);
     }
@@ -215,7 +215,7 @@ class ControlPanelTest {
     }
 
     private JCheckBox switchOf(String id) {
-        return ComponentFinder.find(panel, JCheckBox.class, "Switch " + id);
+        return ComponentFinder.find(panel, JCheckBox.class, "Turn " + id + " on or off");
     }
 
     private NumberSpinner spinner(String name) {

@@ -45,7 +45,7 @@ class FaultListTest {
         FaultList list = callOnEdt(() -> new FaultList(new RecordingEditor()));
         runOnEdt(() -> list.setSensors(world.snapshot().sensors()));
         runOnEdt(() -> ComponentFinder.findAll(list, JButton.class)
-                .filter(button -> "Mend all".equals(button.getText()))
+                .filter(button -> "Repair all".equals(button.getText()))
                 .findFirst()
                 .orElseThrow()
                 .doClick(0));

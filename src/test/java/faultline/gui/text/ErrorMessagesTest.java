@@ -35,24 +35,22 @@ class ErrorMessagesTest {
 
     static Stream<Arguments> exceptions() {
         return Stream.of(
-                Arguments.of(new OutOfMemoryError("Java heap space"), "there is not enough memory", "za mało pamięci"),
+                Arguments.of(new OutOfMemoryError("Java heap space"), "not enough memory", "za mało pamięci"),
                 Arguments.of(new AccessDeniedException("/x/y"), "access is denied", "brak dostępu"),
                 Arguments.of(
-                        new NoSuchFileException("/x/y"),
-                        "there is no such file or folder",
-                        "nie ma takiego pliku lub folderu"),
+                        new NoSuchFileException("/x/y"), "no such file or folder", "nie ma takiego pliku lub folderu"),
                 Arguments.of(
                         new FileSystemException("/x/y"),
-                        "the disk or the network does not take it",
-                        "dysk lub sieć tego nie przyjmuje"),
+                        "the disk or network reports an error",
+                        "błąd dysku lub sieci"),
                 Arguments.of(
                         new FileSystemException("/x/y", null, "No space left on device"),
                         "No space left on device",
                         "No space left on device"),
                 Arguments.of(
                         new NullPointerException(),
-                        "a fault of the program (NullPointerException)",
-                        "błąd programu (NullPointerException)"),
+                        "internal error (NullPointerException)",
+                        "błąd wewnętrzny (NullPointerException)"),
                 Arguments.of(
                         new IllegalStateException("the wheel came off"), "the wheel came off", "the wheel came off"),
                 Arguments.of(

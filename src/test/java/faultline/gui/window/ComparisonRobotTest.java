@@ -58,7 +58,7 @@ class ComparisonRobotTest {
     }
 
     private Object mark() {
-        JSlider line = ComponentFinder.find(driver.window(), JSlider.class, "Moment of the run");
+        JSlider line = ComponentFinder.find(driver.window(), JSlider.class, "Time line");
         return line.getClientProperty(FlatSliderUI.MARK_PROPERTY);
     }
 

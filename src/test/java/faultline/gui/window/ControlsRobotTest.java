@@ -66,7 +66,7 @@ class ControlsRobotTest {
         List<String> ids = robot().sensors().stream().map(SensorSpec::id).toList();
         assertEquals(8, ids.size());
         for (String id : ids) {
-            driver.click(ComponentFinder.find(driver.window(), JCheckBox.class, "Switch " + id));
+            driver.click(ComponentFinder.find(driver.window(), JCheckBox.class, "Turn " + id + " on or off"));
             driver.waitForFrame(
                     id + " is off",
                     frame -> !frame.snapshot().robot().sensor(id).orElseThrow().on());
@@ -139,7 +139,7 @@ class ControlsRobotTest {
     @Test
     void theArrowsOfASpinnerSetTheVelocity() {
         double before = robot().speed();
-        driver.click(ComponentFinder.find(driver.window(), JButton.class, "Linear velocity, more"));
+        driver.click(ComponentFinder.find(driver.window(), JButton.class, "Increase Linear velocity"));
         driver.waitForFrame(
                 "the velocity is higher", frame -> frame.snapshot().robot().speed() > before);
     }
@@ -181,13 +181,13 @@ class ControlsRobotTest {
                 "the front sensor is broken",
                 frame -> frame.snapshot().sensors().get(0).faults().size() == 1);
         driver.robot().waitFor("it is listed", () -> ComponentFinder.findAll(driver.window(), JButton.class)
-                .anyMatch(button -> ComponentFinder.accessibleName(button).startsWith("Mend front")));
+                .anyMatch(button -> ComponentFinder.accessibleName(button).startsWith("Repair front")));
         driver.click(ComponentFinder.findAll(driver.window(), JButton.class)
-                .filter(button -> ComponentFinder.accessibleName(button).startsWith("Mend front"))
+                .filter(button -> ComponentFinder.accessibleName(button).startsWith("Repair front"))
                 .findFirst()
                 .orElseThrow());
         driver.waitForFrame(
-                "it is mended",
+                "it is repaired",
                 frame -> frame.snapshot().sensors().get(0).faults().isEmpty());
     }
 
@@ -208,9 +208,8 @@ class ControlsRobotTest {
     @CsvSource({"languagePolish, languageEnglish", "textSizeLarge, textSizeNormal"})
     void aPreferenceForTheNextStartIsAnnouncedAtOnce(String later, String now) {
         driver.chooseLater(later);
-        assertTrue(WindowDriver.text(driver.dialog("From the next start on"))
-                .contains("This shows when Faultline is started again."));
-        driver.clickButton("From the next start on", "OK");
+        assertTrue(WindowDriver.text(driver.dialog("Restart required")).contains("Takes effect at the next start."));
+        driver.clickButton("Restart required", "OK");
         driver.chooseLater(now);
         assertEquals(0, callOnEdt(() -> Stream.of(driver.window().getOwnedWindows())
                 .filter(Window::isShowing)

@@ -87,7 +87,7 @@ final class FileDialogScenes {
     }
 
     void seekFar() {
-        JSlider line = ComponentFinder.find(driver.window(), JSlider.class, "Moment of the run");
+        JSlider line = ComponentFinder.find(driver.window(), JSlider.class, "Time line");
         driver.robot().waitFor("there is a way to go", () -> line.getMaximum() > 0);
         runOnEdt(line::requestFocusInWindow);
         driver.robot().waitFor("the line has the focus", line::isFocusOwner);

@@ -128,7 +128,7 @@ class FileEditingRobotTest {
     @Test
     void escapeClosesAFileDialogWhereverInItTheFocusIs() {
         driver.chooseLater("open");
-        JDialog dialog = driver.dialog("Open a scenario");
+        JDialog dialog = driver.dialog("Open scenario");
         runOnEdt(() -> {
             dialog.getRootPane().setFocusable(true);
             dialog.getRootPane().requestFocusInWindow();
@@ -142,7 +142,7 @@ class FileEditingRobotTest {
     @Test
     void theShortcutsDialogListsEveryKey() {
         driver.robot().pressKeys(KeyEvent.VK_F1);
-        JDialog dialog = dialog("Keys and mouse");
+        JDialog dialog = dialog("Keyboard and mouse");
         JTable table = ComponentFinder.findAll(dialog, JTable.class).findFirst().orElseThrow();
         assertTrue(callOnEdt(table::getRowCount) > 25);
         assertEquals("Ctrl+O", callOnEdt(() -> table.getValueAt(0, 0)));

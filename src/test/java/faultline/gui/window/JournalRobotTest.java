@@ -72,7 +72,7 @@ class JournalRobotTest {
         driver.waitForFrame("some more of the run", after(driver.frame(), 1));
         Frame last = pause();
         driver.chooseLater("saveJournal");
-        driver.enterFile("Save the journal", journal);
+        driver.enterFile("Save journal", journal);
         driver.robot().waitFor("the journal is there", () -> Files.exists(journal));
         assertEquals(hash(last), headless(journal));
         runOnEdt(() -> driver.window().open(journal));
@@ -89,7 +89,7 @@ class JournalRobotTest {
         driver.robot()
                 .waitFor(
                         "it holds there, and says so",
-                        () -> !driver.isRunning() && driver.statusNote().startsWith("The replay has come to its end"));
+                        () -> !driver.isRunning() && driver.statusNote().startsWith("Replay finished"));
         assertEquals(hash(last), hash(driver.frame()));
         assertEquals(last.snapshot().obstacles(), driver.frame().snapshot().obstacles());
         assertEquals(sensors(last), sensors(driver.frame()));
@@ -204,7 +204,7 @@ class JournalRobotTest {
     }
 
     private void scrubToTheBeginning() {
-        JSlider slider = ComponentFinder.find(driver.window(), JSlider.class, "Moment of the run");
+        JSlider slider = ComponentFinder.find(driver.window(), JSlider.class, "Time line");
         runOnEdt(slider::requestFocusInWindow);
         driver.robot().waitFor("the line has the focus", slider::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_HOME);

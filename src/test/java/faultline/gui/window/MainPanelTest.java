@@ -11,6 +11,7 @@ import faultline.engine.SampleFrames;
 import faultline.engine.session.Session;
 import faultline.gui.ComponentFinder;
 import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.ComparisonActions;
 import faultline.gui.action.EditActions;
 import faultline.gui.action.ObstacleActions;
 import faultline.gui.action.PreferenceActions;
@@ -119,7 +120,7 @@ class MainPanelTest {
             actions.add(UiAction.toggle("instruments", true, shown -> {}));
             new PreferenceActions(null, WindowPreferences.nonPersistent()).addTo(actions);
             mainPanel = new MainPanel(canvas, edits, actions, speed, tick -> {});
-            new ComparisonActions(new ComparisonController(bench, run.navigator()), mainPanel)
+            new ComparisonActions(new ComparisonController(bench, run.navigator()), mainPanel::setReferenceRun)
                     .addTo(actions, Optional::empty);
             menus = Menus.createMenuBar(actions);
             mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED);
@@ -225,9 +226,9 @@ class MainPanelTest {
 
     @Test
     void theTipOfAToolNamesItsKey() {
-        assertEquals("Make one tick and hold (.)", callOnEdt(() -> ComponentFinder.find(
-                        mainPanel, AbstractButton.class, "Step")
-                .getToolTipText()));
+        assertEquals(
+                "Advance by one tick (.)", callOnEdt(() -> ComponentFinder.find(mainPanel, AbstractButton.class, "Step")
+                        .getToolTipText()));
     }
 
     @Test

@@ -65,7 +65,7 @@ class OpenRobotTest {
     @Test
     void aFileIsOpenedByItsName() {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
-        driver.enterFile("Open a scenario", square);
+        driver.enterFile("Open scenario", square);
         driver.waitForTitle("square.xml");
     }
 
@@ -157,7 +157,7 @@ class OpenRobotTest {
         edit();
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
         driver.clickButton("Unsaved changes", "Don't save");
-        driver.enterFile("Open a scenario", square);
+        driver.enterFile("Open scenario", square);
         driver.waitForTitle("square.xml");
         assertEquals(before, Scenario.load(office));
     }
@@ -168,7 +168,7 @@ class OpenRobotTest {
         edit();
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
         driver.clickButton("Unsaved changes", "Save");
-        driver.enterFile("Open a scenario", square);
+        driver.enterFile("Open scenario", square);
         driver.waitForTitle("square.xml");
         assertNotEquals(before, Scenario.load(office));
     }

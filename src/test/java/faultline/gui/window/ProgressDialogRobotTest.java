@@ -30,7 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
         disabledReason = "drives a real window, which needs a display")
 class ProgressDialogRobotTest {
 
-    private static final String DIALOG = "One moment";
+    private static final String DIALOG = "Please wait";
 
     @TempDir
     private Path folder;
@@ -45,7 +45,7 @@ class ProgressDialogRobotTest {
         driver = WindowDriver.open(Theme.LIGHT, Files.writeString(folder.resolve("long.xml"), text));
         driver.type(KeyEvent.VK_PERIOD);
         driver.waitForFrame("one tick is made", frame -> frame.snapshot().tick() == 1);
-        line = ComponentFinder.find(driver.window(), JSlider.class, "Moment of the run");
+        line = ComponentFinder.find(driver.window(), JSlider.class, "Time line");
         runOnEdt(line::requestFocusInWindow);
         driver.robot().waitFor("the line has the focus", line::isFocusOwner);
         driver.robot().pressKeys(KeyEvent.VK_END);
@@ -60,7 +60,7 @@ class ProgressDialogRobotTest {
     void aLongSeekShowsProgressAndEscCancelsIt() {
         JDialog dialog = driver.dialog(DIALOG);
         assertEquals(
-                "Going to that moment of long.xml",
+                "Going to another moment of long.xml",
                 callOnEdt(() -> ComponentFinder.accessibleName(ComponentFinder.findAll(dialog, JProgressBar.class)
                         .findFirst()
                         .orElseThrow())));

@@ -129,7 +129,7 @@ class RecoveryRobotTest {
     @Test
     void anExternallyModifiedFileIsReloadedOnRequest() throws IOException {
         rewrite(4711);
-        driver.clickButton("File changed", "Read again");
+        driver.clickButton("File changed", "Reload");
         driver.robot()
                 .waitFor(
                         "the new file is open",
@@ -141,7 +141,7 @@ class RecoveryRobotTest {
     void aDeclinedReloadIsUnsavedAndCanBeSaved() throws IOException, ScenarioException {
         Scenario before = Scenario.load(file);
         rewrite(4711);
-        driver.clickButton("File changed", "Keep mine");
+        driver.clickButton("File changed", "Keep my version");
         driver.waitForTitle("office.xml*");
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
         driver.waitForTitle("office.xml");
@@ -157,7 +157,7 @@ class RecoveryRobotTest {
         JDialog dialog = driver.dialog("File changed");
         assertTrue(WindowDriver.text(dialog).contains("gives up your unsaved changes"), WindowDriver.text(dialog));
         assertEquals(
-                "Keep mine",
+                "Keep my version",
                 callOnEdt(() -> dialog.getRootPane().getDefaultButton().getText()));
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());

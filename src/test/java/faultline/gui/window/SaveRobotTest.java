@@ -85,7 +85,7 @@ class SaveRobotTest {
     void saveAsWritesANewFileAndTheOldOneStaysAsItWas() throws ScenarioException {
         Path other = folder.resolve("other.xml");
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
-        driver.enterFile("Save the scenario", other);
+        driver.enterFile("Save scenario", other);
         driver.waitForTitle("other.xml");
         assertEquals(after, saved(other));
         assertEquals(before, saved(file));
@@ -95,12 +95,12 @@ class SaveRobotTest {
     void saveAsAsksBeforeItReplacesAFile() throws IOException {
         Path other = Files.writeString(folder.resolve("other.xml"), "precious");
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
-        driver.enterFile("Save the scenario", other);
+        driver.enterFile("Save scenario", other);
         driver.clickButton("Replace file", "Cancel");
         assertEquals("precious", Files.readString(other));
         assertEquals("office.xml* – Faultline", callOnEdt(driver.window()::getTitle));
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
-        driver.enterFile("Save the scenario", other);
+        driver.enterFile("Save scenario", other);
         driver.clickButton("Replace file", "OK");
         driver.waitForTitle("other.xml");
         assertTrue(Files.readString(other).contains("<scenario"));

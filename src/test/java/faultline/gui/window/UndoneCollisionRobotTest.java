@@ -51,11 +51,11 @@ class UndoneCollisionRobotTest {
             driver.robot().waitFor("time is held", () -> !driver.isRunning());
             driver.choose("undo");
             driver.robot().waitFor("the window tells that the crash stays", () -> driver.statusNote()
-                    .startsWith("The crash stays."));
+                    .startsWith("The collision is not undone."));
             assertEquals(
-                    "The crash stays. To take it back too: go before it on the time line (key ,) and undo there, or begin anew (key Ctrl+R)",
+                    "The collision is not undone. To undo it as well, step back before it (,) and undo there, or restart (Ctrl+R)",
                     driver.statusNote());
-            JSlider line = ComponentFinder.find(driver.window(), JSlider.class, "Moment of the run");
+            JSlider line = ComponentFinder.find(driver.window(), JSlider.class, "Time line");
             runOnEdt(() -> line.setValue(TICK_BEFORE_COLLISION));
             driver.waitForFrame(
                     "the run is before the crash", frame -> frame.snapshot().tick() == TICK_BEFORE_COLLISION);

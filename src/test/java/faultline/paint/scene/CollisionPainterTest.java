@@ -47,7 +47,7 @@ class CollisionPainterTest {
                 Map.of("left", List.of(new Fault.Stuck(0.4), new Fault.Bias(0.1)), "front", List.of(new Fault.Dead()));
         Collision collision = new Collision(POINT, 12.48, 1248, "desk", faults, List.of("rear", "right"));
         assertEquals(
-                List.of("Faults then: front off, left stuck, left bias", "Switched off then: rear, right"),
+                List.of("Active faults: front off, left stuck, left bias", "Switched off: rear, right"),
                 CollisionPainter.badgeLines(collision, SceneLabels.ENGLISH).subList(1, 3));
     }
 }

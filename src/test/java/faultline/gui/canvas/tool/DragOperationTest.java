@@ -68,7 +68,7 @@ class DragOperationTest {
         assertEquals(0, wish.obstacles().get(0).pose().position().distanceTo(new Vector2(3, 0)), 1e-8);
         assertEquals(0, wish.obstacles().get(1).pose().position().distanceTo(new Vector2(3, 2)), 1e-8);
         assertEquals(Degrees.toRadians(260), wish.obstacles().get(0).pose().heading(), 1e-8);
-        assertEquals("turned by 90.0\u00b0", wish.valueText());
+        assertEquals("rotated by 90.0\u00b0", wish.valueText());
         assertEquals(
                 List.of(new Command.MoveObstacle("box", BOX.pose()), new Command.MoveObstacle("pole", pole.pose())),
                 turn.restoreCommands());
