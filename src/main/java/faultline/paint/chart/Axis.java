@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 
 /**
- * One axis of a chart.
+ * An axis of a chart.
  *
- * @param label what is on it, with its unit
- * @param low the value at its beginning
+ * @param label its quantity and unit
+ * @param low the value at its start
  * @param high the value at its end, above low
- * @param logarithmic whether equal ways are equal ratios; low is positive then
+ * @param logarithmic whether the scale is logarithmic; low is positive then
  */
 public record Axis(String label, double low, double high, boolean logarithmic) {
 
@@ -25,25 +25,12 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
         }
     }
 
-    /**
-     * An axis of equal steps.
-     *
-     * @param label what is on it, with its unit
-     * @param low the value at its beginning
-     * @param high the value at its end
-     * @return the axis
-     */
+    /** Returns a linear axis from {@code low} to {@code high}. */
     public static Axis linear(String label, double low, double high) {
         return new Axis(label, low, high, false);
     }
 
-    /**
-     * The axis of equal steps that shows all values and begins and ends at round ones.
-     *
-     * @param label what is on it, with its unit
-     * @param values at least one
-     * @return the axis
-     */
+    /** Returns a linear axis that includes all finite values and starts and ends at multiples of a nice step. */
     public static Axis covering(String label, DoubleStream values) {
         double[] all = values.filter(Double::isFinite).toArray();
         double least = Arrays.stream(all).min().orElse(0);
@@ -55,10 +42,8 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
     }
 
     /**
-     * Where a value is on the axis.
-     *
-     * @param value positive if the axis is logarithmic
-     * @return 0 at its beginning, 1 at its end
+     * Returns the position of a value, 0 at the start of the axis, 1 at its end; the value is positive if the axis is
+     * logarithmic.
      */
     public double fractionOf(double value) {
         if (logarithmic) {
@@ -67,21 +52,12 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
         return (value - low) / (high - low);
     }
 
-    /**
-     * The value at a place of the axis.
-     *
-     * @param share from 0, its beginning, to 1, its end
-     * @return the value
-     */
+    /** Returns the value at a position in [0, 1]. */
     public double valueAt(double share) {
         return logarithmic ? low * StrictMath.exp(share * StrictMath.log(high / low)) : low + share * (high - low);
     }
 
-    /**
-     * Round values along the axis.
-     *
-     * @return in order
-     */
+    /** Returns nice values along the axis, in order. */
     public List<Double> ticks() {
         return logarithmic ? logarithmicTicks() : linearTicks();
     }
@@ -115,17 +91,12 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
         return power * (leading <= 1 ? 1 : leading <= 2 ? 2 : leading <= 5 ? 5 : 10);
     }
 
-    /** The power of ten at or below a positive value. */
+    /** Returns the power of ten at or below a positive value. */
     private static double powerOfTen(double value) {
         return Double.parseDouble("1e" + (int) Math.floor(StrictMath.log10(value) + 1e-9));
     }
 
-    /**
-     * A tick's name.
-     *
-     * @param tick a value
-     * @return no more digits than it needs, a true minus sign
-     */
+    /** Returns the label of a tick: no more digits than necessary, with a true minus sign. */
     public static String formatTick(double tick) {
         BigDecimal rounded =
                 new BigDecimal(tick).round(new java.math.MathContext(6)).stripTrailingZeros();

@@ -3,11 +3,11 @@ package faultline.paint.chart;
 import java.util.List;
 
 /**
- * A chart: what it shows against which axes.
+ * A chart: series and their axes.
  *
- * @param title above it
- * @param x the axis to the right
- * @param y the axis up
+ * @param title above the chart
+ * @param x the horizontal axis
+ * @param y the vertical axis
  * @param series from the lowest to the topmost
  */
 public record Chart(String title, Axis x, Axis y, List<Series> series) {

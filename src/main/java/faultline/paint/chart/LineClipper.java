@@ -4,12 +4,12 @@ import faultline.geometry.Vector2;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Cuts lines at the edges of the unit square, which a chart's data are in before they become pixels. */
+/** Clips lines at the unit square, in which the data of a chart lie before they are mapped to pixels. */
 final class LineClipper {
 
     private LineClipper() {}
 
-    /** The pieces of a line that lie in the square; a point that is not finite also ends a piece. */
+    /** Returns the pieces of a line that lie in the square; a point that is not finite ends a piece. */
     static List<List<Vector2>> clip(List<Vector2> line) {
         List<List<Vector2>> pieces = new ArrayList<>();
         List<Vector2> piece = new ArrayList<>();
@@ -34,7 +34,7 @@ final class LineClipper {
         }
     }
 
-    /** The part of a segment in the square, by Liang and Barsky: its two ends, or nothing. */
+    /** Returns the two ends of the part of a segment that lies in the square, by Liang and Barsky, or an empty list. */
     private static List<Vector2> clipSegment(Vector2 a, Vector2 b) {
         if (!a.isFinite() || !b.isFinite()) {
             return List.of();

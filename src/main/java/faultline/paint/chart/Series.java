@@ -4,23 +4,19 @@ import faultline.geometry.Vector2;
 import java.util.List;
 
 /**
- * What a chart shows, in its own values. A name that is not empty stands in the legend; the style picks colour, dash
- * and marker.
+ * A series of a chart, in the values of its axes. A name that is not empty appears in the legend; the style index
+ * selects colour, dash pattern and marker.
  */
 public sealed interface Series {
 
-    /**
-     * What the legend calls it.
-     *
-     * @return empty for what is not in the legend
-     */
+    /** Returns the name in the legend; empty for a series without an entry. */
     String name();
 
     /**
      * A line.
      *
      * @param name in the legend
-     * @param points in order; one that is not finite breaks the line
+     * @param points in order; one that is not finite is a gap
      * @param styleIndex from 0
      */
     record Line(String name, List<Vector2> points, int styleIndex) implements Series {
@@ -43,7 +39,7 @@ public sealed interface Series {
     }
 
     /**
-     * What lies between two lines.
+     * The band between two lines.
      *
      * @param name in the legend
      * @param upper in the order of x
@@ -58,11 +54,11 @@ public sealed interface Series {
     }
 
     /**
-     * A map of classes over the whole chart: rows from the lower edge up, each from left to right, in equal steps along
+     * A map of classes that fills the chart: rows from the lower edge up, each from left to right, in equal steps along
      * the axes.
      *
      * @param names of the classes in the legend
-     * @param rows of cells, each the place of its class in {@code names}
+     * @param rows of cells, each the index of its class in {@code names}
      */
     record Cells(List<String> names, List<List<Integer>> rows) implements Series {
         public Cells {
@@ -77,10 +73,10 @@ public sealed interface Series {
     }
 
     /**
-     * A few words at a place.
+     * A text at a point.
      *
-     * @param name what stands there
-     * @param position the text's beginning
+     * @param name the text
+     * @param position of its start
      */
     record Note(String name, Vector2 position) implements Series {}
 }

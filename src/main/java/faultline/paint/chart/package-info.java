@@ -1,5 +1,6 @@
 /**
- * Charts: axes, ticks, series, legends and their layout, drawn on a surface. Text is never measured with the machine's
- * fonts where the result goes to a file, so the same chart gives the same bytes everywhere.
+ * Charts and the state diagram: axes, ticks, series, legends and their layout, drawn on a surface for figures and for
+ * the instruments of the window. No text is measured with the fonts of the machine, so the same chart has the same
+ * bytes everywhere.
  */
 package faultline.paint.chart;

@@ -18,8 +18,8 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 
 /**
- * Writes an animated GIF that goes round for ever. After the first picture only the part that has changed is written.
- * One thread.
+ * Writes an animated GIF that repeats for ever. After the first picture only the area that has changed is written.
+ * Instances are confined to one thread.
  */
 public final class AnimatedGifWriter implements AutoCloseable {
 
@@ -35,12 +35,12 @@ public final class AnimatedGifWriter implements AutoCloseable {
     private Optional<BufferedImage> previousFrame = Optional.empty();
 
     /**
-     * A film without pictures.
+     * Creates a writer.
      *
-     * @param out where the file goes; not closed
-     * @param palette whose colours must come out right
-     * @param delay how long each picture stays, hundredths of a second, positive
-     * @throws IOException if it cannot be written
+     * @param out the target; not closed
+     * @param palette colours that must be exact
+     * @param delay of each picture, hundredths of a second, positive
+     * @throws IOException if the file cannot be written
      */
     public AnimatedGifWriter(OutputStream out, Palette palette, int delay) throws IOException {
         this.palette = palette;
@@ -53,7 +53,7 @@ public final class AnimatedGifWriter implements AutoCloseable {
     /**
      * Adds a picture.
      *
-     * @param picture as large as the first one
+     * @param picture of the same size as the first
      * @throws IOException if it cannot be written
      */
     public void addFrame(BufferedImage picture) throws IOException {
@@ -70,8 +70,8 @@ public final class AnimatedGifWriter implements AutoCloseable {
     }
 
     /**
-     * The smallest rectangle outside of which two pictures agree; a pixel where they agree everywhere, because a part
-     * must not be empty.
+     * Returns the smallest rectangle that contains all differences between two pictures; one pixel if there are none,
+     * because it must not be empty.
      */
     static Rectangle changedArea(BufferedImage before, BufferedImage after) {
         byte[] old = ((DataBufferByte) before.getRaster().getDataBuffer()).getData();
@@ -92,7 +92,7 @@ public final class AnimatedGifWriter implements AutoCloseable {
         return right < 0 ? new Rectangle(1, 1) : new Rectangle(left, top, right - left + 1, bottom - top + 1);
     }
 
-    /** A part of a picture with pixels of its own: the writer would take those of a view from the wrong place. */
+    /** Returns a copy of an area: the writer would read the pixels of a view from the wrong position. */
     private static BufferedImage copyArea(BufferedImage picture, Rectangle part) {
         BufferedImage cut = new BufferedImage(
                 part.width, part.height, picture.getType(), (IndexColorModel) picture.getColorModel());
@@ -151,7 +151,7 @@ public final class AnimatedGifWriter implements AutoCloseable {
         return node;
     }
 
-    /** Ends the file; what it goes to stays open. */
+    /** Ends the file; the target stays open. */
     @Override
     public void close() throws IOException {
         try (stream) {

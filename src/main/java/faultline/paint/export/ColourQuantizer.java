@@ -15,8 +15,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * At most 256 colours that stand for all: those of a palette, the most frequent ones of a sample picture, and a coarse
- * cube for what comes up later. Colours are told apart by five bits a channel.
+ * Reduces pictures to at most 256 colours: those of a palette, a coarse cube, and the most frequent ones of a sample
+ * picture. Colours are compared with five bits per channel.
  */
 final class ColourQuantizer {
 
@@ -37,7 +37,7 @@ final class ColourQuantizer {
         }
     }
 
-    /** The colours for pictures that look like a sample. */
+    /** Returns a quantizer for pictures that resemble a sample. */
     static ColourQuantizer of(Palette palette, BufferedImage sample) {
         Set<Integer> chosen = new LinkedHashSet<>();
         paletteColours(palette).forEach(colour -> chosen.add(colour.getRGB() & 0xFFFFFF));
@@ -72,7 +72,7 @@ final class ColourQuantizer {
                 .flatMap(green -> steps.stream().map(blue -> red << 16 | green << 8 | blue)));
     }
 
-    /** The colours of a picture, one a cell, the most frequent first. */
+    /** Returns the colours of a picture, one for each cell, the most frequent first. */
     private static Stream<Integer> frequentColours(BufferedImage sample) {
         int[] counts = new int[CELL_COUNT];
         int[] seen = new int[CELL_COUNT];
@@ -87,7 +87,7 @@ final class ColourQuantizer {
                 .map(cell -> seen[cell]);
     }
 
-    /** A picture in these colours. */
+    /** Returns a picture in these colours. */
     BufferedImage quantize(BufferedImage image) {
         BufferedImage few =
                 new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_BYTE_INDEXED, model);

@@ -10,21 +10,18 @@ import faultline.world.Snapshot;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 
-/** Frames as pictures, made without a display by the painter that the window uses. */
+/** Renders frames as pictures without a display, with the painter of the window. */
 public final class FrameRenderer {
 
-    /**
-     * What is left free about the world, pixels: room for the band, and below it for the scale bar, above it for the
-     * badge.
-     */
+    /** The margin around the world, pixels: for the band, the scale bar below and the badge above. */
     private static final double MARGIN = 40;
 
     private FrameRenderer() {}
 
     /**
-     * A picture of a whole world with the usual layers.
+     * Renders a whole world with the default layers.
      *
-     * @param frame what to paint
+     * @param frame the frame
      * @param palette its colours; {@link Palette#LIGHT} for files
      * @param width pixels, positive
      * @param height pixels, positive
@@ -35,19 +32,12 @@ public final class FrameRenderer {
                 .toImage(1);
     }
 
-    /**
-     * The camera that shows a whole world.
-     *
-     * @param world the world
-     * @param width of the picture, pixels, positive
-     * @param height of the picture, pixels, positive
-     * @return a camera with a margin
-     */
+    /** Returns the camera that shows a whole world with a margin; width and height in pixels, positive. */
     public static Camera fitCamera(Snapshot world, int width, int height) {
         return Camera.fit(bounds(world), MARGIN, width, height);
     }
 
-    /** The world's rectangle, and whatever stands outside of it. */
+    /** Returns the bounds of the world and of everything outside of it. */
     private static Rectangle2D bounds(Snapshot world) {
         Rectangle2D bounds = new Rectangle2D.Double(0, 0, world.width(), world.height());
         for (Obstacle obstacle : world.obstacles()) {

@@ -7,9 +7,9 @@ import java.awt.print.PageFormat;
 import java.awt.print.Printable;
 
 /**
- * A picture on one page of paper, as large as it fits, in its middle.
+ * A picture on one page of paper, centred and as large as possible.
  *
- * @param request what to print
+ * @param request the picture
  */
 public record PrintablePage(RenderRequest request) implements Printable {
 

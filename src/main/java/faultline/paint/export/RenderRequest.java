@@ -15,44 +15,36 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * All that a picture of a frame hangs on, so that it can be made on any thread, as pixels of any fineness or as lines.
+ * A complete description of the picture of a frame. It can be rendered on any thread, as pixels of any resolution or as
+ * SVG.
  *
- * @param frame what to paint
- * @param camera what part of the world, and how large the picture is
+ * @param frame the frame
+ * @param camera the part of the world and the size of the picture
  * @param palette the colours; {@link Palette#LIGHT} for files
- * @param painter the layers that show, and the words in them
- * @param reference an earlier run beside the frame's, empty for none
+ * @param painter the layers and the texts
+ * @param reference a reference run, empty for none
  */
 public record RenderRequest(
         Frame frame, Camera camera, Palette palette, ScenePainter painter, Optional<ReferenceOverlay> reference) {
 
     /**
-     * A picture without an earlier run, in English.
+     * Creates a request without a reference run, in English.
      *
-     * @param frame what to paint
-     * @param camera what part of the world, and how large the picture is
+     * @param frame the frame
+     * @param camera the part of the world and the size of the picture
      * @param palette the colours
-     * @param layers the layers that show
+     * @param layers the layers to show
      */
     public RenderRequest(Frame frame, Camera camera, Palette palette, Set<Layer> layers) {
         this(frame, camera, palette, new ScenePainter(layers, SceneLabels.ENGLISH), Optional.empty());
     }
 
-    /**
-     * The same view of another moment.
-     *
-     * @param other what to paint
-     * @return the same shot otherwise
-     */
+    /** Returns the same request for another frame. */
     public RenderRequest withFrame(Frame other) {
         return new RenderRequest(other, camera, palette, painter, reference);
     }
 
-    /**
-     * Paints the picture.
-     *
-     * @param graphics whose user space is the picture
-     */
+    /** Paints the picture on graphics whose user space is the picture. */
     public void paint(Graphics2D graphics) {
         paint(new DrawContext(graphics, camera, palette));
     }
@@ -62,10 +54,10 @@ public record RenderRequest(
     }
 
     /**
-     * The picture as pixels.
+     * Renders the picture as pixels.
      *
-     * @param fineness how many of them go to each side of a pixel of the camera's picture, positive
-     * @return a new opaque picture
+     * @param fineness pixels of the image per pixel of the camera's picture along each side, positive
+     * @return a new opaque image
      */
     public BufferedImage toImage(double fineness) {
         BufferedImage image = new BufferedImage(
@@ -82,11 +74,7 @@ public record RenderRequest(
         return image;
     }
 
-    /**
-     * The picture as lines.
-     *
-     * @return the text of an SVG file
-     */
+    /** Returns the text of an SVG file. */
     public String toSvg() {
         SvgSurface surface = new SvgSurface(camera.width(), camera.height());
         paint(new DrawContext(surface, camera, palette, DrawContext.DEFAULT_FONT));

@@ -6,12 +6,11 @@ import java.awt.Stroke;
 import java.awt.geom.Rectangle2D;
 
 /**
- * Paints the edge of the world: a band round an enclosed one, whose inner edge is the wall itself, or a fine broken
- * line.
+ * Paints the bounds of the world: a band around an enclosed one, whose inner edge is the wall, or a thin dashed line.
  */
 final class BoundsPainter {
 
-    /** How wide the band is, pixels. */
+    /** The width of the band, pixels. */
     static final double BAND_WIDTH = 9;
 
     private static final Stroke BAND_STROKE =
@@ -20,15 +19,15 @@ final class BoundsPainter {
 
     private BoundsPainter() {}
 
-    static void paint(DrawContext brush, double width, double height, boolean enclosed) {
+    static void paint(DrawContext context, double width, double height, boolean enclosed) {
         Rectangle2D inside =
-                brush.toScreen(new Rectangle2D.Double(0, 0, width, height)).getBounds2D();
+                context.toScreen(new Rectangle2D.Double(0, 0, width, height)).getBounds2D();
         if (enclosed) {
-            brush.draw(expanded(inside, BAND_WIDTH / 2), brush.palette().obstacle(), BAND_STROKE);
-            brush.draw(inside, brush.palette().obstacleOutline(), EDGE_STROKE);
-            brush.draw(expanded(inside, BAND_WIDTH), brush.palette().obstacleOutline(), EDGE_STROKE);
+            context.draw(expanded(inside, BAND_WIDTH / 2), context.palette().obstacle(), BAND_STROKE);
+            context.draw(inside, context.palette().obstacleOutline(), EDGE_STROKE);
+            context.draw(expanded(inside, BAND_WIDTH), context.palette().obstacleOutline(), EDGE_STROKE);
         } else {
-            brush.draw(inside, brush.palette().muted(), DrawContext.dashedStroke(1, 2, 5));
+            context.draw(inside, context.palette().muted(), DrawContext.dashedStroke(1, 2, 5));
         }
     }
 

@@ -15,12 +15,12 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Paints the contacts, a cross in a ring where the first collision was, and a badge that says where and when, and what
- * was broken then.
+ * Paints rings at contacts, a cross in a ring at the first collision, and a badge with its position, its time and the
+ * faults at that time.
  */
 final class CollisionPainter {
 
-    /** The radius of the ring about the first collision, pixels. */
+    /** The radius of the ring around the first collision, pixels. */
     static final double RING_RADIUS = 10;
 
     private static final double CONTACT_RADIUS = 7;
@@ -28,65 +28,66 @@ final class CollisionPainter {
     private static final double BADGE_MARGIN = 5;
     private static final double PADDING = 8;
     private static final double LINE_HEIGHT = 17;
-    /** From the middle of a line down to where its letters stand, pixels. */
+    /** From the middle of a line of text down to its baseline, pixels. */
     private static final double BASELINE_OFFSET = 4.5;
 
     private static final double DOT_RADIUS = 4.5;
 
     private CollisionPainter() {}
 
-    static void paint(DrawContext brush, Snapshot world) {
+    static void paint(DrawContext context, Snapshot world) {
         for (Vector2 contact : world.contacts()) {
-            Vector2 place = brush.camera().toScreen(contact);
-            brush.drawRing(
-                    place.x(), place.y(), CONTACT_RADIUS, 2, brush.palette().contact());
+            Vector2 place = context.camera().toScreen(contact);
+            context.drawRing(
+                    place.x(), place.y(), CONTACT_RADIUS, 2, context.palette().contact());
         }
-        world.collision().ifPresent(collision -> paintMark(brush, brush.camera().toScreen(collision.point())));
+        world.collision()
+                .ifPresent(collision -> paintMark(context, context.camera().toScreen(collision.point())));
     }
 
-    private static void paintMark(DrawContext brush, Vector2 at) {
-        Color colour = brush.palette().contact();
-        brush.drawRing(at.x(), at.y(), RING_RADIUS, 2.4, colour);
-        brush.draw(
+    private static void paintMark(DrawContext context, Vector2 at) {
+        Color colour = context.palette().contact();
+        context.drawRing(at.x(), at.y(), RING_RADIUS, 2.4, colour);
+        context.draw(
                 new Line2D.Double(at.x() - CROSS_ARM, at.y() - CROSS_ARM, at.x() + CROSS_ARM, at.y() + CROSS_ARM),
                 colour,
                 DrawContext.solidStroke(2));
-        brush.draw(
+        context.draw(
                 new Line2D.Double(at.x() - CROSS_ARM, at.y() + CROSS_ARM, at.x() + CROSS_ARM, at.y() - CROSS_ARM),
                 colour,
                 DrawContext.solidStroke(2));
     }
 
-    static void paintBadge(DrawContext brush, Collision collision, SceneLabels words) {
-        List<String> lines = badgeLines(collision, words);
+    static void paintBadge(DrawContext context, Collision collision, SceneLabels labels) {
+        List<String> lines = badgeLines(collision, labels);
         double text = lines.stream()
-                .mapToDouble(line -> brush.measureText(line).getWidth())
+                .mapToDouble(line -> context.measureText(line).getWidth())
                 .max()
                 .orElseThrow();
-        double height = brush.scaleToFont(LINE_HEIGHT);
+        double height = context.scaleToFont(LINE_HEIGHT);
         Rectangle2D frame = new Rectangle2D.Double(
                 BADGE_MARGIN, BADGE_MARGIN, text + 3 * PADDING + 2 * DOT_RADIUS, height * lines.size() + PADDING);
         Shape badge = new RoundRectangle2D.Double(
                 frame.getX() + 0.5, frame.getY() + 0.5, frame.getWidth(), frame.getHeight(), 8, 8);
-        brush.fill(badge, brush.palette().canvas());
-        brush.draw(badge, brush.palette().contact(), DrawContext.solidStroke(1.6));
+        context.fill(badge, context.palette().canvas());
+        context.draw(badge, context.palette().contact(), DrawContext.solidStroke(1.6));
         double middle = frame.getY() + 0.5 + (PADDING + height) / 2;
-        brush.fill(
+        context.fill(
                 new Ellipse2D.Double(frame.getX() + PADDING, middle - DOT_RADIUS, 2 * DOT_RADIUS, 2 * DOT_RADIUS),
-                brush.palette().contact());
+                context.palette().contact());
         for (int i = 0; i < lines.size(); i++) {
-            brush.drawText(
+            context.drawText(
                     lines.get(i),
                     frame.getX() + 2 * PADDING + 2 * DOT_RADIUS,
-                    middle + brush.scaleToFont(BASELINE_OFFSET) + i * height,
-                    brush.palette().text());
+                    middle + context.scaleToFont(BASELINE_OFFSET) + i * height,
+                    context.palette().text());
         }
     }
 
-    /** What the badge says, a line each. */
-    static List<String> badgeLines(Collision collision, SceneLabels words) {
+    /** Returns the lines of the badge. */
+    static List<String> badgeLines(Collision collision, SceneLabels labels) {
         List<String> lines = new ArrayList<>();
-        lines.add(words.collision()
+        lines.add(labels.collision()
                 + String.format(
                         Locale.ROOT,
                         "   x %.3f m   y %.3f m   t %.3f s   %s",
@@ -98,12 +99,12 @@ final class CollisionPainter {
             List<String> broken = new ArrayList<>();
             collision
                     .faults()
-                    .forEach((sensor, faults) -> faults.forEach(
-                            fault -> broken.add(sensor + " " + words.faultName().apply(fault.kind()))));
-            lines.add(words.faults() + ": " + String.join(", ", broken));
+                    .forEach((sensor, faults) -> faults.forEach(fault ->
+                            broken.add(sensor + " " + labels.faultName().apply(fault.kind()))));
+            lines.add(labels.faults() + ": " + String.join(", ", broken));
         }
         if (!collision.switchedOff().isEmpty()) {
-            lines.add(words.sensorsOff() + ": " + String.join(", ", collision.switchedOff()));
+            lines.add(labels.sensorsOff() + ": " + String.join(", ", collision.switchedOff()));
         }
         return lines;
     }

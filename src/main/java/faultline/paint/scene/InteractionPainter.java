@@ -19,8 +19,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Paints what a hand is about: where it wants things, by what values, what it draws, and why it cannot have what it
- * wants.
+ * Paints the feedback of an interaction: previews, the points of a sketch, a rubber band, values, and the reason of a
+ * refusal.
  */
 public final class InteractionPainter {
 
@@ -34,144 +34,140 @@ public final class InteractionPainter {
     private InteractionPainter() {}
 
     /**
-     * Paints where a hand wants an obstacle, which the world need not have done yet.
+     * Paints the preview of an obstacle.
      *
-     * @param brush where to
-     * @param there the obstacle as it is wanted
+     * @param context the target
+     * @param there the obstacle at its wanted position
      * @param blocked whether it cannot be there
      */
-    public static void paintPreview(DrawContext brush, Obstacle there, boolean blocked) {
-        paintPreview(brush, SelectionPainter.screenOutline(brush, there), blocked);
+    public static void paintPreview(DrawContext context, Obstacle there, boolean blocked) {
+        paintPreview(context, SelectionPainter.screenOutline(context, there), blocked);
     }
 
     /**
-     * Paints a frame about where a hand wants many obstacles, which the world need not have done yet.
+     * Paints the bounding box of the previews of several obstacles.
      *
-     * @param brush where to
-     * @param there the obstacles as they are wanted, at least one
+     * @param context the target
+     * @param there the obstacles at their wanted positions, at least one
      * @param blocked whether one of them cannot be there
      */
-    public static void paintPreview(DrawContext brush, List<Obstacle> there, boolean blocked) {
-        paintPreview(brush, bounds(brush, there).orElseThrow(), blocked);
+    public static void paintPreview(DrawContext context, List<Obstacle> there, boolean blocked) {
+        paintPreview(context, bounds(context, there).orElseThrow(), blocked);
     }
 
-    private static Optional<Rectangle2D> bounds(DrawContext brush, List<Obstacle> obstacles) {
+    private static Optional<Rectangle2D> bounds(DrawContext context, List<Obstacle> obstacles) {
         return obstacles.stream()
-                .map(obstacle -> SelectionPainter.screenOutline(brush, obstacle).getBounds2D())
+                .map(obstacle ->
+                        SelectionPainter.screenOutline(context, obstacle).getBounds2D())
                 .reduce(Rectangle2D::createUnion);
     }
 
     /**
-     * Paints where a hand wants the robot.
+     * Paints the preview of the robot.
      *
-     * @param brush where to
+     * @param context the target
      * @param robot the robot
      * @param pose its wanted pose
      * @param blocked whether it cannot be there
      */
-    public static void paintRobotPreview(DrawContext brush, RobotSpec robot, Pose pose, boolean blocked) {
-        RobotPainter.paint(brush, robot, pose);
+    public static void paintRobotPreview(DrawContext context, RobotSpec robot, Pose pose, boolean blocked) {
+        RobotPainter.paint(context, robot, pose);
         Shape platform = new Rectangle2D.Double(-robot.length() / 2, -robot.width() / 2, robot.length(), robot.width());
-        paintPreview(brush, brush.toScreen(platform, RigidMotion.poseTransform(pose)), blocked);
+        paintPreview(context, context.toScreen(platform, RigidMotion.poseTransform(pose)), blocked);
     }
 
-    /** What cannot be is crossed out besides, because a colour alone says nothing to some. */
-    private static void paintPreview(DrawContext brush, Shape outline, boolean blocked) {
-        brush.draw(
-                outline, blocked ? brush.palette().contact() : brush.palette().accent(), PREVIEW_STROKE);
+    /** Paints an outline, crossed out if it is blocked, because colour alone does not suffice for everyone. */
+    private static void paintPreview(DrawContext context, Shape outline, boolean blocked) {
+        context.draw(
+                outline,
+                blocked ? context.palette().contact() : context.palette().accent(),
+                PREVIEW_STROKE);
         if (blocked) {
             Rectangle2D box = outline.getBounds2D();
-            brush.draw(
+            context.draw(
                     new Line2D.Double(box.getMinX(), box.getMinY(), box.getMaxX(), box.getMaxY()),
-                    brush.palette().contact(),
+                    context.palette().contact(),
                     CROSS_STROKE);
-            brush.draw(
+            context.draw(
                     new Line2D.Double(box.getMinX(), box.getMaxY(), box.getMaxX(), box.getMinY()),
-                    brush.palette().contact(),
+                    context.palette().contact(),
                     CROSS_STROKE);
         }
     }
 
     /**
-     * Paints points that are being drawn, joined by lines.
+     * Paints the points of a sketch, joined by lines.
      *
-     * @param brush where to
-     * @param points metres, in the world, at least one; the last is under the mouse
+     * @param context the target
+     * @param points in the world, metres, at least one; the last is under the mouse
      * @param closed whether the last is joined to the first
      */
-    public static void paintSketch(DrawContext brush, List<Vector2> points, boolean closed) {
-        List<Vector2> places = points.stream().map(brush.camera()::toScreen).toList();
+    public static void paintSketch(DrawContext context, List<Vector2> points, boolean closed) {
+        List<Vector2> places = points.stream().map(context.camera()::toScreen).toList();
         Path2D line = Shapes.polyline(places);
         if (closed) {
             line.closePath();
         }
-        brush.draw(line, brush.palette().accent(), PREVIEW_STROKE);
-        places.forEach(place -> SelectionPainter.paintSquareHandle(brush, place));
+        context.draw(line, context.palette().accent(), PREVIEW_STROKE);
+        places.forEach(place -> SelectionPainter.paintSquareHandle(context, place));
     }
 
-    /**
-     * Paints a rubber band.
-     *
-     * @param brush where to
-     * @param from where it began, pixels
-     * @param to where it is, pixels
-     */
-    public static void paintRubberBand(DrawContext brush, Vector2 from, Vector2 to) {
+    /** Paints a rubber band between two points, pixels. */
+    public static void paintRubberBand(DrawContext context, Vector2 from, Vector2 to) {
         Rectangle2D band = new Rectangle2D.Double();
         band.setFrameFromDiagonal(from.x(), from.y(), to.x(), to.y());
-        brush.fill(band, Palette.withAlpha(brush.palette().accent(), BAND_ALPHA));
-        brush.draw(band, brush.palette().accent(), EDGE_STROKE);
+        context.fill(band, Palette.withAlpha(context.palette().accent(), BAND_ALPHA));
+        context.draw(band, context.palette().accent(), EDGE_STROKE);
     }
 
     /**
-     * Paints what a hand is changing, in words: below the obstacles that it changes, or else beside the mouse.
+     * Paints the values that are being changed, below the obstacles or else beside the mouse.
      *
-     * @param brush where to
+     * @param context the target
      * @param values such as {@code x 1.20 m}
-     * @param there the obstacles as they are wanted
+     * @param there the obstacles at their wanted positions
      * @param mouse pixels
      */
-    public static void paintValues(DrawContext brush, String values, List<Obstacle> there, Vector2 mouse) {
+    public static void paintValues(DrawContext context, String values, List<Obstacle> there, Vector2 mouse) {
         paintTextBox(
-                brush,
+                context,
                 values,
-                positionBelow(brush, there, mouse),
-                brush.palette().accent());
+                positionBelow(context, there, mouse),
+                context.palette().accent());
     }
 
     /**
-     * Paints why a hand cannot have what it wants, where {@link #paintValues} paints values.
+     * Paints the reason why a change is refused, at the position of {@link #paintValues}.
      *
-     * @param brush where to
+     * @param context the target
      * @param reason one sentence
-     * @param there the obstacles as they are wanted
+     * @param there the obstacles at their wanted positions
      * @param mouse pixels
      */
-    public static void paintRefusal(DrawContext brush, String reason, List<Obstacle> there, Vector2 mouse) {
+    public static void paintRefusal(DrawContext context, String reason, List<Obstacle> there, Vector2 mouse) {
         paintTextBox(
-                brush,
+                context,
                 reason,
-                positionBelow(brush, there, mouse),
-                brush.palette().contact());
+                positionBelow(context, there, mouse),
+                context.palette().contact());
     }
 
-    private static Vector2 positionBelow(DrawContext brush, List<Obstacle> there, Vector2 mouse) {
-        Rectangle2D bounds = bounds(brush, there).orElse(new Rectangle2D.Double(mouse.x(), mouse.y(), 0, 0));
+    private static Vector2 positionBelow(DrawContext context, List<Obstacle> there, Vector2 mouse) {
+        Rectangle2D bounds = bounds(context, there).orElse(new Rectangle2D.Double(mouse.x(), mouse.y(), 0, 0));
         return new Vector2(bounds.getCenterX(), bounds.getMaxY() + VALUES_GAP);
     }
 
-    /** A plate about a place, moved into the picture where the place is not. */
-    private static void paintTextBox(DrawContext brush, String values, Vector2 place, Color edge) {
-        Rectangle2D text = brush.measureText(values);
+    /** Paints a text in a box around a point, moved into the picture if necessary. */
+    private static void paintTextBox(DrawContext context, String values, Vector2 place, Color edge) {
+        Rectangle2D text = context.measureText(values);
         double halfWidth = text.getWidth() / 2 + VALUES_PADDING;
         double halfHeight = text.getHeight() / 2 + VALUES_PADDING / 2;
-        double inX = clamp(place.x(), halfWidth, brush.camera().width() - halfWidth);
-        double inY = clamp(place.y(), halfHeight, brush.camera().height() - halfHeight);
-        Shape plate =
-                new RoundRectangle2D.Double(inX - halfWidth, inY - halfHeight, 2 * halfWidth, 2 * halfHeight, 8, 8);
-        brush.fill(plate, brush.palette().canvas());
-        brush.draw(plate, edge, EDGE_STROKE);
-        brush.drawLabel(values, inX, inY, brush.palette().text());
+        double inX = clamp(place.x(), halfWidth, context.camera().width() - halfWidth);
+        double inY = clamp(place.y(), halfHeight, context.camera().height() - halfHeight);
+        Shape box = new RoundRectangle2D.Double(inX - halfWidth, inY - halfHeight, 2 * halfWidth, 2 * halfHeight, 8, 8);
+        context.fill(box, context.palette().canvas());
+        context.draw(box, edge, EDGE_STROKE);
+        context.drawLabel(values, inX, inY, context.palette().text());
     }
 
     private static double clamp(double value, double least, double most) {

@@ -4,7 +4,7 @@ import faultline.geometry.Vector2;
 import faultline.paint.surface.DrawContext;
 import java.util.List;
 
-/** Paints the paper's circles: a ring wherever the outline of a cone meets the outline of an obstacle. */
+/** Paints the circles of the paper: a ring at each point at which the outlines of a cone and an obstacle intersect. */
 final class IntersectionPainter {
 
     /** The radius of a ring, pixels. */
@@ -12,11 +12,11 @@ final class IntersectionPainter {
 
     private IntersectionPainter() {}
 
-    static void paint(DrawContext brush, List<Vector2> hits) {
+    static void paint(DrawContext context, List<Vector2> hits) {
         for (Vector2 hit : hits) {
-            Vector2 place = brush.camera().toScreen(hit);
-            brush.drawRing(
-                    place.x(), place.y(), RING_RADIUS, 1.8, brush.palette().contact());
+            Vector2 place = context.camera().toScreen(hit);
+            context.drawRing(
+                    place.x(), place.y(), RING_RADIUS, 1.8, context.palette().contact());
         }
     }
 }

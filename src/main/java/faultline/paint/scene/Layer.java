@@ -4,8 +4,8 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * A part of the scene that can be shown or hidden. The obstacles, the robot, its contacts and the first collision
- * always show.
+ * A layer of the scene that can be shown or hidden. Obstacles, the robot, its contacts and the first collision are
+ * always shown.
  */
 public enum Layer {
     /** The grid. */
@@ -23,11 +23,7 @@ public enum Layer {
     /** The scale bar. */
     SCALE_BAR;
 
-    /**
-     * The layers that show where nobody chose otherwise.
-     *
-     * @return a new set of all but {@link #LABELS}
-     */
+    /** Returns a new set of the layers that are shown by default: all but {@link #LABELS}. */
     public static Set<Layer> defaults() {
         return EnumSet.complementOf(EnumSet.of(LABELS));
     }

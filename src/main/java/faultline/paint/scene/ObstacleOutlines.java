@@ -14,17 +14,12 @@ import java.awt.geom.RectangularShape;
 import java.util.Collection;
 import java.util.List;
 
-/** Obstacles as shapes of {@link java.awt.geom}, in metres. */
+/** Converts obstacles to shapes of {@link java.awt.geom}, in metres. */
 public final class ObstacleOutlines {
 
     private ObstacleOutlines() {}
 
-    /**
-     * A shape in its own frame.
-     *
-     * @param shape the shape
-     * @return its outline; open for a wall, closed for all others
-     */
+    /** Returns the outline of a shape in its own frame; open for a wall, closed for all others. */
     public static Shape localShape(ObstacleShape shape) {
         if (shape instanceof ObstacleShape.Rectangle rectangle) {
             return centred(new Rectangle2D.Double(), rectangle.width(), rectangle.height());
@@ -55,33 +50,22 @@ public final class ObstacleOutlines {
         return path;
     }
 
-    /**
-     * An obstacle where it stands.
-     *
-     * @param obstacle the obstacle
-     * @return its outline in the world
-     */
+    /** Returns the outline of an obstacle in the world. */
     public static Shape worldShape(Obstacle obstacle) {
         return RigidMotion.poseTransform(obstacle.pose()).createTransformedShape(localShape(obstacle.shape()));
     }
 
     /**
-     * The middle of an obstacle, which it is turned about by hand. The origin of a polygon's frame may lie far outside
-     * of it.
-     *
-     * @param obstacle the obstacle
-     * @return metres, in the world
+     * Returns the centre of an obstacle in the world, metres, about which the user rotates it. The origin of a
+     * polygon's frame may lie far outside.
      */
     public static Vector2 centre(Obstacle obstacle) {
         return obstacle.pose().toParent(localCentre(obstacle));
     }
 
     /**
-     * The common middle of obstacles, which they are turned about together: the mean of their middles, because that
-     * stays where it is when they turn.
-     *
-     * @param obstacles the obstacles, at least one
-     * @return metres, in the world
+     * Returns the common centre of obstacles, metres, about which the user rotates them: the mean of their centres,
+     * which a rotation does not move.
      */
     public static Vector2 centre(Collection<Obstacle> obstacles) {
         return obstacles.stream()
@@ -96,12 +80,12 @@ public final class ObstacleOutlines {
     }
 
     /**
-     * The pose of an obstacle turned about a point, eq. (1).
+     * Returns the pose of an obstacle after a rotation, eq. (1).
      *
-     * @param obstacle the obstacle as it stands
-     * @param about the point, metres, in the world
+     * @param obstacle the obstacle
+     * @param about the centre of rotation in the world, metres
      * @param turn radians, counter-clockwise
-     * @return the pose after the turn
+     * @return the pose after the rotation
      */
     public static Pose rotatedPose(Obstacle obstacle, Vector2 about, double turn) {
         Pose pose = obstacle.pose();

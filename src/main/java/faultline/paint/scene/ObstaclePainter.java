@@ -15,51 +15,51 @@ import java.awt.geom.Rectangle2D;
 import java.util.Optional;
 
 /**
- * Paints one obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour and with
- * a heavier outline, a glossy one with a bright line along its edge.
+ * Paints an obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour with a
+ * heavier outline, a glossy one with a bright line along its edge.
  */
 final class ObstaclePainter {
 
     private static final Stroke STATIC_STROKE = DrawContext.solidStroke(1.4);
     private static final Stroke MOVING_STROKE = DrawContext.solidStroke(2);
-    /** A wall has no thickness in the world; this much makes it seen. */
+    /** A wall has no thickness in the world; this width makes it visible. */
     private static final Stroke WALL_STROKE = DrawContext.solidStroke(4);
 
     private static final Stroke SPECULAR_STROKE = DrawContext.solidStroke(5);
     private static final Stroke HIGHLIGHT_STROKE = DrawContext.solidStroke(2);
     private static final int MOVING_ALPHA = 120;
-    /** An obstacle smaller than this on the screen would be hidden by its name, pixels. */
+    /** The least size of an obstacle that its name does not hide, pixels. */
     private static final double MIN_SIZE_FOR_NAME = 30;
 
     private static final double NAME_GAP = 10;
-    /** How far a name may reach beyond an obstacle's upper or lower end, pixels. */
+    /** The reach of a name beyond the upper or lower end of an obstacle, pixels. */
     private static final double NAME_HEIGHT = 24;
-    /** How far an outline, its halo or a mark of selection may reach beyond an obstacle, pixels. */
+    /** The reach of an outline, its halo or a selection beyond an obstacle, pixels. */
     private static final double OUTLINE_MARGIN = 4;
 
     private static final FontRenderContext FONT_CONTEXT = new FontRenderContext(null, true, true);
 
     private ObstaclePainter() {}
 
-    static void paint(DrawContext brush, Obstacle obstacle) {
-        Palette palette = brush.palette();
+    static void paint(DrawContext context, Obstacle obstacle) {
+        Palette palette = context.palette();
         boolean moves = obstacle.motion().isPresent();
         Color outline = moves ? palette.movingOutline() : palette.obstacleOutline();
-        Shape shape = brush.toScreen(
+        Shape shape = context.toScreen(
                 ObstacleOutlines.localShape(obstacle.shape()), RigidMotion.poseTransform(obstacle.pose()));
         if (obstacle.shape() instanceof ObstacleShape.Wall) {
-            brush.draw(shape, outline, WALL_STROKE);
+            context.draw(shape, outline, WALL_STROKE);
         } else {
-            brush.fill(shape, moves ? Palette.withAlpha(palette.moving(), MOVING_ALPHA) : palette.obstacle());
-            brush.draw(shape, outline, moves ? MOVING_STROKE : STATIC_STROKE);
+            context.fill(shape, moves ? Palette.withAlpha(palette.moving(), MOVING_ALPHA) : palette.obstacle());
+            context.draw(shape, outline, moves ? MOVING_STROKE : STATIC_STROKE);
         }
         if (obstacle.isSpecular()) {
-            brush.draw(shape, outline, SPECULAR_STROKE);
-            brush.draw(shape, palette.canvas(), HIGHLIGHT_STROKE);
+            context.draw(shape, outline, SPECULAR_STROKE);
+            context.draw(shape, palette.canvas(), HIGHLIGHT_STROKE);
         }
     }
 
-    /** Where the outline, and the name if there is a font for it, leave marks, pixels. */
+    /** Returns the bounds of the outline and, if a font is given, of the name, pixels. */
     static Rectangle2D paintedBounds(Camera camera, Obstacle obstacle, Optional<Font> names) {
         Rectangle2D bounds = camera.transform()
                 .createTransformedShape(ObstacleOutlines.worldShape(obstacle))
@@ -74,12 +74,13 @@ final class ObstaclePainter {
         return new Rectangle2D.Double(bounds.getCenterX() - across, bounds.getCenterY() - up, 2 * across, 2 * up);
     }
 
-    /** Paints the name in the middle of an obstacle, or above one that it would hide. */
-    static void paintName(DrawContext brush, Obstacle obstacle) {
+    /** Paints the name in the middle of an obstacle, or above it if it would hide the obstacle. */
+    static void paintName(DrawContext context, Obstacle obstacle) {
         Rectangle2D bounds =
-                brush.toScreen(ObstacleOutlines.worldShape(obstacle)).getBounds2D();
+                context.toScreen(ObstacleOutlines.worldShape(obstacle)).getBounds2D();
         boolean hides = Math.max(bounds.getWidth(), bounds.getHeight()) < MIN_SIZE_FOR_NAME;
-        double y = hides ? bounds.getMinY() - brush.scaleToFont(NAME_GAP) : bounds.getCenterY();
-        brush.drawLabel(obstacle.id(), bounds.getCenterX(), y, brush.palette().text());
+        double y = hides ? bounds.getMinY() - context.scaleToFont(NAME_GAP) : bounds.getCenterY();
+        context.drawLabel(
+                obstacle.id(), bounds.getCenterX(), y, context.palette().text());
     }
 }

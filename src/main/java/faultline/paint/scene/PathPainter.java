@@ -9,62 +9,58 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 
-/**
- * Paints where the robot has been, or only a stretch of it, so that a picture of the path can grow instead of being
- * made anew.
- */
+/** Paints the path of the robot, or a section of it, so that a cached picture of the path can grow. */
 public final class PathPainter {
 
-    /** Points nearer to the last one than this are left out, pixels. */
+    /** Points nearer than this to the last one are left out, pixels. */
     private static final double THINNING = 0.7;
-    /** How far the line reaches beyond its middle, pixels. */
+    /** The reach of the line beyond its middle, pixels. */
     private static final double LINE_MARGIN = 2;
-    /** Leaving a point out takes so many times less than drawing it. */
+    /** The cost of drawing a point relative to that of leaving it out. */
     private static final int DRAW_COST = 8;
-    /** A level line has a box that is not empty, pixels. */
+    /** A horizontal line needs a bounding box that is not empty, pixels. */
     private static final double MIN_EXTENT = 1e-3;
 
     private PathPainter() {}
 
     /**
-     * Paints a path from a point on, as far as it is worth so many drawn points; points that are left out are worth
-     * less.
+     * Paints a section of a path, as long as a budget of drawn points lasts; points that are left out cost less.
      *
-     * @param brush where to
+     * @param context the target
      * @param path the path
-     * @param style how it is drawn
-     * @param from the first point's index
-     * @param most how many points may be drawn, about
-     * @param clip what is to be painted, pixels; lines outside are left out
-     * @return what was painted
+     * @param style its style
+     * @param from the index of the first point
+     * @param most the approximate number of points that may be drawn
+     * @param clip the area to paint, pixels; lines outside are left out
+     * @return the painted section
      */
     public static PaintedSection paint(
-            DrawContext brush, RobotPath path, PathStyle style, int from, int most, Rectangle clip) {
-        PolylineBuilder line = new PolylineBuilder(brush.camera(), path, from, clip);
+            DrawContext context, RobotPath path, PathStyle style, int from, int most, Rectangle clip) {
+        PolylineBuilder line = new PolylineBuilder(context.camera(), path, from, clip);
         line.appendUpTo(path.size(), most);
-        brush.draw(line.drawn, style.colour(brush.palette()), style.stroke());
+        context.draw(line.drawn, style.colour(context.palette()), style.stroke());
         return new PaintedSection(line.next, (double) line.cost / DRAW_COST);
     }
 
     /**
-     * A stretch of a path that was painted.
+     * A section of a path that was painted.
      *
      * @param endIndex the index after its last point
-     * @param cost how many points it was worth
+     * @param cost the number of drawn points that it cost
      */
     public record PaintedSection(int endIndex, double cost) {}
 
-    /** Paints a stretch of a path from a point to its end, and on to where the robot is now. */
-    static void paintTail(DrawContext brush, RobotPath path, int from, Vector2 robot) {
-        PolylineBuilder line =
-                new PolylineBuilder(brush.camera(), path, from, brush.camera().bounds());
+    /** Paints the rest of a path from a point, and on to the robot's current position. */
+    static void paintTail(DrawContext context, RobotPath path, int from, Vector2 robot) {
+        PolylineBuilder line = new PolylineBuilder(
+                context.camera(), path, from, context.camera().bounds());
         line.appendUpTo(path.size(), Integer.MAX_VALUE);
-        Vector2 end = brush.camera().toScreen(robot);
+        Vector2 end = context.camera().toScreen(robot);
         line.lineTo(end.x(), end.y());
-        brush.draw(line.drawn, PathStyle.RUN.colour(brush.palette()), PathStyle.RUN.stroke());
+        context.draw(line.drawn, PathStyle.RUN.colour(context.palette()), PathStyle.RUN.stroke());
     }
 
-    /** A line through some of the points of a path. */
+    /** Builds a line through some of the points of a path. */
     private static final class PolylineBuilder {
 
         private final Path2D drawn = new Path2D.Double();
@@ -119,7 +115,7 @@ public final class PathPainter {
             }
         }
 
-        /** Goes on from the last point that was passed, without drawing. */
+        /** Continues from the last point without drawing. */
         private void liftPen() {
             loadPoint(next - 1);
             markLast();

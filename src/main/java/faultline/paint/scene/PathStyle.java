@@ -6,11 +6,11 @@ import java.awt.Color;
 import java.awt.Stroke;
 import java.util.function.Function;
 
-/** How a path is drawn. */
+/** The style of a path. */
 public enum PathStyle {
-    /** Where the robot has been. */
+    /** The path of the run. */
     RUN(2, Palette::path),
-    /** Where the robot of an earlier run was: half as wide. */
+    /** The path of a reference run: half as wide. */
     REFERENCE(1, Palette::reference);
 
     private final Stroke stroke;

@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.OptionalLong;
 
 /**
- * An earlier run that shows beside the one in the frame.
+ * A reference run, shown beside the run in the frame.
  *
- * @param run where its robot was
+ * @param run its path
  * @param dt the length of its ticks, seconds
- * @param divergenceTick the first tick in which the two differ, empty while they do not
- * @param caption what it is and how it compares, a line each, for the picture's corner
- * @param divergenceLabel what stands beside the place of the divergence
+ * @param divergenceTick the first tick in which the two runs differ, empty if they do not
+ * @param caption its description and the comparison, line by line, for the corner of the picture
+ * @param divergenceLabel beside the point at which they first differ
  */
 public record ReferenceOverlay(
         ReferenceRun run, double dt, OptionalLong divergenceTick, List<String> caption, String divergenceLabel) {
@@ -21,7 +21,7 @@ public record ReferenceOverlay(
         caption = List.copyOf(caption);
     }
 
-    /** Where its robot was at a time, seconds. */
+    /** Returns the pose of its robot at a time, seconds. */
     Pose poseAt(double time) {
         return run.pose(Math.round(time / dt));
     }

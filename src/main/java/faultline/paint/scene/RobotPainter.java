@@ -15,7 +15,7 @@ import java.util.List;
 
 /**
  * Paints the robot from above: a body between four wheels, an arrow ahead and a bar along its front. All of it lies
- * within the platform's rectangle, which is what collides.
+ * within the rectangle of the platform, which is what collides.
  */
 final class RobotPainter {
 

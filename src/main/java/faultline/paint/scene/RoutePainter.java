@@ -17,8 +17,8 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 
 /**
- * Paints the way-points of a moving obstacle: a broken line through dots with an arrow on each leg, and the speed
- * beside the longest.
+ * Paints the route of a moving obstacle: a dashed line through dots at its way-points with an arrow on each leg, and
+ * the speed beside the longest leg.
  */
 final class RoutePainter {
 
@@ -26,44 +26,44 @@ final class RoutePainter {
     private static final Stroke ARROW_STROKE = DrawContext.solidStroke(1.8);
     private static final double DOT_RADIUS = 2.5;
     private static final double LABEL_GAP = 4;
-    /** Where the speed stands, as a share of its leg: off the middle, where a name may be. */
+    /** The position of the speed, as a fraction of its leg; not in the middle, where a name may be. */
     private static final double SPEED_POSITION = 0.35;
 
     private static final double ARROW_SIZE = 6;
-    /** A leg shorter than this on the screen gets no arrow, pixels. */
+    /** The least length of a leg with an arrow, pixels. */
     private static final double MIN_LEG_LENGTH = 24;
 
     private RoutePainter() {}
 
-    static void paint(DrawContext brush, WaypointPath motion) {
-        Color colour = brush.palette().movingOutline();
-        List<Vector2> points = toScreen(brush.camera(), motion);
+    static void paint(DrawContext context, WaypointPath motion) {
+        Color colour = context.palette().movingOutline();
+        List<Vector2> points = toScreen(context.camera(), motion);
         // Back from the second point to the first the line is there already, and dashes laid over dashes would close
         // it.
-        brush.draw(
+        context.draw(
                 Shapes.polyline(motion.waypoints().size() == 2 ? points.subList(0, 2) : points), colour, LINE_STROKE);
         for (Vector2 point : points) {
-            brush.fill(
+            context.fill(
                     new Ellipse2D.Double(
                             point.x() - DOT_RADIUS, point.y() - DOT_RADIUS, 2 * DOT_RADIUS, 2 * DOT_RADIUS),
                     colour);
         }
         for (int i = 1; i < points.size(); i++) {
-            paintArrow(brush, points.get(i - 1), points.get(i), colour);
+            paintArrow(context, points.get(i - 1), points.get(i), colour);
         }
         if (points.size() > 1) {
-            paintSpeed(brush, motion.speed(), points);
+            paintSpeed(context, motion.speed(), points);
         }
     }
 
-    private static void paintSpeed(DrawContext brush, double speed, List<Vector2> points) {
+    private static void paintSpeed(DrawContext context, double speed, List<Vector2> points) {
         int longest = IntStream.range(1, points.size())
                 .boxed()
                 .max(Comparator.comparingDouble(i -> points.get(i).distanceTo(points.get(i - 1))))
                 .orElseThrow();
         Vector2 leg = points.get(longest).minus(points.get(longest - 1));
         String text = String.format(Locale.ROOT, "%.2f m/s", speed);
-        Rectangle2D box = brush.measureText(text);
+        Rectangle2D box = context.measureText(text);
         if (leg.length() < 2 * box.getWidth()) {
             return;
         }
@@ -71,10 +71,10 @@ final class RoutePainter {
         Vector2 aside = new Vector2(leg.y(), -leg.x()).times(1 / leg.length());
         double clear = (Math.abs(aside.x()) * box.getWidth() + Math.abs(aside.y()) * box.getHeight()) / 2 + LABEL_GAP;
         Vector2 place = points.get(longest - 1).plus(leg.times(SPEED_POSITION)).plus(aside.times(clear));
-        brush.drawLabel(text, place.x(), place.y(), brush.palette().text());
+        context.drawLabel(text, place.x(), place.y(), context.palette().text());
     }
 
-    /** The way-points in the picture; those of a loop end where they began. */
+    /** Returns the way-points in the picture; those of a loop end at the first. */
     private static List<Vector2> toScreen(Camera camera, WaypointPath motion) {
         List<Vector2> points = new ArrayList<>(
                 motion.waypoints().stream().map(camera::toScreen).toList());
@@ -84,7 +84,7 @@ final class RoutePainter {
         return points;
     }
 
-    private static void paintArrow(DrawContext brush, Vector2 from, Vector2 to, Color colour) {
+    private static void paintArrow(DrawContext context, Vector2 from, Vector2 to, Color colour) {
         Vector2 leg = to.minus(from);
         if (leg.length() < MIN_LEG_LENGTH) {
             return;
@@ -96,6 +96,6 @@ final class RoutePainter {
                 tip.minus(ahead).plus(ahead.perpendicular().times(0.7)),
                 tip,
                 tip.minus(ahead).minus(ahead.perpendicular().times(0.7))));
-        brush.draw(arrow, colour, ARROW_STROKE);
+        context.draw(arrow, colour, ARROW_STROKE);
     }
 }

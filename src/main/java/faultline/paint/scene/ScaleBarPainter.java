@@ -7,10 +7,10 @@ import java.awt.Color;
 import java.awt.Shape;
 import java.awt.geom.Path2D;
 
-/** Paints a bar of a round length in the lower right corner. */
+/** Paints a scale bar of a nice length in the lower right corner. */
 final class ScaleBarPainter {
 
-    /** The bar is at least this long and less than two and a half times, pixels. */
+    /** The least length of the bar, pixels; it is less than two and a half times as long. */
     private static final double MIN_LENGTH = 60;
 
     private static final double MARGIN_RIGHT = 24;
@@ -20,22 +20,22 @@ final class ScaleBarPainter {
 
     private ScaleBarPainter() {}
 
-    static void paint(DrawContext brush) {
-        Camera camera = brush.camera();
+    static void paint(DrawContext context) {
+        Camera camera = context.camera();
         double metres = NiceSteps.atLeast(MIN_LENGTH / camera.scale());
         double length = metres * camera.scale();
         double right = Math.floor(camera.width() - MARGIN_RIGHT) + 0.5;
         double y = Math.floor(camera.height() - MARGIN_BOTTOM) + 0.5;
         Shape bar = barShape(right - length, right, y);
-        Color halo = Palette.withAlpha(brush.palette().canvas(), 200);
-        brush.draw(bar, halo, DrawContext.solidStroke(5));
-        brush.draw(bar, brush.palette().text(), DrawContext.solidStroke(1.5));
+        Color halo = Palette.withAlpha(context.palette().canvas(), 200);
+        context.draw(bar, halo, DrawContext.solidStroke(5));
+        context.draw(bar, context.palette().text(), DrawContext.solidStroke(1.5));
         String name = NiceSteps.format(metres);
-        brush.drawLabel(
+        context.drawLabel(
                 name,
-                right - length - NAME_GAP - brush.measureText(name).getWidth() / 2,
+                right - length - NAME_GAP - context.measureText(name).getWidth() / 2,
                 y,
-                brush.palette().text());
+                context.palette().text());
     }
 
     /** Returns a bar from left to right at a height, with a tick at either end. */

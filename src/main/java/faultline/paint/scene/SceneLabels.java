@@ -6,15 +6,14 @@ import java.awt.Font;
 import java.util.function.Function;
 
 /**
- * The few words that a picture has in it. Those in files are {@link #ENGLISH}, so that a file is the same whoever wrote
- * it.
+ * The texts in a picture. Files use {@link #ENGLISH}, so that they do not depend on the language of the window.
  *
- * @param collision before the place and the moment of the first collision
- * @param faults before the faults that there were then
- * @param sensorsOff before the sensors that were switched off then
+ * @param collision before the position and time of the first collision
+ * @param faults before the faults at that time
+ * @param sensorsOff before the sensors that were switched off at that time
  * @param switchedOff beside a sensor that is switched off
- * @param faultName what a kind of fault is called
- * @param font that they are written in
+ * @param faultName returns the name of a kind of fault
+ * @param font of the texts
  */
 public record SceneLabels(
         String collision,
@@ -24,7 +23,7 @@ public record SceneLabels(
         Function<FaultKind, String> faultName,
         Font font) {
 
-    /** For files that no window writes. */
+    /** The texts in files. */
     public static final SceneLabels ENGLISH = new SceneLabels(
             "First collision", "Active faults", "Switched off", "off", FaultKind::fileName, DrawContext.DEFAULT_FONT);
 }

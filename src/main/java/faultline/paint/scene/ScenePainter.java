@@ -13,11 +13,11 @@ import java.util.Set;
 import java.util.function.Predicate;
 
 /**
- * Paints a frame from three parts, one on top of the other: the ground with the obstacles that stand still, the path,
- * and all that lives. Whoever paints many frames may keep the first two as pictures.
+ * Paints a frame in three parts, one on top of the other: the background with the static obstacles, the path, and
+ * everything that changes. Callers that paint many frames may cache the first two.
  *
- * @param layers the layers that show
- * @param labels the words in the picture
+ * @param layers the layers to show
+ * @param labels the texts in the picture
  */
 public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
 
@@ -26,74 +26,54 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
     }
 
     /**
-     * Paints the whole of a frame.
+     * Paints a frame.
      *
-     * @param brush where to
+     * @param context the target
      * @param frame the frame
-     * @param ghost an earlier run beside it, empty for none
+     * @param reference a reference run, empty for none
      */
-    public void paint(DrawContext brush, Frame frame, Optional<ReferenceOverlay> ghost) {
+    public void paint(DrawContext context, Frame frame, Optional<ReferenceOverlay> reference) {
         Predicate<Obstacle> moves = obstacle -> obstacle.motion().isPresent();
         List<Obstacle> obstacles = frame.snapshot().obstacles();
-        paintBackground(brush, frame.snapshot());
-        obstacles.stream().filter(moves.negate()).forEach(obstacle -> paintObstacle(brush, obstacle));
-        ghost.ifPresent(earlier -> paintReference(brush, earlier, frame.snapshot()));
-        paintDynamic(brush, frame, obstacles.stream().filter(moves).toList(), 0);
-        paintOverlays(brush, frame.snapshot());
-        ghost.ifPresent(earlier -> ReferenceOverlayPainter.paintAnnotations(brush, earlier));
+        paintBackground(context, frame.snapshot());
+        obstacles.stream().filter(moves.negate()).forEach(obstacle -> paintObstacle(context, obstacle));
+        reference.ifPresent(earlier -> paintReference(context, earlier, frame.snapshot()));
+        paintDynamic(context, frame, obstacles.stream().filter(moves).toList(), 0);
+        paintOverlays(context, frame.snapshot());
+        reference.ifPresent(earlier -> ReferenceOverlayPainter.paintAnnotations(context, earlier));
     }
 
-    private void paintReference(DrawContext brush, ReferenceOverlay ghost, Snapshot world) {
+    private void paintReference(DrawContext context, ReferenceOverlay reference, Snapshot world) {
         if (layers.contains(Layer.PATH)) {
-            ReferenceOverlayPainter.paintPath(brush, ghost);
+            ReferenceOverlayPainter.paintPath(context, reference);
         }
-        ReferenceOverlayPainter.paintRobot(brush, ghost, world);
+        ReferenceOverlayPainter.paintRobot(context, reference, world);
     }
 
-    /**
-     * Paints what lies beneath all obstacles: the canvas, the grid, and the edge of the world.
-     *
-     * @param brush where to
-     * @param world the world
-     */
-    public void paintBackground(DrawContext brush, Snapshot world) {
-        brush.fill(brush.camera().bounds(), brush.palette().canvas());
+    /** Paints what lies beneath all obstacles: the canvas, the grid, and the bounds of the world. */
+    public void paintBackground(DrawContext context, Snapshot world) {
+        context.fill(context.camera().bounds(), context.palette().canvas());
         if (layers.contains(Layer.GRID)) {
-            GridPainter.paint(brush);
+            GridPainter.paint(context);
         }
-        BoundsPainter.paint(brush, world.width(), world.height(), world.enclosed());
+        BoundsPainter.paint(context, world.width(), world.height(), world.enclosed());
     }
 
-    /**
-     * Paints an obstacle without its route.
-     *
-     * @param brush where to
-     * @param obstacle the obstacle
-     */
-    public void paintObstacle(DrawContext brush, Obstacle obstacle) {
-        ObstaclePainter.paint(brush, obstacle);
+    /** Paints an obstacle without its route. */
+    public void paintObstacle(DrawContext context, Obstacle obstacle) {
+        ObstaclePainter.paint(context, obstacle);
         if (showsLabels()) {
-            ObstaclePainter.paintName(brush.withFont(labels.font()), obstacle);
+            ObstaclePainter.paintName(context.withFont(labels.font()), obstacle);
         }
     }
 
-    /**
-     * Where an obstacle leaves marks, its route apart.
-     *
-     * @param camera through which it is looked at
-     * @param obstacle the obstacle
-     * @return pixels; its outline and its name are wholly inside
-     */
+    /** Returns the bounds of an obstacle's outline and name without its route, pixels. */
     public Rectangle2D obstacleBounds(Camera camera, Obstacle obstacle) {
         return ObstaclePainter.paintedBounds(
                 camera, obstacle, showsLabels() ? Optional.of(labels.font()) : Optional.empty());
     }
 
-    /**
-     * Whether obstacles are painted with their names.
-     *
-     * @return true where {@link Layer#LABELS} shows
-     */
+    /** Returns whether obstacles are painted with their names. */
     public boolean showsLabels() {
         return layers.contains(Layer.LABELS);
     }
@@ -101,56 +81,52 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
     /**
      * Paints what changes from frame to frame.
      *
-     * @param brush where to
+     * @param context the target
      * @param frame the frame
-     * @param obstacles those that were not painted with the ground
-     * @param pathFrom the index of the first point of the path that is not painted yet, or of the last that is; from 0
-     *     to its size - 1
+     * @param obstacles those that are not part of the background
+     * @param pathFrom the index of the first point of the path that is not painted yet, or of the last that is; in [0,
+     *     size - 1]
      */
-    public void paintDynamic(DrawContext brush, Frame frame, List<Obstacle> obstacles, int pathFrom) {
+    public void paintDynamic(DrawContext context, Frame frame, List<Obstacle> obstacles, int pathFrom) {
         Snapshot world = frame.snapshot();
         if (layers.contains(Layer.PATH)) {
-            PathPainter.paintTail(brush, frame.path(), pathFrom, world.pose().position());
+            PathPainter.paintTail(context, frame.path(), pathFrom, world.pose().position());
         }
-        obstacles.forEach(obstacle -> paintMovingObstacle(brush, obstacle));
-        paintSensors(brush, world.sensors());
-        RobotPainter.paint(brush, world.robot(), world.pose());
+        obstacles.forEach(obstacle -> paintMovingObstacle(context, obstacle));
+        paintSensors(context, world.sensors());
+        RobotPainter.paint(context, world.robot(), world.pose());
         if (layers.contains(Layer.INTERSECTIONS)) {
-            world.sensors().forEach(sensor -> IntersectionPainter.paint(brush, sensor.intersections()));
+            world.sensors().forEach(sensor -> IntersectionPainter.paint(context, sensor.intersections()));
         }
-        CollisionPainter.paint(brush, world);
+        CollisionPainter.paint(context, world);
     }
 
-    /**
-     * Paints what belongs to the picture and not to the world, on top of all.
-     *
-     * @param brush where to
-     * @param world the world
-     */
-    public void paintOverlays(DrawContext brush, Snapshot world) {
+    /** Paints what belongs to the picture and not to the world, on top of everything. */
+    public void paintOverlays(DrawContext context, Snapshot world) {
         if (layers.contains(Layer.SCALE_BAR)) {
-            ScaleBarPainter.paint(brush.withFont(labels.font()));
+            ScaleBarPainter.paint(context.withFont(labels.font()));
         }
         world.collision()
-                .ifPresent(collision -> CollisionPainter.paintBadge(brush.withFont(labels.font()), collision, labels));
+                .ifPresent(
+                        collision -> CollisionPainter.paintBadge(context.withFont(labels.font()), collision, labels));
     }
 
-    private void paintMovingObstacle(DrawContext brush, Obstacle obstacle) {
+    private void paintMovingObstacle(DrawContext context, Obstacle obstacle) {
         if (layers.contains(Layer.ROUTES)) {
-            obstacle.motion().ifPresent(motion -> RoutePainter.paint(brush.withFont(labels.font()), motion));
+            obstacle.motion().ifPresent(motion -> RoutePainter.paint(context.withFont(labels.font()), motion));
         }
-        paintObstacle(brush, obstacle);
+        paintObstacle(context, obstacle);
     }
 
-    private void paintSensors(DrawContext brush, List<SensorSnapshot> sensors) {
+    private void paintSensors(DrawContext context, List<SensorSnapshot> sensors) {
         if (!layers.contains(Layer.CONES)) {
             return;
         }
         for (int i = 0; i < sensors.size(); i++) {
-            SensorPainter.paintCone(brush, i, sensors.get(i));
+            SensorPainter.paintCone(context, i, sensors.get(i));
         }
         for (int i = 0; i < sensors.size(); i++) {
-            SensorPainter.paintLabels(brush.withFont(labels.font()), i, sensors.get(i), labels);
+            SensorPainter.paintLabels(context.withFont(labels.font()), i, sensors.get(i), labels);
         }
     }
 }

@@ -29,12 +29,12 @@ record ScreenSector(Vector2 apex, double startAngle, double extent, double radiu
                 camera.scale());
     }
 
-    /** The whole cone. */
+    /** Returns the outline of the cone. */
     Shape outline() {
         return arc(radius, Arc2D.PIE);
     }
 
-    /** The arc at a distance from the apex, metres. */
+    /** Returns the arc at a distance from the apex, metres. */
     Shape arcAt(double metres) {
         return arc(metres * scale, Arc2D.OPEN);
     }
@@ -43,13 +43,16 @@ record ScreenSector(Vector2 apex, double startAngle, double extent, double radiu
         return new Arc2D.Double(apex.x() - r, apex.y() - r, 2 * r, 2 * r, startAngle, extent, type);
     }
 
-    /** A straight line from the apex to the arc; share 0 is the edge on the right, 1 the one on the left. */
+    /**
+     * Returns the line from the apex to the arc at a fraction of the angle, from 0, the right edge, to 1, the left
+     * edge.
+     */
     Shape ray(double share) {
         Vector2 end = pointAt(share, radius);
         return new Line2D.Double(apex.x(), apex.y(), end.x(), end.y());
     }
 
-    /** The place at a share of the angle and a distance from the apex, pixels. */
+    /** Returns the point at a fraction of the angle and a distance from the apex, pixels. */
     Vector2 pointAt(double share, double distance) {
         double bearing = Math.toRadians(startAngle + share * extent);
         return new Vector2(apex.x() + distance * Math.cos(bearing), apex.y() - distance * Math.sin(bearing));

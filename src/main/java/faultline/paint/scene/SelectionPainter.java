@@ -13,14 +13,14 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 
-/** Paints what is selected: outlines, and the handles by which a hand takes hold of it. */
+/** Paints the selection: outlines and handles. */
 public final class SelectionPainter {
 
-    /** The radius of the handle, pixels. */
+    /** The radius of a rotation handle, pixels. */
     public static final double HANDLE_RADIUS = 6;
 
     private static final double SQUARE_SIZE = 7;
-    /** How far along a cone's edge its handle is. */
+    /** The position of the handle on a cone's edge, as a fraction of its length. */
     private static final double EDGE_HANDLE_POSITION = 0.75;
 
     private static final double STALK_LENGTH = 24;
@@ -30,22 +30,16 @@ public final class SelectionPainter {
     private SelectionPainter() {}
 
     /**
-     * Where the handle that turns an obstacle is: above its middle while its heading is 0, and turning with it.
-     *
-     * @param camera from the world to the picture
-     * @param obstacle the obstacle
-     * @return pixels
+     * Returns the position of the handle that rotates an obstacle, pixels: above its centre at heading 0, and rotating
+     * with it.
      */
     public static Vector2 handlePosition(Camera camera, Obstacle obstacle) {
         return stalkEnd(camera, obstacle, STALK_LENGTH);
     }
 
     /**
-     * Where the handle that turns several obstacles about their common middle is: above all of them.
-     *
-     * @param camera from the world to the picture
-     * @param obstacles the obstacles, at least one
-     * @return pixels
+     * Returns the position of the handle that rotates several obstacles about their common centre, pixels: above all of
+     * them; there is at least one.
      */
     public static Vector2 handlePosition(Camera camera, List<Obstacle> obstacles) {
         double top = obstacles.stream()
@@ -66,82 +60,67 @@ public final class SelectionPainter {
         return new Vector2(middle.x() + up * direction.x(), middle.y() - up * direction.y());
     }
 
-    /**
-     * Paints the outline of a selected obstacle.
-     *
-     * @param brush where to
-     * @param obstacle the obstacle as it stands
-     */
-    public static void paintOutline(DrawContext brush, Obstacle obstacle) {
-        brush.draw(screenOutline(brush, obstacle), brush.palette().accent(), OUTLINE_STROKE);
+    /** Paints the outline of a selected obstacle. */
+    public static void paintOutline(DrawContext context, Obstacle obstacle) {
+        context.draw(screenOutline(context, obstacle), context.palette().accent(), OUTLINE_STROKE);
     }
 
     /**
      * Paints the handles of the only selected obstacle.
      *
-     * @param brush where to
-     * @param obstacle the obstacle as it stands
+     * @param context the target
+     * @param obstacle the obstacle
      * @param places of the handles that change its size, metres
      */
-    public static void paintHandles(DrawContext brush, Obstacle obstacle, List<Vector2> places) {
-        paintHandle(brush, stalkEnd(brush.camera(), obstacle, 0), handlePosition(brush.camera(), obstacle));
-        places.stream().map(brush.camera()::toScreen).forEach(place -> paintSquareHandle(brush, place));
+    public static void paintHandles(DrawContext context, Obstacle obstacle, List<Vector2> places) {
+        paintHandle(context, stalkEnd(context.camera(), obstacle, 0), handlePosition(context.camera(), obstacle));
+        places.stream().map(context.camera()::toScreen).forEach(place -> paintSquareHandle(context, place));
     }
 
-    /**
-     * Paints the handle of several selected obstacles.
-     *
-     * @param brush where to
-     * @param obstacles the obstacles as they stand, at least one
-     */
-    public static void paintHandle(DrawContext brush, List<Obstacle> obstacles) {
+    /** Paints the handle of several selected obstacles, of which there is at least one. */
+    public static void paintHandle(DrawContext context, List<Obstacle> obstacles) {
         paintHandle(
-                brush,
-                brush.camera().toScreen(ObstacleOutlines.centre(obstacles)),
-                handlePosition(brush.camera(), obstacles));
+                context,
+                context.camera().toScreen(ObstacleOutlines.centre(obstacles)),
+                handlePosition(context.camera(), obstacles));
     }
 
-    private static void paintHandle(DrawContext brush, Vector2 foot, Vector2 handle) {
-        brush.draw(
+    private static void paintHandle(DrawContext context, Vector2 foot, Vector2 handle) {
+        context.draw(
                 new Line2D.Double(foot.x(), foot.y(), handle.x(), handle.y()),
-                brush.palette().accent(),
+                context.palette().accent(),
                 HANDLE_STROKE);
         paintKnob(
-                brush,
+                context,
                 new Ellipse2D.Double(
                         handle.x() - HANDLE_RADIUS, handle.y() - HANDLE_RADIUS, 2 * HANDLE_RADIUS, 2 * HANDLE_RADIUS));
     }
 
-    /** A square about a place of the picture. */
-    static void paintSquareHandle(DrawContext brush, Vector2 place) {
+    /** Paints a square handle at a position in the picture. */
+    static void paintSquareHandle(DrawContext context, Vector2 place) {
         paintKnob(
-                brush,
+                context,
                 new Rectangle2D.Double(
                         place.x() - SQUARE_SIZE / 2, place.y() - SQUARE_SIZE / 2, SQUARE_SIZE, SQUARE_SIZE));
     }
 
-    private static void paintKnob(DrawContext brush, Shape knob) {
-        brush.fill(knob, brush.palette().canvas());
-        brush.draw(knob, brush.palette().accent(), HANDLE_STROKE);
+    private static void paintKnob(DrawContext context, Shape knob) {
+        context.fill(knob, context.palette().canvas());
+        context.draw(knob, context.palette().accent(), HANDLE_STROKE);
     }
 
-    /**
-     * Paints the outline of the selected sensor's cone, with handles on its rim and its edges.
-     *
-     * @param brush where to
-     * @param sector the cone
-     */
-    public static void paintCone(DrawContext brush, Sector sector) {
-        ScreenSector cone = ScreenSector.of(brush.camera(), sector);
-        brush.draw(cone.outline(), brush.palette().accent(), OUTLINE_STROKE);
-        paintSquareHandle(brush, cone.pointAt(0.5, cone.radius()));
-        paintSquareHandle(brush, cone.pointAt(0, cone.radius() * EDGE_HANDLE_POSITION));
-        paintSquareHandle(brush, cone.pointAt(1, cone.radius() * EDGE_HANDLE_POSITION));
+    /** Paints the outline of the selected sensor's cone, with handles on its arc and its edges. */
+    public static void paintCone(DrawContext context, Sector sector) {
+        ScreenSector cone = ScreenSector.of(context.camera(), sector);
+        context.draw(cone.outline(), context.palette().accent(), OUTLINE_STROKE);
+        paintSquareHandle(context, cone.pointAt(0.5, cone.radius()));
+        paintSquareHandle(context, cone.pointAt(0, cone.radius() * EDGE_HANDLE_POSITION));
+        paintSquareHandle(context, cone.pointAt(1, cone.radius() * EDGE_HANDLE_POSITION));
     }
 
-    /** The outline of an obstacle in the picture. */
-    static Shape screenOutline(DrawContext brush, Obstacle obstacle) {
-        return brush.toScreen(
+    /** Returns the outline of an obstacle in the picture. */
+    static Shape screenOutline(DrawContext context, Obstacle obstacle) {
+        return context.toScreen(
                 ObstacleOutlines.localShape(obstacle.shape()), RigidMotion.poseTransform(obstacle.pose()));
     }
 }

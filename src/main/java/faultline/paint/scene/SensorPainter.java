@@ -13,9 +13,9 @@ import java.awt.geom.Rectangle2D;
 import java.util.stream.Collectors;
 
 /**
- * Paints one sensor: its cone, hatched where it is faulty and a broken grey outline where it is off; an arc at the
- * distance that it reports and, where a fault makes that wrong, a broken one at the true distance; and its number with
- * the names of its faults.
+ * Paints a sensor: its cone, hatched if the sensor is faulty, a dashed grey outline if it is off; an arc at the
+ * reported distance and, if a fault changes it, a dashed arc at the true distance; and its number with the names of its
+ * faults.
  */
 final class SensorPainter {
 
@@ -28,102 +28,102 @@ final class SensorPainter {
     private static final int HATCH_ALPHA = 150;
     /** Between the arc and the label, pixels. */
     private static final double LABEL_GAP = 4;
-    /** A cone shorter than this on the screen gets no number, pixels. */
+    /** The least length of a labelled cone, pixels. */
     private static final double MIN_LABELLED_RADIUS = 25;
-    /** A true and a reported distance nearer than this, pixels, are one. */
+    /** The least difference between true and reported distance that is shown, pixels. */
     private static final double MIN_READING_DIFFERENCE = 2;
 
     private SensorPainter() {}
 
-    static void paintCone(DrawContext brush, int index, SensorSnapshot sensor) {
-        ScreenSector cone = ScreenSector.of(brush.camera(), sensor.sector());
+    static void paintCone(DrawContext context, int index, SensorSnapshot sensor) {
+        ScreenSector cone = ScreenSector.of(context.camera(), sensor.sector());
         if (sensor.reported().isOff()) {
-            paintOff(brush, cone, sensor);
+            paintOff(context, cone, sensor);
         } else {
-            paintOn(brush, cone, sensor, brush.palette().sensorColours(index));
+            paintOn(context, cone, sensor, context.palette().sensorColours(index));
         }
     }
 
-    /** Paints the cone of a sensor in order. */
-    static void paintCone(DrawContext brush, Sector sector, SensorColours colours) {
-        ScreenSector cone = ScreenSector.of(brush.camera(), sector);
-        brush.fill(cone.outline(), Palette.withAlpha(colours.fill(), FILL_ALPHA));
-        brush.draw(cone.outline(), colours.outline(), OUTLINE_STROKE);
+    /** Paints the cone of a sensor without faults. */
+    static void paintCone(DrawContext context, Sector sector, SensorColours colours) {
+        ScreenSector cone = ScreenSector.of(context.camera(), sector);
+        context.fill(cone.outline(), Palette.withAlpha(colours.fill(), FILL_ALPHA));
+        context.draw(cone.outline(), colours.outline(), OUTLINE_STROKE);
     }
 
-    private static void paintOff(DrawContext brush, ScreenSector cone, SensorSnapshot sensor) {
-        hatch(brush, cone, sensor, brush.palette().muted());
-        brush.draw(cone.outline(), brush.palette().muted(), OFF_OUTLINE_STROKE);
+    private static void paintOff(DrawContext context, ScreenSector cone, SensorSnapshot sensor) {
+        hatch(context, cone, sensor, context.palette().muted());
+        context.draw(cone.outline(), context.palette().muted(), OFF_OUTLINE_STROKE);
     }
 
-    private static void paintOn(DrawContext brush, ScreenSector cone, SensorSnapshot sensor, SensorColours colours) {
+    private static void paintOn(DrawContext context, ScreenSector cone, SensorSnapshot sensor, SensorColours colours) {
         int alpha = sensor.faults().isEmpty() ? FILL_ALPHA : FAULTY_ALPHA;
-        brush.fill(cone.outline(), Palette.withAlpha(colours.fill(), alpha));
-        hatch(brush, cone, sensor, colours.outline());
-        brush.draw(cone.outline(), colours.outline(), OUTLINE_STROKE);
+        context.fill(cone.outline(), Palette.withAlpha(colours.fill(), alpha));
+        hatch(context, cone, sensor, colours.outline());
+        context.draw(cone.outline(), colours.outline(), OUTLINE_STROKE);
         sensor.reported()
                 .distance()
-                .ifPresent(distance -> brush.draw(cone.arcAt(distance), colours.outline(), READING_STROKE));
+                .ifPresent(distance -> context.draw(cone.arcAt(distance), colours.outline(), READING_STROKE));
     }
 
-    private static void hatch(DrawContext brush, ScreenSector cone, SensorSnapshot sensor, Color colour) {
+    private static void hatch(DrawContext context, ScreenSector cone, SensorSnapshot sensor, Color colour) {
         Color pale = Palette.withAlpha(colour, HATCH_ALPHA);
         sensor.faults().stream()
                 .map(Fault::kind)
                 .distinct()
-                .forEach(kind -> HatchingPainter.paint(brush, cone, kind, pale));
+                .forEach(kind -> HatchingPainter.paint(context, cone, kind, pale));
     }
 
-    /** Paints what must not be hidden by other cones. */
-    static void paintLabels(DrawContext brush, int index, SensorSnapshot sensor, SceneLabels words) {
-        ScreenSector cone = ScreenSector.of(brush.camera(), sensor.sector());
+    /** Paints what other cones must not cover. */
+    static void paintLabels(DrawContext context, int index, SensorSnapshot sensor, SceneLabels labels) {
+        ScreenSector cone = ScreenSector.of(context.camera(), sensor.sector());
         if (!sensor.faults().isEmpty()) {
             sensor.truth().distance().stream()
                     .filter(truth -> differsFromReported(cone, truth, sensor))
                     .forEach(truth ->
-                            brush.draw(cone.arcAt(truth), brush.palette().text(), TRUE_READING_STROKE));
+                            context.draw(cone.arcAt(truth), context.palette().text(), TRUE_READING_STROKE));
         }
         if (cone.radius() >= MIN_LABELLED_RADIUS) {
             paintLabel(
-                    brush,
+                    context,
                     cone,
-                    labelText(index, sensor, words),
+                    labelText(index, sensor, labels),
                     sensor.reported().isOff()
-                            ? brush.palette().muted()
-                            : brush.palette().text());
+                            ? context.palette().muted()
+                            : context.palette().text());
         }
     }
 
     /**
-     * Paints a text beyond the arc, far enough that its box stays clear of the cone in any direction; within the arc
-     * where the picture ends.
+     * Paints a text beyond the arc, at a distance at which its bounding box clears the cone in any direction, or inside
+     * the arc if the picture ends there.
      */
-    private static void paintLabel(DrawContext brush, ScreenSector cone, String text, Color colour) {
-        Rectangle2D box = brush.measureText(text);
+    private static void paintLabel(DrawContext context, ScreenSector cone, String text, Color colour) {
+        Rectangle2D box = context.measureText(text);
         Vector2 axis = cone.pointAt(0.5, 1).minus(cone.apex());
         double clear = (Math.abs(axis.x()) * box.getWidth() + Math.abs(axis.y()) * box.getHeight()) / 2;
         Vector2 beyond = cone.pointAt(0.5, cone.radius() + LABEL_GAP + clear);
         boolean fits = new Rectangle2D.Double(
-                        0, 0, brush.camera().width(), brush.camera().height())
+                        0, 0, context.camera().width(), context.camera().height())
                 .contains(
                         beyond.x() - box.getWidth() / 2,
                         beyond.y() - box.getHeight() / 2,
                         box.getWidth(),
                         box.getHeight());
         Vector2 place = fits ? beyond : cone.pointAt(0.5, cone.radius() - LABEL_GAP - clear);
-        brush.drawLabel(text, place.x(), place.y(), colour);
+        context.drawLabel(text, place.x(), place.y(), colour);
     }
 
     private static boolean differsFromReported(ScreenSector cone, double truth, SensorSnapshot sensor) {
         return !(Math.abs(sensor.reported().encoded() - truth) * cone.scale() < MIN_READING_DIFFERENCE);
     }
 
-    private static String labelText(int index, SensorSnapshot sensor, SceneLabels words) {
+    private static String labelText(int index, SensorSnapshot sensor, SceneLabels labels) {
         String faults = sensor.faults().stream()
-                .map(fault -> " " + words.faultName().apply(fault.kind()))
+                .map(fault -> " " + labels.faultName().apply(fault.kind()))
                 .distinct()
                 .collect(Collectors.joining());
         boolean switchedOff = !sensor.spec().on() && faults.isEmpty();
-        return (index + 1) + (switchedOff ? " " + words.switchedOff() : faults);
+        return (index + 1) + (switchedOff ? " " + labels.switchedOff() : faults);
     }
 }

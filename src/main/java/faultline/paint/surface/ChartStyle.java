@@ -4,12 +4,12 @@ import java.awt.Color;
 import java.util.List;
 
 /**
- * The colours of a chart. Series differ in lightness, dash and marker, not in hue alone.
+ * The colours of a chart. Series differ in lightness, dash pattern and marker, not in hue alone.
  *
- * @param palette of the scene that goes with it; its text and canvas serve the chart too
+ * @param palette of scenes and of the chart's text and background
  * @param grid lines behind the data
- * @param series of lines and points, in turn
- * @param classes of a map's cells, in turn, from the best to the worst
+ * @param series of lines and points, in order
+ * @param classes of the cells of a map, from the best class to the worst
  */
 public record ChartStyle(Palette palette, Color grid, List<Color> series, List<Color> classes) {
 
@@ -58,7 +58,7 @@ public record ChartStyle(Palette palette, Color grid, List<Color> series, List<C
         return new LineStyle(series(index), 1.8, DashPattern.values()[index % DashPattern.values().length]);
     }
 
-    /** A colour made translucent; opacity in [0, 1]. */
+    /** Returns a translucent colour; opacity in [0, 1]. */
     public static Color withOpacity(Color colour, double opacity) {
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), (int) Math.round(255 * opacity));
     }

@@ -2,15 +2,15 @@ package faultline.paint.surface;
 
 import java.util.List;
 
-/** How a line is broken, so that lines are told apart in grey print as well. */
+/** The dash pattern of a line. It distinguishes lines in print without colours. */
 public enum DashPattern {
-    /** Not broken. */
+    /** A solid line. */
     SOLID(List.of()),
     /** Dashes. */
     DASHED(List.of(7.0, 4.0)),
     /** Dots. */
     DOTTED(List.of(1.5, 3.0)),
-    /** Dashes and dots in turn. */
+    /** Alternate dashes and dots. */
     DASH_DOT(List.of(8.0, 3.0, 1.5, 3.0));
 
     private final List<Double> lengths;
@@ -19,11 +19,7 @@ public enum DashPattern {
         this.lengths = lengths;
     }
 
-    /**
-     * Dashes and gaps in turn.
-     *
-     * @return pixels; empty for a line that is not broken
-     */
+    /** Returns the alternate lengths of dashes and gaps, pixels; empty for a solid line. */
     public List<Double> lengths() {
         return lengths;
     }

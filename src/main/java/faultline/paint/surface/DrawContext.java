@@ -11,28 +11,28 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
 
 /**
- * A surface, the camera that it is looked at through and the colours that it is painted with. All shapes that a brush
- * takes are in pixels of the picture, so that lines keep their width at any zoom.
+ * A surface with a camera, colours and a font. All shapes are in pixels of the picture, so that lines keep their width
+ * at any zoom.
  *
- * @param surface where the marks go
+ * @param surface the target
  * @param camera from the world to the picture
  * @param palette the colours
- * @param font of the letters
+ * @param font of labels
  */
 public record DrawContext(Surface surface, Camera camera, Palette palette, Font font) {
 
-    /** For labels in files. */
+    /** The font of labels in files. */
     public static final Font DEFAULT_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
 
-    /** About letters that lie on whatever is beneath. */
+    /** The stroke of halos around letters. */
     public static final Stroke HALO_STROKE = new BasicStroke(3.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
 
     private static final int HALO_ALPHA = 200;
 
     /**
-     * A brush for pixels that letters as in files.
+     * Creates a context that paints pixels, with the font of files.
      *
-     * @param graphics where pixels go; in the picture's user space
+     * @param graphics its user space is the picture
      * @param camera from the world to the picture
      * @param palette the colours
      */
@@ -40,27 +40,22 @@ public record DrawContext(Surface surface, Camera camera, Palette palette, Font 
         this(new GraphicsSurface(graphics), camera, palette, DEFAULT_FONT);
     }
 
-    /**
-     * The same with another font.
-     *
-     * @param other the font
-     * @return a brush for the same surface
-     */
+    /** Returns this context with another font. */
     public DrawContext withFont(Font other) {
         return new DrawContext(surface, camera, palette, other);
     }
 
-    /** A length that goes along with the letters; pixels in files and here. */
+    /** Returns a length that is given for the font of files, scaled to this font; pixels. */
     public double scaleToFont(double pixels) {
         return pixels * font.getSize2D() / DEFAULT_FONT.getSize2D();
     }
 
-    /** A line of a width in pixels, with round ends and joins. */
+    /** Returns a solid stroke with round ends and joins; width in pixels. */
     public static Stroke solidStroke(double width) {
         return new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     }
 
-    /** A broken line of a width in pixels; dash and gap in pixels, seen as such because the ends are flat. */
+    /** Returns a dashed stroke with flat ends; width, dash and gap in pixels. */
     public static Stroke dashedStroke(double width, double dash, double gap) {
         return new BasicStroke(
                 (float) width,
@@ -71,12 +66,12 @@ public record DrawContext(Surface surface, Camera camera, Palette palette, Font 
                 0);
     }
 
-    /** A shape of the world in the picture. */
+    /** Returns a shape of the world in the picture. */
     public Shape toScreen(Shape world) {
         return camera.transform().createTransformedShape(world);
     }
 
-    /** A shape of a frame within the world in the picture; {@code frame} carries it into the world. */
+    /** Returns a shape in the picture; {@code frame} transforms its local coordinates to the world. */
     public Shape toScreen(Shape local, AffineTransform frame) {
         AffineTransform all = camera.transform();
         all.concatenate(frame);
@@ -91,24 +86,24 @@ public record DrawContext(Surface surface, Camera camera, Palette palette, Font 
         surface.draw(shape, colour, stroke);
     }
 
-    /** A ring about a place, set off from whatever lies beneath by a halo of the canvas's colour. */
+    /** Draws a ring with a halo of the canvas's colour. */
     public void drawRing(double x, double y, double radius, double width, Color colour) {
         Shape circle = new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius);
         draw(circle, Palette.withAlpha(palette.canvas(), HALO_ALPHA), solidStroke(width + 2));
         draw(circle, colour, solidStroke(width));
     }
 
-    /** The size of a text, pixels. */
+    /** Returns the size of a text, pixels. */
     public Rectangle2D measureText(String text) {
         return font.getStringBounds(text, surface.fontRenderContext());
     }
 
-    /** A text with its base line's left end at a place. */
+    /** Draws a text; x and y are those of the start of its baseline. */
     public void drawText(String text, double x, double y, Color colour) {
         surface.drawText(text, x, y, colour, font);
     }
 
-    /** A text about a place, set off from whatever lies beneath by a halo of the canvas's colour. */
+    /** Draws a text around a centre, with a halo of the canvas's colour. */
     public void drawLabel(String text, double centreX, double centreY, Color colour) {
         Rectangle2D bounds =
                 font.createGlyphVector(surface.fontRenderContext(), text).getVisualBounds();

@@ -15,18 +15,18 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * A text with a halo as an image, kept because smoothing the edges of both takes fifty times as long as copying them. A
- * stamp lies on whole pixels of the device, which also keeps its letters sharp.
+ * The image of a text with a halo. Images are cached, because painting letters and halo takes fifty times as long as
+ * copying an image. They are aligned to whole device pixels, which keeps the letters sharp.
  *
  * @param image the text with its halo
- * @param left of the base line's left end, device pixels from the image's left
- * @param baseline of the base line, device pixels from the image's top
+ * @param left from the left edge of the image to the start of the baseline, device pixels
+ * @param baseline from the upper edge of the image to the baseline, device pixels
  */
 record LabelSprite(BufferedImage image, int left, int baseline) {
 
-    /** Enough for the names of a crowded world; some 10 MB at worst. */
+    /** Enough for the names of a crowded world; about 10 MB at most. */
     private static final int MAX_CACHED = 1000;
-    /** The halo reaches less far than this beyond the letters, pixels. */
+    /** An upper bound of the width of the halo, pixels. */
     private static final int MARGIN = 3;
 
     private static final FontRenderContext FONT_CONTEXT = new FontRenderContext(null, true, true);
@@ -38,7 +38,7 @@ record LabelSprite(BufferedImage image, int left, int baseline) {
                 }
             });
 
-    /** All that a stamp depends on; the scale is device pixels per pixel. */
+    /** All parameters of an image; the scale is device pixels per pixel. */
     private record Key(String text, Font font, Color colour, Color halo, double scale) {
 
         private LabelSprite render() {
@@ -62,21 +62,21 @@ record LabelSprite(BufferedImage image, int left, int baseline) {
         }
     }
 
-    /** The stamp of a text; {@code scale} is device pixels per pixel. Any thread. */
+    /** Returns the image of a text; {@code scale} is device pixels per pixel. Any thread may call it. */
     static LabelSprite of(String text, Font font, Color colour, Color halo, double scale) {
-        Key look = new Key(text, font, colour, halo, scale);
-        LabelSprite kept = CACHE.get(look);
-        return kept == null ? create(look) : kept;
+        Key key = new Key(text, font, colour, halo, scale);
+        LabelSprite cached = CACHE.get(key);
+        return cached == null ? create(key) : cached;
     }
 
-    /** Made outside the map's lock: two threads may make the same, which does no harm. */
-    private static LabelSprite create(Key look) {
-        LabelSprite stamp = look.render();
-        CACHE.put(look, stamp);
-        return stamp;
+    /** Creates an image outside the lock of the cache: two threads may create the same image, which does no harm. */
+    private static LabelSprite create(Key key) {
+        LabelSprite sprite = key.render();
+        CACHE.put(key, sprite);
+        return sprite;
     }
 
-    /** Puts the base line's left end to the whole pixel of the device that is nearest to a place. */
+    /** Paints the image with the start of its baseline at the device pixel nearest to a point. */
     void paint(Graphics2D graphics, double x, double y) {
         AffineTransform place = graphics.getTransform();
         Point2D at = place.transform(new Point2D.Double(x, y), null);

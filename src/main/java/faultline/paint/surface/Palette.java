@@ -4,16 +4,16 @@ import java.awt.Color;
 import java.util.List;
 
 /**
- * The colours of a scene. Lines and rings that carry meaning stand out from the canvas at 3:1 at least and text at
- * 4.5:1, by the WCAG's contrast ratio; fills may be paler, because an outline carries them. No meaning hangs on colour
- * alone.
+ * The colours of a scene. Lines and rings that carry meaning have a contrast to the canvas of at least 3:1 and text of
+ * at least 4.5:1, by the definition of the WCAG; fills may be paler, because an outline carries them. No meaning
+ * depends on colour alone.
  *
  * @param dark whether the canvas is dark
- * @param canvas the ground that all is painted on
+ * @param canvas the background
  * @param grid minor grid lines
  * @param gridMajor major grid lines
  * @param text labels
- * @param muted what is off or of less weight
+ * @param muted inactive or less important parts
  * @param accent the selection
  * @param obstacle fill of static obstacles
  * @param obstacleOutline outline of static obstacles, and walls
@@ -21,10 +21,10 @@ import java.util.List;
  * @param movingOutline outline and way-points of moving obstacles
  * @param robot the robot's body
  * @param robotOutline the robot's outline, wheels and arrow
- * @param path where the robot has been
+ * @param path the robot's path
  * @param contact intersection points, contacts and the first collision
- * @param reference an earlier run
- * @param sensors the colours of the sensors in the robot's order, after Okabe and Ito; further sensors begin again
+ * @param reference a reference run
+ * @param sensors the colours of the sensors in the robot's order, after Okabe and Ito; reused for further sensors
  */
 public record Palette(
         boolean dark,
@@ -45,7 +45,7 @@ public record Palette(
         Color reference,
         List<SensorColours> sensors) {
 
-    /** For light windows, and for pictures on paper. */
+    /** For light windows and for paper. */
     public static final Palette LIGHT = new Palette(
             false,
             new Color(0xFBFCFD),
@@ -105,17 +105,12 @@ public record Palette(
         sensors = List.copyOf(sensors);
     }
 
-    /**
-     * The colours of a sensor.
-     *
-     * @param index its place in the robot's order, from 0
-     * @return the colours
-     */
+    /** Returns the colours of a sensor; its index in the robot's order from 0. */
     public SensorColours sensorColours(int index) {
         return sensors.get(index % sensors.size());
     }
 
-    /** A colour made translucent; alpha from 0, invisible, to 255, opaque. */
+    /** Returns a translucent colour; alpha from 0, invisible, to 255, opaque. */
     public static Color withAlpha(Color colour, int alpha) {
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);
     }

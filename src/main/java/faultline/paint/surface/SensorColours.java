@@ -3,10 +3,10 @@ package faultline.paint.surface;
 import java.awt.Color;
 
 /**
- * The colours of one sensor's cone.
+ * The colours of a sensor.
  *
- * @param fill of the cone, painted translucent, and of swatches
- * @param outline the same hue, made dark or light enough to stand out from the canvas at 3:1 at least
+ * @param fill of its cone, painted translucent, and of swatches
+ * @param outline the same hue with a contrast to the canvas of at least 3:1
  */
 public record SensorColours(Color fill, Color outline) {
 

@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Texts in which an underscore sets the letters after it lower and smaller, as in t_D. */
+/** Splits texts in which an underscore sets the letters after it as a subscript, as in t_D. */
 final class Subscripts {
 
-    /** The size of lowered letters, as a share of the text's. */
+    /** The font size of a subscript, as a fraction of that of the text. */
     static final double SIZE_RATIO = 0.75;
 
-    /** How far they are lowered, as a share of the text's size. */
+    /** The shift of a subscript, as a fraction of the font size of the text. */
     static final double DROP_RATIO = 0.25;
 
     private static final Pattern SUBSCRIPT = Pattern.compile("_(\\p{Alnum}+)");
@@ -19,14 +19,14 @@ final class Subscripts {
     private Subscripts() {}
 
     /**
-     * A stretch of a text.
+     * A part of a text.
      *
      * @param text its letters
-     * @param subscript whether they are set lower
+     * @param subscript whether they are a subscript
      */
     record TextRun(String text, boolean subscript) {}
 
-    /** The stretches of a text, in order. */
+    /** Returns the parts of a text, in order. */
     static List<TextRun> split(String text) {
         List<TextRun> runs = new ArrayList<>();
         Matcher matcher = SUBSCRIPT.matcher(text);

@@ -4,22 +4,19 @@ import java.awt.Color;
 import java.util.Locale;
 
 /**
- * How numbers, colours and words are written in an SVG file. Places go to a hundredth of a pixel, so that the bytes
- * hang on nothing but the picture.
+ * Formats numbers, colours and texts for SVG files. Coordinates have two decimals, so that the bytes depend on the
+ * picture alone.
  */
 public final class SvgFormat {
 
-    /** Fonts that look alike, the one that pictures are measured with first. */
+    /** Similar fonts, first the one with which texts are measured. */
     public static final String FONT_FAMILIES = "DejaVu Sans, Verdana, Arial, sans-serif";
 
     private SvgFormat() {}
 
     /**
-     * The attributes of a colour.
-     *
-     * @param attribute fill or stroke
-     * @param colour may be translucent
-     * @return with a blank in front
+     * Returns the attributes of a colour, which may be translucent, with a leading space; {@code attribute} is fill or
+     * stroke.
      */
     public static String colourAttributes(String attribute, Color colour) {
         String solid = " " + attribute + "=\"" + toHex(colour) + "\"";
@@ -28,17 +25,12 @@ public final class SvgFormat {
                 : solid + " " + attribute + "-opacity=\"" + number(colour.getAlpha() / 255.0) + "\"";
     }
 
-    /** A colour as {@code #rrggbb}. */
+    /** Returns a colour as {@code #rrggbb}. */
     static String toHex(Color colour) {
         return String.format(Locale.ROOT, "#%06x", colour.getRGB() & 0xFFFFFF);
     }
 
-    /**
-     * A number with at most two decimals, no zeros at the end, and no sign on a zero.
-     *
-     * @param value finite
-     * @return its text
-     */
+    /** Returns a finite number with at most two decimals, without trailing zeros or a sign on zero. */
     public static String number(double value) {
         long hundredths = Math.round(value * 100);
         long rest = Math.abs(hundredths % 100);
@@ -47,12 +39,7 @@ public final class SvgFormat {
         return sign + Math.abs(hundredths / 100) + decimals;
     }
 
-    /**
-     * A text that is taken as it is read.
-     *
-     * @param text any
-     * @return with what SVG takes for itself written otherwise
-     */
+    /** Returns a text with the reserved characters of XML escaped. */
     public static String escape(String text) {
         return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }

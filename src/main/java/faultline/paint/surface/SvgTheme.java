@@ -9,19 +9,21 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** On what ground a picture that was drawn in the light theme's colours is to stand. */
+/**
+ * The background for which the colours of an SVG file are chosen. Pictures are drawn in the colours of the light theme.
+ */
 public enum SvgTheme {
-    /** On white. */
+    /** White. */
     LIGHT,
-    /** On a dark ground. */
+    /** Dark. */
     DARK,
-    /** On white on paper, and on screens of readers who want no dark ones; on a dark ground for those who do. */
+    /** White on paper and by default; dark on screens whose user prefers dark colours. */
     ADAPTIVE;
 
     private static final Pattern COLOUR = Pattern.compile("(fill|stroke)=\"(#[0-9a-f]{6})\"");
     private static final Map<String, String> DARK_COLOURS = colourPairs();
 
-    /** Each colour of the light theme with the one that stands for the same in the dark one. */
+    /** Returns the colour of the dark theme for each colour of the light theme. */
     private static Map<String, String> colourPairs() {
         Map<String, String> pairs = new LinkedHashMap<>();
         addPairs(pairs, ChartStyle.LIGHT.series(), ChartStyle.DARK.series());
@@ -62,7 +64,7 @@ public enum SvgTheme {
                 theme.palette().contact());
     }
 
-    /** A picture in the light theme's colours, given this appearance: the text of an SVG file. */
+    /** Returns the text of an SVG file with the colours of this theme. */
     String apply(String svg) {
         return switch (this) {
             case LIGHT -> svg;
@@ -71,7 +73,7 @@ public enum SvgTheme {
         };
     }
 
-    /** The rules that exchange the colours of a picture for dark ones where a reader wants it so. */
+    /** Returns the rules that exchange the colours of a picture if the user prefers dark colours. */
     private static String styleSheet(String svg) {
         return COLOUR.matcher(svg)
                 .results()

@@ -19,11 +19,11 @@ import java.util.Locale;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 
-/** The plotter: round ticks, lines cut at the frame, and the same picture in both kinds of drawing. */
+/** Charts: nice ticks, lines clipped at the frame, and the same picture on both kinds of surface. */
 class ChartPainterTest {
 
     @Test
-    void ticksAreRoundAndCoverTheAxis() {
+    void ticksAreNiceAndCoverTheAxis() {
         assertEquals(
                 List.of("0", "0.2", "0.4", "0.6", "0.8", "1"),
                 Axis.linear("", 0, 1).ticks().stream().map(Axis::formatTick).toList());
@@ -40,14 +40,14 @@ class ChartPainterTest {
     }
 
     @Test
-    void anAxisCoversAllValuesAndEndsAtRoundOnes() {
+    void anAxisCoversAllValuesAndEndsAtNiceOnes() {
         Axis axis = Axis.covering("", DoubleStream.of(0.13, 7.9, Double.NaN));
         assertEquals(0, axis.low());
         assertEquals(8, axis.high());
     }
 
     @Test
-    void anAxisWithoutLengthIsRefused() {
+    void anAxisWithoutLengthIsRejected() {
         assertThrows(IllegalArgumentException.class, () -> Axis.linear("", 1, 1));
         assertThrows(IllegalArgumentException.class, () -> new Axis("", 0, 1, true));
     }
@@ -128,7 +128,7 @@ class ChartPainterTest {
     }
 
     @Test
-    void aChartIsPaintedInEitherTheme() {
+    void aChartIsPaintedInBothThemes() {
         for (ChartStyle theme : List.of(ChartStyle.LIGHT, ChartStyle.DARK)) {
             BufferedImage image = new BufferedImage(300, 200, BufferedImage.TYPE_INT_RGB);
             Graphics2D graphics = image.createGraphics();

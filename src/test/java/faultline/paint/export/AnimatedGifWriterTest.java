@@ -22,7 +22,7 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.Test;
 
-/** Films written and read back. */
+/** Animations written and read back. */
 class AnimatedGifWriterTest {
 
     private static final List<BufferedImage> PICTURES = pictures();
@@ -63,7 +63,7 @@ class AnimatedGifWriterTest {
     }
 
     @Test
-    void picturesLookAsTheyWerePutInOneOnTopOfTheOther() throws IOException {
+    void overlaidPicturesEqualTheOriginals() throws IOException {
         ImageReader reader = writeAndRead(PICTURES);
         BufferedImage screen = new BufferedImage(480, 320, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = screen.createGraphics();
@@ -79,7 +79,7 @@ class AnimatedGifWriterTest {
     }
 
     @Test
-    void onlyWhatHasChangedIsWritten() throws IOException {
+    void onlyTheChangedAreaIsWritten() throws IOException {
         ImageReader reader = writeAndRead(PICTURES);
         IIOMetadataNode place = node(reader, 3, "ImageDescriptor");
         assertTrue(Integer.parseInt(place.getAttribute("imageWidth")) < 120, place.getAttribute("imageWidth"));
@@ -87,7 +87,7 @@ class AnimatedGifWriterTest {
     }
 
     @Test
-    void aPictureThatHasNotChangedIsOnePixel() throws IOException {
+    void anUnchangedPictureIsWrittenAsOnePixel() throws IOException {
         ImageReader reader = writeAndRead(List.of(PICTURES.get(1), PICTURES.get(1)));
         assertEquals(2, reader.getNumImages(true));
         assertEquals(new Rectangle(1, 1), new Rectangle(reader.getWidth(1), reader.getHeight(1)));

@@ -28,7 +28,7 @@ import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 
-/** Pictures of a view: as pixels, as lines and on paper. */
+/** Pictures of a view as pixels, as SVG and on paper. */
 class RenderRequestTest {
 
     private static final Frame FRAME = SampleFrames.fullFrame();
@@ -46,8 +46,8 @@ class RenderRequestTest {
         BufferedImage halved = new BufferedImage(600, 400, BufferedImage.TYPE_INT_RGB);
         halved.createGraphics()
                 .drawImage(fine.getScaledInstance(600, 400, java.awt.Image.SCALE_AREA_AVERAGING), 0, 0, null);
-        int unlike = Pixels.countVisiblyDifferent(request(FRAME).toImage(1), halved);
-        assertTrue(unlike < 600 * 400 / 50, unlike + " pixels differ");
+        int different = Pixels.countVisiblyDifferent(request(FRAME).toImage(1), halved);
+        assertTrue(different < 600 * 400 / 50, different + " pixels differ");
     }
 
     @Test
@@ -65,22 +65,22 @@ class RenderRequestTest {
         assertTrue(
                 elements(svg, "path")
                         .anyMatch(path -> !path.getAttribute("stroke-dasharray").isEmpty()),
-                "broken lines");
+                "dashed lines");
         assertTrue(
                 elements(svg, "text").anyMatch(text -> text.getTextContent().contains("12.48")),
                 "the badge of the first collision");
     }
 
     @Test
-    void anEarlierRunShowsItsPathItsOutlineWhereTheyDifferAndItsCaption() throws Exception {
+    void aReferenceRunShowsItsPathOutlineFirstDifferenceAndCaption() throws Exception {
         RenderRequest without = request(FRAME);
-        ReferenceOverlay ghost = SampleReferenceOverlays.office();
+        ReferenceOverlay overlay = SampleReferenceOverlays.office();
         Document svg = parse(new RenderRequest(
                         FRAME,
                         without.camera(),
                         Palette.LIGHT,
                         new ScenePainter(Layer.defaults(), SceneLabels.ENGLISH),
-                        Optional.of(ghost))
+                        Optional.of(overlay))
                 .toSvg());
         List<Element> strokes = elements(svg, "path")
                 .filter(path -> path.getAttribute("stroke").equals("#7a4fa3"))
@@ -94,20 +94,20 @@ class RenderRequestTest {
                         .anyMatch(path -> !path.getAttribute("stroke-dasharray").isEmpty()),
                 "its outline");
         assertTrue(
-                elements(svg, "text").anyMatch(text -> text.getTextContent().equals(ghost.divergenceLabel())),
+                elements(svg, "text").anyMatch(text -> text.getTextContent().equals(overlay.divergenceLabel())),
                 "the mark");
         assertTrue(
                 elements(svg, "text").anyMatch(text -> text.getTextContent()
-                        .equals(ghost.caption().get(0))),
+                        .equals(overlay.caption().get(0))),
                 "the caption");
         assertTrue(elements(parse(without.toSvg()), "path")
                 .noneMatch(path -> path.getAttribute("stroke").equals("#7a4fa3")));
     }
 
     @Test
-    void theRobotsBodyLiesWhereTheCameraSaysItDoes() throws Exception {
-        RenderRequest shot = request(SampleFrames.frameOf(new Pose(2, 1, 0)));
-        Element body = elements(parse(shot.toSvg()), "path")
+    void theRobotsBodyLiesAtItsPositionInTheCamera() throws Exception {
+        RenderRequest picture = request(SampleFrames.frameOf(new Pose(2, 1, 0)));
+        Element body = elements(parse(picture.toSvg()), "path")
                 .filter(path -> path.getAttribute("fill").equals("#56b4e9"))
                 .findFirst()
                 .orElseThrow();
@@ -123,13 +123,13 @@ class RenderRequestTest {
                 .mapToDouble(i -> numbers[2 * i])
                 .max()
                 .orElseThrow();
-        assertEquals(0.25 * shot.camera().scale(), right - left, 0.05, "the body is 0.25 m long");
+        assertEquals(0.25 * picture.camera().scale(), right - left, 0.05, "the body is 0.25 m long");
         assertEquals(
-                shot.camera().toScreen(new faultline.geometry.Vector2(2, 1)).x(), (left + right) / 2, 0.05);
+                picture.camera().toScreen(new faultline.geometry.Vector2(2, 1)).x(), (left + right) / 2, 0.05);
     }
 
     @Test
-    void aPageHoldsThePictureInTheMiddleAndThereIsOneOnly() {
+    void thePictureIsCentredOnASinglePage() {
         Paper paper = new Paper();
         paper.setSize(700, 1000);
         paper.setImageableArea(50, 50, 600, 900);

@@ -15,7 +15,7 @@ class CollisionPainterTest {
     private static final Vector2 POINT = new Vector2(3.1416, 1.8714);
 
     @Test
-    void theBadgeSaysWhereAndWhenTheRobotFirstHitWhat() {
+    void theBadgeNamesPositionTimeAndObstacleOfTheFirstCollision() {
         Collision collision = new Collision(POINT, 12.48, 1248, "desk", Map.of(), List.of());
         assertEquals(
                 List.of("First collision   x 3.142 m   y 1.871 m   t 12.480 s   desk"),
@@ -42,7 +42,7 @@ class CollisionPainterTest {
     }
 
     @Test
-    void theBadgeSaysWhatWasBrokenAndOffThen() {
+    void theBadgeNamesTheFaultsAndTheSensorsOffAtThatTime() {
         Map<String, List<Fault>> faults =
                 Map.of("left", List.of(new Fault.Stuck(0.4), new Fault.Bias(0.1)), "front", List.of(new Fault.Dead()));
         Collision collision = new Collision(POINT, 12.48, 1248, "desk", faults, List.of("rear", "right"));

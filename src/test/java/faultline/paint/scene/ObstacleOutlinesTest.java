@@ -18,7 +18,7 @@ class ObstacleOutlinesTest {
     private static final double QUARTER_TURN = Math.PI / 2;
 
     @Test
-    void rectanglesCirclesAndEllipsesLieAboutTheOrigin() {
+    void rectanglesCirclesAndEllipsesAreCentredOnTheOrigin() {
         assertEquals(
                 new Rectangle2D.Double(-1, -0.5, 2, 1),
                 ObstacleOutlines.localShape(new ObstacleShape.Rectangle(2, 1)).getBounds2D());

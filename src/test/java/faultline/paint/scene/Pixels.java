@@ -12,7 +12,7 @@ import java.awt.image.BufferedImage;
 import java.util.Locale;
 import java.util.function.BiPredicate;
 
-/** A frame painted without a display, asked about by points of the world. */
+/** The pixels of a frame painted without a display, addressed by points of the world. */
 public final class Pixels {
 
     private static final int COLOUR_TOLERANCE = 70;
@@ -30,7 +30,7 @@ public final class Pixels {
                 FrameRenderer.render(frame, palette, 900, 640), FrameRenderer.fitCamera(frame.snapshot(), 900, 640));
     }
 
-    /** The colour some pixels to the right of and below a point of the world. */
+    /** Returns the colour at an offset in pixels to the right of and below a point of the world. */
     Color colourAt(Vector2 world, int right, int down) {
         Vector2 place = camera.toScreen(world);
         return new Color(image.getRGB((int) Math.floor(place.x()) + right, (int) Math.floor(place.y()) + down));
@@ -61,12 +61,12 @@ public final class Pixels {
                 && Math.abs(a.getBlue() - b.getBlue()) < COLOUR_TOLERANCE;
     }
 
-    /** How many pixels differ between two pictures of one size. */
+    /** Returns the number of pixels that differ between two pictures of one size. */
     public static int countDifferent(BufferedImage a, BufferedImage b) {
         return count(a, b, (one, other) -> !one.equals(other));
     }
 
-    /** How many pixels differ so much between two pictures of one size that an eye sees it. */
+    /** Returns the number of pixels that differ visibly between two pictures of one size. */
     public static int countVisiblyDifferent(BufferedImage a, BufferedImage b) {
         return count(a, b, (one, other) -> !isSimilar(one, other));
     }

@@ -7,7 +7,7 @@ import faultline.scenario.ScenarioException;
 import java.util.List;
 import java.util.OptionalLong;
 
-/** Earlier runs to be painted. */
+/** Reference runs for tests of painters. */
 public final class SampleReferenceOverlays {
 
     private SampleReferenceOverlays() {}

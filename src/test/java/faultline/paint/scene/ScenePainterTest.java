@@ -28,7 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Pixels of frames painted without a display. The world is 6 m x 4 m and some 137 pixels to the metre. */
+/** Pixels of frames painted without a display. The world is 6 m x 4 m at about 137 pixels per metre. */
 class ScenePainterTest {
 
     private static final Pose AT_2_1 = new Pose(2, 1, 0);
@@ -37,10 +37,10 @@ class ScenePainterTest {
     private static final SensorSpec FRONT = new SensorSpec("front", Vector2.ZERO, 0, 0.8, 0.5, true, 0);
 
     @Test
-    void theRobotIsWhereItIsAndYGoesUp() {
+    void theRobotIsPaintedAtItsPositionAndYPointsUp() {
         Pixels pixels = Pixels.render(SampleFrames.frameOf(AT_2_1), LIGHT);
         pixels.assertColour(LIGHT.robot(), new Vector2(2, 1));
-        assertFalse(pixels.hasNear(LIGHT.robot(), new Vector2(2, 3), 10), "nothing at the mirrored place");
+        assertFalse(pixels.hasNear(LIGHT.robot(), new Vector2(2, 3), 10), "nothing at the mirrored position");
     }
 
     @Test
@@ -53,7 +53,7 @@ class ScenePainterTest {
     }
 
     @Test
-    void aDarkPictureHasOtherColours() {
+    void aDarkPictureHasDifferentColours() {
         Pixels dark = Pixels.render(SampleFrames.frameOf(AT_2_1), Palette.DARK);
         dark.assertColour(Palette.DARK.robot(), new Vector2(2, 1));
         assertEquals(Palette.DARK.canvas(), dark.colourAt(new Vector2(3, 2), 3, 3));
@@ -63,7 +63,7 @@ class ScenePainterTest {
     }
 
     @Test
-    void thePathIsSeenAndEndsAtTheRobot() {
+    void thePathIsVisibleAndEndsAtTheRobot() {
         faultline.engine.RobotPath path =
                 SampleFrames.pathThrough(new Vector2(1, 3), new Vector2(1, 2), new Vector2(4, 2));
         Pixels pixels = Pixels.render(SampleFrames.frameOf(new Pose(5, 2, 0), path, List.of()), LIGHT);
@@ -73,7 +73,7 @@ class ScenePainterTest {
     }
 
     @Test
-    void aRingGoesRoundAHitAndLeavesItsMiddleFree() {
+    void aRingSurroundsAnIntersectionAndLeavesItsCentreFree() {
         Vector2 hit = new Vector2(4, 3);
         Frame frame = SampleFrames.frameOf(
                 AT_2_1,
@@ -107,7 +107,7 @@ class ScenePainterTest {
     }
 
     @Test
-    void aWallIsSeenThoughItHasNoThickness() {
+    void aWallIsVisibleAlthoughItHasNoThickness() {
         Obstacle wall = new Obstacle(
                 "wall", new ObstacleShape.Wall(List.of(new Vector2(0, 0), new Vector2(2, 0))), new Pose(3, 3, 0));
         Pixels.render(SampleFrames.frameOf(AT_2_1, wall), LIGHT)
@@ -138,7 +138,7 @@ class ScenePainterTest {
     }
 
     @Test
-    void theFirstCollisionIsMarkedAndSaidInABadge() {
+    void theFirstCollisionIsMarkedAndDescribedInABadge() {
         Vector2 point = new Vector2(4, 3);
         Collision collision = new Collision(point, 1.5, 150, "box", Map.of(), List.of());
         faultline.engine.RobotPath path = SampleFrames.pathThrough(AT_2_1.position());
@@ -167,7 +167,7 @@ class ScenePainterTest {
     }
 
     @Test
-    void aSensorThatIsOffIsABrokenGreyOutlineWithoutFill() {
+    void aSensorThatIsOffIsADashedGreyOutlineWithoutFill() {
         Pixels pixels = Pixels.render(
                 withSensor(SampleFrames.sensor(FRONT.withOn(false), AT_2_1, new Reading(Reading.OFF))), LIGHT);
         assertTrue(pixels.hasNear(LIGHT.muted(), new Vector2(2.8, 1), 6));
@@ -196,7 +196,7 @@ class ScenePainterTest {
     }
 
     @Test
-    void theStandardRobotsEightConesAreAllSeen() {
+    void theEightConesOfTheDefaultRobotAreVisible() {
         List<SensorSnapshot> sensors = RobotSpec.DEFAULT.sensors().stream()
                 .map(spec -> SampleFrames.sensor(spec, AT_2_1, SampleFrames.NOTHING))
                 .toList();

@@ -24,13 +24,13 @@ class CameraTest {
     }
 
     @Test
-    void theTransformDoesWhatToScreenDoes() {
+    void theTransformEqualsToScreen() {
         Point2D moved = camera.transform().transform(new Point2D.Double(1.25, 3.5), new Point2D.Double());
         assertNear(camera.toScreen(new Vector2(1.25, 3.5)), new Vector2(moved.getX(), moved.getY()), 1e-9);
     }
 
     @Test
-    void zoomingLeavesThePointUnderTheCursorWhereItIs() {
+    void zoomingKeepsThePointUnderTheCursor() {
         Vector2 cursor = new Vector2(120, 450);
         Camera zoomed = camera.zoomedAbout(cursor, 3);
         assertEquals(300, zoomed.scale());
@@ -61,24 +61,24 @@ class CameraTest {
     }
 
     @Test
-    void fittingIntoNoRoomStillGivesACamera() {
+    void fittingIntoAnEmptyPictureStillReturnsACamera() {
         assertEquals(
                 Camera.MIN_SCALE,
                 Camera.fit(new Rectangle2D.Double(0, 0, 6, 4), 50, 10, 10).scale());
     }
 
     @Test
-    void theVisiblePartOfTheWorldIsThatBetweenTheCorners() {
+    void theVisibleAreaLiesBetweenTheCorners() {
         assertEquals(new Rectangle2D.Double(-1, -1, 8, 6), camera.visibleArea());
     }
 
     @Test
-    void aResizedPictureKeepsItsMiddle() {
+    void aResizedPictureKeepsItsCentre() {
         assertEquals(new Vector2(100, 50), camera.resized(200, 100).toScreen(new Vector2(3, 2)));
     }
 
     @Test
-    void aCameraWithoutPixelsIsRefused() {
+    void aCameraWithoutPixelsIsRejected() {
         assertThrows(IllegalArgumentException.class, () -> new Camera(0, 0, 100, 0, 600));
         assertThrows(IllegalArgumentException.class, () -> new Camera(0, 0, Double.NaN, 800, 600));
     }

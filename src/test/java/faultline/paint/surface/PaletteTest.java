@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Contrast by the WCAG 2.1's definition: 4.5 for text, 3 for lines that carry meaning. */
+/** Contrasts by the definition of WCAG 2.1: 4.5 for text, 3 for lines that carry meaning. */
 class PaletteTest {
 
     @ParameterizedTest
@@ -64,9 +64,9 @@ class PaletteTest {
         return dark ? Palette.DARK : Palette.LIGHT;
     }
 
-    private static void assertContrast(String name, double least, Color colour, Color ground) {
+    private static void assertContrast(String name, double minimum, Color colour, Color ground) {
         double contrast = contrast(colour, ground);
-        assertTrue(contrast >= least, name + " has a contrast of only " + contrast);
+        assertTrue(contrast >= minimum, name + " has a contrast of only " + contrast);
     }
 
     private static double contrast(Color a, Color b) {

@@ -12,7 +12,7 @@ import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.xml.sax.InputSource;
 
-/** One drawing on white, on a dark ground, and on whichever the reader has. */
+/** One picture on white, on a dark background, and on the background that the user prefers. */
 class SvgThemeTest {
 
     private static SvgSurface picture() {
@@ -30,7 +30,7 @@ class SvgThemeTest {
     }
 
     @Test
-    void onADarkGroundEveryColourIsTheDarkThemesForTheSame() {
+    void everyColourIsReplacedByThatOfTheDarkTheme() {
         String dark = picture().toSvg(SvgTheme.DARK);
         assertTrue(
                 dark.contains(
@@ -52,7 +52,7 @@ class SvgThemeTest {
     }
 
     @Test
-    void anAdaptivePictureIsTheLightOneWithARuleForEachUseOfAColour() throws Exception {
+    void anAdaptivePictureIsTheLightOneWithARuleForEachColour() throws Exception {
         String adaptive = picture().toSvg(SvgTheme.ADAPTIVE);
         assertEquals(picture().toSvg(SvgTheme.LIGHT), adaptive.replaceFirst("(?s)<style>.*</style>\n", ""));
         assertTrue(
