@@ -1,28 +1,28 @@
 package faultline.engine;
 
-import java.util.Arrays;
-
 /**
- * Records the robot's path by whole points at least a spacing apart. Written by one thread; the views that it gives are
- * for all, because a point once written is never changed and a view is published after its last point. Where there are
- * too many, every second one goes and the spacing doubles, so that a run of days needs no more memory than one of an
- * hour.
+ * Records the robot's path as points at least a spacing apart. If there are too many, every second point is dropped and
+ * the spacing doubles, so that memory stays bounded.
  */
 final class PathRecorder {
 
-    /** The spacing at first, metres: less than a pixel at any zoom that shows a room. */
+    /** The initial spacing, metres: less than a pixel at any zoom that shows a room. */
     private static final double INITIAL_SPACING = 0.005;
 
-    /** No more points than this are recorded: 1.3 km at the first spacing. */
+    /** The largest number of points: 1.3 km at the initial spacing. */
     static final int MAX_POINTS = 1 << 18;
 
-    private PathChunk[] chunks = new PathChunk[0];
+    private ChunkLog<PathChunk> log = newLog();
     private int size;
     private double spacing = INITIAL_SPACING;
     private double lastX;
     private double lastY;
 
-    /** Records a point if it lies far enough from the last. */
+    private static ChunkLog<PathChunk> newLog() {
+        return new ChunkLog<>(PathChunk.CAPACITY, MAX_POINTS / PathChunk.CAPACITY, PathChunk::new);
+    }
+
+    /** Records a point if it is far enough from the last one. */
     void record(double x, double y) {
         double dx = x - lastX;
         double dy = y - lastY;
@@ -36,21 +36,16 @@ final class PathRecorder {
     }
 
     private void add(double x, double y) {
-        int chunk = size / PathChunk.CAPACITY;
-        if (chunk == chunks.length) {
-            chunks = Arrays.copyOf(chunks, chunk + 1);
-            chunks[chunk] = new PathChunk();
-        }
-        chunks[chunk].set(size % PathChunk.CAPACITY, x, y);
+        int offset = log.append();
+        log.newest().set(offset, x, y);
         size++;
         lastX = x;
         lastY = y;
     }
 
-    /** Views hold the old chunks, so the thinned ones are others. */
     private void thin() {
         RobotPath all = view();
-        chunks = new PathChunk[0];
+        log = newLog();
         size = 0;
         spacing *= 2;
         for (int i = 0; i < all.size(); i += 2) {
@@ -58,8 +53,8 @@ final class PathRecorder {
         }
     }
 
-    /** The path so far. */
+    /** Returns the path so far. */
     RobotPath view() {
-        return new RobotPath(chunks, size);
+        return new RobotPath(log.view());
     }
 }

@@ -3,72 +3,51 @@ package faultline.engine;
 import java.awt.geom.Rectangle2D;
 
 /**
- * The robot's path so far, as a view of fixed length on a recording that goes on growing: taking one copies nothing,
- * and any thread may read it. Two views of one recording agree wherever both have points, unless it was thinned between
- * them, so a painter may draw only what has been added.
+ * The robot's path up to one moment. Any thread may read it. A later path of the same run begins with the same points
+ * unless the recorder has dropped some, so a painter may draw only the new ones; see {@link #isContinuationOf}.
  */
 public final class RobotPath {
 
-    private final PathChunk[] chunks;
-    private final int size;
+    private final ChunkLog.View<PathChunk> points;
 
-    RobotPath(PathChunk[] chunks, int size) {
-        this.chunks = chunks;
-        this.size = size;
+    RobotPath(ChunkLog.View<PathChunk> points) {
+        this.points = points;
     }
 
-    /**
-     * How many points there are.
-     *
-     * @return at least 1: the start
-     */
+    /** Returns the number of points, at least 1. */
     public int size() {
-        return size;
+        return (int) points.end();
     }
 
-    /**
-     * A point's x.
-     *
-     * @param index from 0, the start, to size - 1
-     * @return metres
-     */
+    /** Returns the x coordinate of a point, metres; point 0 is the start. */
     public double x(int index) {
-        return chunks[index / PathChunk.CAPACITY].x(index % PathChunk.CAPACITY);
+        return points.chunk(index).x(points.offset(index));
     }
 
-    /**
-     * A point's y.
-     *
-     * @param index from 0, the start, to size - 1
-     * @return metres
-     */
+    /** Returns the y coordinate of a point, metres; point 0 is the start. */
     public double y(int index) {
-        return chunks[index / PathChunk.CAPACITY].y(index % PathChunk.CAPACITY);
+        return points.chunk(index).y(points.offset(index));
     }
 
     /**
-     * How many points from one on can be left out because all of them, and the lines between them, lie outside of a
-     * box.
+     * Returns the number of points from an index on that can be skipped because they, and the lines between them, lie
+     * outside a box.
      *
-     * @param index from 0 to size - 1
+     * @param index not negative, less than {@link #size}
      * @param box metres
-     * @return 0 where that is not known at a glance
+     * @return 0 if that would need a closer look
      */
     public int skippablePoints(int index, Rectangle2D box) {
-        boolean whole = index % PathChunk.BLOCK_SIZE == 0 && index + PathChunk.BLOCK_SIZE <= size;
+        boolean whole = index % PathChunk.BLOCK_SIZE == 0 && index + PathChunk.BLOCK_SIZE <= size();
         boolean outside = whole
-                && !chunks[index / PathChunk.CAPACITY].blockOverlaps(
-                        index % PathChunk.CAPACITY, box.getMinX(), box.getMinY(), box.getMaxX(), box.getMaxY());
+                && !points.chunk(index)
+                        .blockOverlaps(
+                                points.offset(index), box.getMinX(), box.getMinY(), box.getMaxX(), box.getMaxY());
         return outside ? PathChunk.BLOCK_SIZE : 0;
     }
 
-    /**
-     * Whether this view continues another: same recording, not thinned since, at least as long.
-     *
-     * @param earlier another view
-     * @return true where the first points of this are all of {@code earlier}'s
-     */
+    /** Returns whether this path begins with all points of an earlier path of the same run. */
     public boolean isContinuationOf(RobotPath earlier) {
-        return chunks[0] == earlier.chunks[0] && size >= earlier.size;
+        return points.isContinuationOf(earlier.points);
     }
 }

@@ -1,67 +1,48 @@
 package faultline.engine.recording;
 
-import java.util.List;
+import faultline.engine.ChunkLog;
 
 /**
- * The events of a run in their order, as a view on a recording that goes on. They are counted from the run's first; the
- * oldest may be forgotten.
+ * The events of a run up to one moment, in order. They are counted from the first; the oldest may have been dropped.
  */
 public final class EventLog {
 
-    /** Of a run that is not recorded. */
+    /** The log of a run that is not recorded. */
     public static final EventLog EMPTY = new EventRecorder().view();
 
-    private final List<RunEvent[]> chunks;
-    private final long firstIndex;
-    private final long endIndex;
+    private final ChunkLog.View<RunEvent[]> events;
 
-    EventLog(List<RunEvent[]> chunks, long first, long end) {
-        this.chunks = chunks;
-        this.firstIndex = first;
-        this.endIndex = end;
+    EventLog(ChunkLog.View<RunEvent[]> events) {
+        this.events = events;
     }
 
-    /**
-     * The oldest event that is kept.
-     *
-     * @return how many have been forgotten
-     */
+    /** Returns the index of the oldest event that is kept, which is also the number of dropped events. */
     public long firstIndex() {
-        return firstIndex;
+        return events.first();
     }
 
-    /**
-     * The event after the newest.
-     *
-     * @return how many there have been
-     */
+    /** Returns the index after the newest event. */
     public long endIndex() {
-        return endIndex;
+        return events.end();
     }
 
     /**
-     * One event.
+     * Returns an event.
      *
-     * @param index from {@link #firstIndex}, below {@link #endIndex}
-     * @return the event
+     * @param index at least {@link #firstIndex}, less than {@link #endIndex}
      */
     public RunEvent get(long index) {
-        if (index < firstIndex || index >= endIndex) {
-            throw new IndexOutOfBoundsException("event " + index + " is not in [" + firstIndex + ", " + endIndex + ")");
-        }
-        return chunks.get((int) ((index - firstIndex) / EventRecorder.CHUNK_SIZE))[
-                (int) (index % EventRecorder.CHUNK_SIZE)];
+        return events.chunk(index)[events.offset(index)];
     }
 
     /**
-     * The first kept event of a tick or a later one.
+     * Returns the index of the first kept event at or after a tick, or {@link #endIndex} if there is none.
      *
      * @param tick the tick
-     * @return its index; {@link #endIndex} where there is none
      */
     public long firstIndexSince(long tick) {
-        long low = firstIndex;
-        long high = endIndex;
+        long low = firstIndex();
+        long high = endIndex();
         while (low < high) {
             long middle = (low + high) >>> 1;
             if (get(middle).tick() < tick) {

@@ -1,36 +1,25 @@
 package faultline.engine.recording;
 
-/** Records events in their order; keeps the newest 8192 or a few less. */
+import faultline.engine.ChunkLog;
+
+/** Records the events of a run in order, and keeps at least the newest 7680. */
 public final class EventRecorder {
 
-    /** How many events one chunk holds. */
+    /** The number of events in a chunk. */
     static final int CHUNK_SIZE = 512;
 
     private static final int MAX_CHUNKS = 16;
 
-    private final ChunkList<RunEvent[]> chunks = new ChunkList<>(MAX_CHUNKS);
-    private long size;
+    private final ChunkLog<RunEvent[]> log = new ChunkLog<>(CHUNK_SIZE, MAX_CHUNKS, () -> new RunEvent[CHUNK_SIZE]);
 
-    /**
-     * Records an event.
-     *
-     * @param event not before the last
-     */
+    /** Records an event that is not earlier than the last one. */
     public void add(RunEvent event) {
-        int at = (int) (size % CHUNK_SIZE);
-        if (at == 0) {
-            chunks.add(new RunEvent[CHUNK_SIZE]);
-        }
-        chunks.newest()[at] = event;
-        size++;
+        int offset = log.append();
+        log.newest()[offset] = event;
     }
 
-    /**
-     * All that is kept by now.
-     *
-     * @return a view that stays as it is
-     */
+    /** Returns the events that are kept. */
     public EventLog view() {
-        return new EventLog(chunks.chunks(), chunks.dropped() * CHUNK_SIZE, size);
+        return new EventLog(log.view());
     }
 }

@@ -1,71 +1,57 @@
 package faultline.engine.recording;
 
+import faultline.engine.ChunkLog;
 import java.util.Arrays;
 import java.util.OptionalLong;
 
-/** The trajectory's hash after each tick of a run so far, as a view of fixed length on a recording that goes on. */
+/** The trajectory hash after each tick of a run up to one moment. */
 public final class HashTrace {
 
-    /** Of a run that is not recorded. */
+    /** The hashes of a run that is not recorded. */
     public static final HashTrace EMPTY = new HashTraceRecorder().view();
 
-    private final long[][] chunks;
-    private final int size;
+    private final ChunkLog.View<long[]> hashes;
 
-    HashTrace(long[][] chunks, int size) {
-        this.chunks = chunks;
-        this.size = size;
+    HashTrace(ChunkLog.View<long[]> hashes) {
+        this.hashes = hashes;
     }
 
-    /**
-     * How many ticks there are.
-     *
-     * @return the first tick after them
-     */
+    /** Returns the number of recorded ticks, tick 0 included. */
     public int size() {
-        return size;
+        return (int) hashes.end();
     }
 
     /**
-     * The hash after a tick.
+     * Returns the hash after a tick. The hashes of two runs are equal as long as the runs are equal to the bit.
      *
-     * @param tick from 0, below {@link #size}
-     * @return equal to another run's as long as both are equal to the bit
+     * @param tick not negative, less than {@link #size}
      */
     public long hashAt(long tick) {
-        return chunks[(int) (tick / HashTraceRecorder.CHUNK_SIZE)][(int) (tick % HashTraceRecorder.CHUNK_SIZE)];
+        return hashes.chunk(tick)[hashes.offset(tick)];
     }
 
-    /**
-     * Whether this view continues another: same recording, at least as long.
-     *
-     * @param earlier another view
-     * @return true where the first hashes of this are all of {@code earlier}'s
-     */
+    /** Returns whether this trace begins with all hashes of an earlier, non-empty trace of the same run. */
     public boolean isContinuationOf(HashTrace earlier) {
-        return earlier.size > 0 && size >= earlier.size && chunks[0] == earlier.chunks[0];
+        return hashes.isContinuationOf(earlier.hashes);
     }
 
     /**
-     * The first tick in which two runs differ.
+     * Returns the first tick in which two runs differ, if both are recorded up to there.
      *
-     * @param other of another run
-     * @param from a tick before which they are known to be equal
-     * @return empty where they do not differ, as far as both are recorded
+     * @param other the trace of the other run
+     * @param from a tick before which the runs are known to be equal
      */
     public OptionalLong firstDifference(HashTrace other, int from) {
-        int end = Math.min(size, other.size);
+        int end = Math.min(size(), other.size());
         int tick = from;
         while (tick < end) {
-            int start = tick % HashTraceRecorder.CHUNK_SIZE;
-            int length = Math.min(HashTraceRecorder.CHUNK_SIZE - start, end - tick);
-            int chunk = tick / HashTraceRecorder.CHUNK_SIZE;
-            int first =
-                    Arrays.mismatch(chunks[chunk], start, start + length, other.chunks[chunk], start, start + length);
-            if (first >= 0) {
-                return OptionalLong.of(tick + first);
+            int start = hashes.offset(tick);
+            int stop = Math.min(hashes.chunkSize(), start + end - tick);
+            int difference = Arrays.mismatch(hashes.chunk(tick), start, stop, other.hashes.chunk(tick), start, stop);
+            if (difference >= 0) {
+                return OptionalLong.of(tick + difference);
             }
-            tick += length;
+            tick += stop - start;
         }
         return OptionalLong.empty();
     }

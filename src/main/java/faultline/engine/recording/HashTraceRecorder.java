@@ -1,46 +1,35 @@
 package faultline.engine.recording;
 
-import java.util.Arrays;
+import faultline.engine.ChunkLog;
 
-/**
- * Records the trajectory's hash after every tick, so that two runs can be compared tick by tick. Written by one thread;
- * the views that it gives are for all, because a hash once written is never changed.
- */
+/** Records the trajectory hash after every tick, so that two runs can be compared tick by tick. */
 public final class HashTraceRecorder {
 
-    /** No more are recorded: 8 MB, and almost three hours at 10 ms. */
+    /** The largest number of hashes that are recorded: 8 MB, almost three hours at 10 ms. */
     public static final int MAX_HASHES = 1 << 20;
 
-    /** How many hashes one chunk holds. */
+    /** The number of hashes in a chunk. */
     static final int CHUNK_SIZE = 1 << 13;
 
-    private long[][] chunks = new long[0][];
+    private final ChunkLog<long[]> log =
+            new ChunkLog<>(CHUNK_SIZE, MAX_HASHES / CHUNK_SIZE, () -> new long[CHUNK_SIZE]);
     private int size;
 
     /**
-     * Records the hash of the next tick, from tick 0 on; beyond {@link #MAX_HASHES} nothing happens.
+     * Records the hash of the next tick, from tick 0 on. Does nothing after {@link #MAX_HASHES} ticks.
      *
-     * @param hash as {@link faultline.engine.Simulation#trajectoryHash}
+     * @param hash the {@link faultline.engine.Simulation#trajectoryHash}
      */
     public void add(long hash) {
-        if (size == MAX_HASHES) {
-            return;
+        if (size < MAX_HASHES) {
+            int offset = log.append();
+            log.newest()[offset] = hash;
+            size++;
         }
-        int chunk = size / CHUNK_SIZE;
-        if (chunk == chunks.length) {
-            chunks = Arrays.copyOf(chunks, chunk + 1);
-            chunks[chunk] = new long[CHUNK_SIZE];
-        }
-        chunks[chunk][size % CHUNK_SIZE] = hash;
-        size++;
     }
 
-    /**
-     * All that is recorded by now.
-     *
-     * @return a view that stays as it is
-     */
+    /** Returns the hashes recorded so far. */
     public HashTrace view() {
-        return new HashTrace(chunks, size);
+        return new HashTrace(log.view());
     }
 }

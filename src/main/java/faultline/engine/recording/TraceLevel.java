@@ -1,85 +1,60 @@
 package faultline.engine.recording;
 
-import java.util.List;
+import faultline.engine.ChunkLog;
 
 /**
- * All channels at one resolution, as a view on a recording that goes on. Buckets are counted from tick 0 on; the oldest
- * may be forgotten.
+ * All channels of a run up to one moment at one resolution. A bucket holds the range of each channel over some ticks.
+ * Buckets are counted from tick 0; the oldest may have been dropped.
  */
 public final class TraceLevel {
 
-    private final List<TraceLevelRecorder.Chunk> chunks;
+    private final ChunkLog.View<TraceLevelRecorder.Chunk> buckets;
     private final int channels;
     private final int ticksPerBucket;
-    private final long firstBucket;
-    private final long endBucket;
 
-    TraceLevel(List<TraceLevelRecorder.Chunk> chunks, int channels, int ticksPerBucket, long first, long end) {
-        this.chunks = chunks;
+    TraceLevel(ChunkLog.View<TraceLevelRecorder.Chunk> buckets, int channels, int ticksPerBucket) {
+        this.buckets = buckets;
         this.channels = channels;
         this.ticksPerBucket = ticksPerBucket;
-        this.firstBucket = first;
-        this.endBucket = end;
     }
 
-    /**
-     * How many ticks a bucket has.
-     *
-     * @return at least 1
-     */
+    /** Returns the number of ticks in a bucket. */
     public int ticksPerBucket() {
         return ticksPerBucket;
     }
 
-    /**
-     * The oldest bucket that is kept.
-     *
-     * @return not above {@link #endBucket}
-     */
+    /** Returns the index of the oldest bucket that is kept. */
     public long firstBucket() {
-        return firstBucket;
+        return buckets.first();
     }
 
-    /**
-     * The bucket after the newest one.
-     *
-     * @return how many buckets there have been
-     */
+    /** Returns the index after the newest bucket. */
     public long endBucket() {
-        return endBucket;
+        return buckets.end();
     }
 
     /**
-     * The least value of a channel in a bucket.
+     * Returns the least finite value of a channel in a bucket, or NaN if there is none. A bucket of one tick gives the
+     * value as it was, even if it is infinite.
      *
-     * @param channel of {@link TraceChannels}
-     * @param bucket from {@link #firstBucket}, below {@link #endBucket}
-     * @return not a number where there was none; in buckets of one tick as it was, also positive infinity
+     * @param channel see {@link TraceChannels}
+     * @param bucket at least {@link #firstBucket}, less than {@link #endBucket}
      */
     public float min(int channel, long bucket) {
-        return chunk(bucket).min()[index(channel, bucket)];
+        return buckets.chunk(bucket).min()[index(channel, bucket)];
     }
 
     /**
-     * The greatest value of a channel in a bucket.
+     * Returns the greatest finite value of a channel in a bucket; otherwise as {@link #min}.
      *
-     * @param channel of {@link TraceChannels}
-     * @param bucket from {@link #firstBucket}, below {@link #endBucket}
-     * @return not a number where there was none; in buckets of one tick as it was, also positive infinity
+     * @param channel see {@link TraceChannels}
+     * @param bucket at least {@link #firstBucket}, less than {@link #endBucket}
      */
     public float max(int channel, long bucket) {
-        return chunk(bucket).max()[index(channel, bucket)];
-    }
-
-    private TraceLevelRecorder.Chunk chunk(long bucket) {
-        if (bucket < firstBucket || bucket >= endBucket) {
-            throw new IndexOutOfBoundsException(
-                    "bucket " + bucket + " is not in [" + firstBucket + ", " + endBucket + ")");
-        }
-        return chunks.get((int) ((bucket - firstBucket) / TraceLevelRecorder.CHUNK_SIZE));
+        return buckets.chunk(bucket).max()[index(channel, bucket)];
     }
 
     private int index(int channel, long bucket) {
-        return (int) (bucket % TraceLevelRecorder.CHUNK_SIZE) * channels + channel;
+        return buckets.offset(bucket) * channels + channel;
     }
 }

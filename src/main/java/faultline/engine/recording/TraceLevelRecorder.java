@@ -1,51 +1,52 @@
 package faultline.engine.recording;
 
+import faultline.engine.ChunkLog;
+
 /**
- * Records all channels at one resolution: of each bucket of ticks the least and the greatest finite value. Keeps the
+ * Records all channels at one resolution: the least and the greatest finite value in each bucket of ticks. Keeps the
  * newest buckets.
  */
 final class TraceLevelRecorder {
 
-    /** How many buckets one chunk holds. */
+    /** The number of buckets in a chunk. */
     static final int CHUNK_SIZE = 4096;
 
     /**
-     * The values of some buckets, bucket by bucket.
+     * The values of consecutive buckets, bucket by bucket.
      *
-     * @param min the least of each channel
-     * @param max the greatest of each channel; the same array where a bucket is one tick
+     * @param min the least value of each channel
+     * @param max the greatest value of each channel; the same array as min if a bucket is one tick
      */
     record Chunk(float[] min, float[] max) {}
 
     private final int channels;
     private final int ticksPerBucket;
-    private final ChunkList<Chunk> chunks;
+    private final ChunkLog<Chunk> log;
     private final int mergeFactor;
     private final float[] min;
     private final float[] max;
     private int mergedCount;
-    private long size;
 
     /**
-     * An empty level.
+     * Creates an empty level.
      *
-     * @param channels how many numbers a tick has
-     * @param ticksPerBucket of this level
-     * @param parts how many buckets of the next finer level make one of this
-     * @param kept how many chunks are kept
+     * @param channels the number of channels
+     * @param ticksPerBucket the number of ticks in a bucket
+     * @param mergeFactor the number of buckets of the next finer level in a bucket of this one
+     * @param maxChunks the largest number of chunks that are kept
      */
-    TraceLevelRecorder(int channels, int ticksPerBucket, int parts, int kept) {
+    TraceLevelRecorder(int channels, int ticksPerBucket, int mergeFactor, int maxChunks) {
         this.channels = channels;
         this.ticksPerBucket = ticksPerBucket;
-        this.mergeFactor = parts;
-        chunks = new ChunkList<>(kept);
+        this.mergeFactor = mergeFactor;
+        log = new ChunkLog<>(CHUNK_SIZE, maxChunks, this::newChunk);
         min = new float[channels];
         max = new float[channels];
     }
 
     /**
-     * Takes a bucket of the next finer level; true where a bucket of this level is complete with it, which is
-     * {@link #min} and {@link #max} then.
+     * Adds a bucket of the next finer level. Returns true if it completes a bucket of this level, which is then in
+     * {@link #min} and {@link #max}.
      */
     boolean add(float[] least, float[] greatest) {
         if (mergedCount == 0) {
@@ -62,7 +63,7 @@ final class TraceLevelRecorder {
         return mergedCount == 0;
     }
 
-    /** A bucket spans what is finite in it, and is not a number where nothing is. */
+    /** Extends the range of the bucket by the finite values; a range without any is NaN. */
     private void merge(float[] least, float[] greatest) {
         for (int i = 0; i < channels; i++) {
             min[i] = combine(min[i], least[i], Math.min(min[i], least[i]));
@@ -86,16 +87,12 @@ final class TraceLevelRecorder {
     }
 
     private void storeBucket() {
-        int at = (int) (size % CHUNK_SIZE);
-        if (at == 0) {
-            chunks.add(newChunk());
-        }
-        Chunk chunk = chunks.newest();
-        System.arraycopy(min, 0, chunk.min, at * channels, channels);
+        int offset = log.append() * channels;
+        Chunk chunk = log.newest();
+        System.arraycopy(min, 0, chunk.min, offset, channels);
         if (chunk.max != chunk.min) {
-            System.arraycopy(max, 0, chunk.max, at * channels, channels);
+            System.arraycopy(max, 0, chunk.max, offset, channels);
         }
-        size++;
     }
 
     private Chunk newChunk() {
@@ -104,6 +101,6 @@ final class TraceLevelRecorder {
     }
 
     TraceLevel view() {
-        return new TraceLevel(chunks.chunks(), channels, ticksPerBucket, chunks.dropped() * CHUNK_SIZE, size);
+        return new TraceLevel(log.view(), channels, ticksPerBucket);
     }
 }
