@@ -3,6 +3,7 @@ package faultline.studies;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.gui.action.UiAction;
+import faultline.gui.edit.UndoController;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.SvgTheme;
@@ -53,7 +54,8 @@ final class ControlPanelFigure implements Figure {
 
     private static BufferedImage render(Snapshot world, Theme theme) {
         theme.install();
-        ControlPanel panel = new ControlPanel(command -> {}, UiAction.toggle("path", true, on -> {}));
+        ControlPanel panel = new ControlPanel(
+                new UndoController((commands, results) -> {}, () -> {}), UiAction.toggle("path", true, on -> {}));
         panel.setSnapshot(world);
         panel.addNotify();
         Dimension size = panel.getPreferredSize();

@@ -48,9 +48,20 @@ public final class SampleFrames {
             List<Obstacle> obstacles,
             List<Vector2> contacts,
             Optional<Collision> collision) {
-        Snapshot world =
-                new Snapshot(1, 0.01, 6, 4, true, SENSORLESS, robot, 0, 0, sensors, obstacles, contacts, collision);
+        Snapshot world = new Snapshot(
+                1, 0.01, 6, 4, true, robotWith(sensors), robot, 0, 0, sensors, obstacles, contacts, collision);
         return new Frame(world, Telemetry.ofState("FOLLOW"), 0, 0, path, 0);
+    }
+
+    private static RobotSpec robotWith(List<SensorSnapshot> sensors) {
+        return new RobotSpec(
+                SENSORLESS.length(),
+                SENSORLESS.width(),
+                SENSORLESS.track(),
+                SENSORLESS.speed(),
+                SENSORLESS.turnRate(),
+                SENSORLESS.motor(),
+                sensors.stream().map(SensorSnapshot::spec).toList());
     }
 
     /** A path through points. */

@@ -64,11 +64,14 @@ public final class Session implements AutoCloseable {
      * Sends commands, which are executed in order at the start of the same tick.
      *
      * @param commands the commands
-     * @param resultHandler receives the result of each command, on the simulation thread; must return quickly
+     * @param resultHandler receives the result of each command, on the simulation thread, after a frame that shows its
+     *     effect has been published; must return quickly
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> resultHandler) {
-        simulationThread.submit(thread ->
-                resultHandler.accept(commands.stream().map(thread::execute).toList()));
+        simulationThread.submit(thread -> {
+            List<CommandResult> results = commands.stream().map(thread::execute).toList();
+            thread.afterPublishing(() -> resultHandler.accept(results));
+        });
     }
 
     /** Resumes the run. */
@@ -129,7 +132,10 @@ public final class Session implements AutoCloseable {
 
     private CompletableFuture<Journal> requestJournal(Function<SimulationThread, Journal> request) {
         CompletableFuture<Journal> journal = new CompletableFuture<>();
-        simulationThread.submit(thread -> journal.complete(request.apply(thread)));
+        simulationThread.submit(thread -> {
+            Journal now = request.apply(thread);
+            thread.afterPublishing(() -> journal.complete(now));
+        });
         if (simulationThread.isClosed()) {
             journal.completeExceptionally(new IllegalStateException("the session is closed"));
         }

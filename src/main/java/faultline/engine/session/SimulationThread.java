@@ -9,6 +9,7 @@ import faultline.engine.session.Session.Status;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Refusal;
+import java.util.ArrayDeque;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.CancellationException;
@@ -41,6 +42,7 @@ final class SimulationThread implements Runnable {
     private boolean running;
     private long pauseTick = NO_PAUSE_TICK;
     private boolean frameOutdated;
+    private final Queue<Runnable> answers = new ArrayDeque<>();
     private int refusals;
     private Refusal lastRefusal;
     private String failure;
@@ -118,6 +120,7 @@ final class SimulationThread implements Runnable {
             }
             // Requests from before the end are still answered.
             runTasks();
+            sendAnswers();
         }
     }
 
@@ -155,7 +158,7 @@ final class SimulationThread implements Runnable {
     }
 
     private void publish() {
-        if (frameOutdated && (frameWanted || !running)) {
+        if (frameOutdated && (frameWanted || !running || !answers.isEmpty())) {
             frameWanted = false;
             frameOutdated = false;
             if (!running) {
@@ -167,6 +170,13 @@ final class SimulationThread implements Runnable {
         if (!now.equals(status.get())) {
             status.set(now);
         }
+        sendAnswers();
+    }
+
+    /** Sends what callers wait for, in the order of their requests. */
+    private void sendAnswers() {
+        answers.forEach(Runnable::run);
+        answers.clear();
     }
 
     private SessionFrame currentFrame() {
@@ -206,6 +216,11 @@ final class SimulationThread implements Runnable {
 
     Journal fullJournal() {
         return player.fullJournal(simulation);
+    }
+
+    /** Runs an answer to a request once the next frame, which shows the effect of the request, is published. */
+    void afterPublishing(Runnable answer) {
+        answers.add(answer);
     }
 
     /** Executes a command from outside. Unless it is refused, the run no longer follows the replayed journal. */

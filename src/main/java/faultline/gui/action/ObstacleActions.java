@@ -5,10 +5,10 @@ import static faultline.gui.action.Keystrokes.unmodified;
 
 import faultline.geometry.Degrees;
 import faultline.gui.canvas.tool.CanvasTools;
-import faultline.gui.edit.CommandSink;
 import faultline.gui.edit.ObstacleCopies;
 import faultline.gui.edit.ShapePreset;
 import faultline.gui.edit.SnapSettings;
+import faultline.gui.edit.UndoController;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.MessageTranslator;
 import faultline.gui.text.Messages;
@@ -68,7 +68,7 @@ public final class ObstacleActions {
     private static final double ANGLE_STEP = Degrees.toRadians(15);
 
     private final CanvasTools tools;
-    private final CommandSink editor;
+    private final UndoController editor;
     private final Consumer<String> notifier;
     private final DoubleFunction<OptionalDouble> askSpeed;
     private final WindowPreferences preferences;
@@ -86,7 +86,7 @@ public final class ObstacleActions {
      */
     public ObstacleActions(
             CanvasTools tools,
-            CommandSink editor,
+            UndoController editor,
             Consumer<String> note,
             DoubleFunction<OptionalDouble> askSpeed,
             WindowPreferences preferences) {

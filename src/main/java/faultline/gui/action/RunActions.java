@@ -8,14 +8,11 @@ import faultline.engine.session.Session;
 import faultline.gui.document.RunController;
 import faultline.gui.theme.Glyph;
 import java.awt.event.KeyEvent;
-import java.util.function.IntConsumer;
 import java.util.function.IntUnaryOperator;
 import javax.swing.BoundedRangeModel;
 
-/** The actions on the run: run and pause, step, restart, the speed, and the switches of the sensors. */
+/** The actions on the run: run and pause, step, restart and the speed. */
 public final class RunActions {
-
-    private static final int SENSOR_KEYS = 8;
 
     private final RunController runController;
     private final BoundedRangeModel speedModel;
@@ -31,7 +28,7 @@ public final class RunActions {
         speed.addChangeListener(event -> runController.setSpeed(SpeedScale.speedAt(speed.getValue())));
     }
 
-    public void addTo(ActionRegistry actions, IntConsumer toggleSensor) {
+    public void addTo(ActionRegistry actions) {
         actions.add(runAction);
         actions.add(UiAction.of("step", runController::step)
                 .withAccelerator(character('.'))
@@ -48,11 +45,6 @@ public final class RunActions {
                 UiAction.of("faster", () -> changeSpeed(SpeedScale::nextFaster)).withAccelerator(character(']')));
         actions.add(UiAction.of("realTime", () -> speedModel.setValue(SpeedScale.REAL_TIME_POSITION))
                 .withAccelerator(character('\\')));
-        for (int i = 0; i < SENSOR_KEYS; i++) {
-            int index = i;
-            actions.add(UiAction.of("sensor" + (i + 1), () -> toggleSensor.accept(index))
-                    .withAccelerator(unmodified(KeyEvent.VK_1 + i)));
-        }
     }
 
     private void changeSpeed(IntUnaryOperator next) {

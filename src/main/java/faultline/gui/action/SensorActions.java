@@ -2,25 +2,24 @@ package faultline.gui.action;
 
 import faultline.control.ControllerSpec;
 import faultline.control.WallSide;
-import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
-import faultline.gui.edit.CommandSink;
 import faultline.gui.edit.SensorPresets;
+import faultline.gui.edit.UndoController;
+import faultline.robot.RobotSpec;
 import faultline.world.Command;
-import java.util.List;
+import java.awt.event.KeyEvent;
 
-/** The actions that switch several sensors at once. */
+/** The actions that switch sensors: one by its key, or several at once. */
 public final class SensorActions {
 
+    private static final int SENSOR_KEYS = 8;
     private static final int ALL_SENSORS = Integer.MAX_VALUE;
 
     private final Workspace workspace;
-    private final RunController runController;
-    private final CommandSink editor;
+    private final UndoController editor;
 
-    public SensorActions(Workspace workspace, RunController run, CommandSink editor) {
+    public SensorActions(Workspace workspace, UndoController editor) {
         this.workspace = workspace;
-        this.runController = run;
         this.editor = editor;
     }
 
@@ -28,15 +27,26 @@ public final class SensorActions {
         actions.add(UiAction.of("sensorsTwo", () -> applyPreset(2)));
         actions.add(UiAction.of("sensorsThree", () -> applyPreset(3)));
         actions.add(UiAction.of("sensorsAll", () -> applyPreset(ALL_SENSORS)));
+        for (int i = 0; i < SENSOR_KEYS; i++) {
+            int index = i;
+            actions.add(UiAction.of("sensor" + (i + 1), () -> toggle(index))
+                    .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_1 + i)));
+        }
     }
 
     private void applyPreset(int count) {
-        runController.frame().ifPresent(frame -> {
-            List<Command> commands = SensorPresets.commands(frame.snapshot().robot(), isWallOnLeft(), count);
-            if (!commands.isEmpty()) {
-                editor.send(commands);
-            }
-        });
+        editor.send(SensorPresets.commands(robot(), isWallOnLeft(), count));
+    }
+
+    private void toggle(int index) {
+        robot().sensors().stream()
+                .skip(index)
+                .findFirst()
+                .ifPresent(sensor -> editor.send(new Command.SwitchSensor(sensor.id(), !sensor.on())));
+    }
+
+    private RobotSpec robot() {
+        return editor.pendingEdits().robot();
     }
 
     private boolean isWallOnLeft() {

@@ -11,8 +11,7 @@ import faultline.gui.canvas.tool.CanvasTools;
 import faultline.gui.canvas.tool.GesturePicker;
 import faultline.gui.canvas.tool.ToolContext;
 import faultline.gui.canvas.tool.Viewport;
-import faultline.gui.edit.CommandSink;
-import faultline.gui.edit.PendingEdits;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.FocusRing;
 import faultline.paint.export.RenderRequest;
@@ -26,7 +25,6 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -49,7 +47,6 @@ public final class SimulationCanvas extends JComponent {
     private final CachedSceneRenderer renderer;
     private final BackBuffer backBuffer = new BackBuffer();
     private final Set<Layer> layers = Layer.defaults();
-    private final PendingEdits pendingEdits;
     private final CanvasMouse mouse;
     private final CanvasTools tools;
     private final FocusRing focusRing = new FocusRing(this);
@@ -61,18 +58,17 @@ public final class SimulationCanvas extends JComponent {
      *
      * @param editor gets what the hand does
      */
-    public SimulationCanvas(CommandSink editor) {
+    public SimulationCanvas(UndoController editor) {
         this(editor, System::nanoTime);
     }
 
     /** A canvas that looks at a clock, nanoseconds, to see when it has painted long enough. */
-    SimulationCanvas(CommandSink editor, LongSupplier clock) {
+    SimulationCanvas(UndoController editor, LongSupplier clock) {
         renderer = new CachedSceneRenderer(clock);
         CanvasListeners watchers = new CanvasListeners();
-        pendingEdits = new PendingEdits(Objects.requireNonNull(editor, "editor"));
-        mouse = new CanvasMouse(viewport, new GesturePicker(model, viewport, pendingEdits, watchers), watchers);
+        mouse = new CanvasMouse(viewport, new GesturePicker(model, viewport, editor, watchers), watchers);
         tools = new CanvasTools(new ToolContext(model, viewport, editor, watchers), mouse, this);
-        new CanvasKeys(model, pendingEdits, mouse).install(this);
+        new CanvasKeys(model, editor, mouse).install(this);
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
         addMouseWheelListener(mouse);
@@ -93,7 +89,6 @@ public final class SimulationCanvas extends JComponent {
     public void setFrame(Frame newest) {
         assert EventQueue.isDispatchThread();
         model.setFrame(newest);
-        pendingEdits.frameChanged(model.obstacles());
         mouse.releaseIfTargetGone();
         viewport.setWorld(newest.snapshot());
         repaint();

@@ -6,28 +6,16 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import javax.swing.undo.AbstractUndoableEdit;
-import javax.swing.undo.UndoableEdit;
 
-/** One edit of the world. Edits of one gesture become one: its first state comes back with undo, its last with redo. */
-final class CommandEdit extends AbstractUndoableEdit {
+/** An edit made by commands. All commands of one gesture form one edit. */
+final class CommandEdit implements Edit {
 
     private final int gestureId;
-    private final transient Map<Object, ReversibleCommand> steps = new LinkedHashMap<>();
-    private final transient Sender sender;
+    private final Map<EditTarget, ReversibleCommand> steps = new LinkedHashMap<>();
     private boolean ahead;
 
-    /** Brings undone and redone edits to the run. */
-    @FunctionalInterface
-    interface Sender {
-
-        /** Sends an edit's commands: those that do it, or those that take it back. */
-        void send(CommandEdit edit, boolean done, List<Command> commands);
-    }
-
-    CommandEdit(int gesture, List<ReversibleCommand> steps, Sender sender) {
-        this.gestureId = gesture;
-        this.sender = sender;
+    CommandEdit(int gestureId, List<ReversibleCommand> steps) {
+        this.gestureId = gestureId;
         steps.forEach(this::add);
     }
 
@@ -35,57 +23,41 @@ final class CommandEdit extends AbstractUndoableEdit {
         steps.merge(step.target(), step, ReversibleCommand::mergedWith);
     }
 
-    /** Whether the world is as it was before, such as after a drag that was cancelled. */
+    /** Adds the commands of a newer edit if it belongs to the same gesture; returns whether it does. */
+    boolean merge(CommandEdit newer) {
+        boolean sameGesture = newer.gestureId == gestureId;
+        if (sameGesture) {
+            newer.steps.values().forEach(this::add);
+        }
+        return sameGesture;
+    }
+
+    /** Returns whether the edit restores what it changed, such as a cancelled drag. */
     boolean isNoOp() {
         return steps.values().stream().allMatch(ReversibleCommand::isNoOp);
     }
 
-    /** Whether it is undone only because the run stands at a moment before it. */
+    /** Returns whether the edit is undone only because the run stands at an earlier tick. */
     boolean isAhead() {
         return ahead;
     }
 
-    void setAhead(boolean newLater) {
-        ahead = newLater;
+    void setAhead(boolean newAhead) {
+        ahead = newAhead;
     }
 
-    @Override
-    public boolean addEdit(UndoableEdit newer) {
-        boolean same = newer instanceof CommandEdit edit && edit.gestureId == gestureId;
-        if (same) {
-            ((CommandEdit) newer).steps.values().forEach(this::add);
-        }
-        return same;
-    }
-
-    @Override
-    public void undo() {
-        super.undo();
-        ahead = false;
+    List<Command> undoCommands() {
         List<ReversibleCommand> backwards = new ArrayList<>(steps.values());
         Collections.reverse(backwards);
-        sender.send(
-                this,
-                false,
-                backwards.stream().flatMap(step -> step.undo().stream()).toList());
+        return backwards.stream().flatMap(step -> step.undo().stream()).toList();
+    }
+
+    List<Command> redoCommands() {
+        return steps.values().stream().map(ReversibleCommand::redo).toList();
     }
 
     @Override
-    public void redo() {
-        super.redo();
-        ahead = false;
-        sender.send(
-                this, true, steps.values().stream().map(ReversibleCommand::redo).toList());
-    }
-
-    /** It may be kept though the history drops it: see {@link EditHistory}. */
-    @Override
-    public void die() {
-        // There is nothing to let go.
-    }
-
-    @Override
-    public String getPresentationName() {
+    public String name() {
         return EditNames.nameOf(List.copyOf(steps.values()));
     }
 }

@@ -1,107 +1,90 @@
 package faultline.gui.edit;
 
+import java.util.ArrayList;
 import java.util.List;
-import javax.swing.undo.UndoManager;
-import javax.swing.undo.UndoableEdit;
+import java.util.Optional;
 
 /**
- * The edits so far. One that came to nothing is not kept. A new edit drops what was undone, as everywhere; but not what
- * is undone only because the run was taken back to a moment before it: that can still be redone.
+ * The edits, and a cursor between those that are done and those that are undone. A new edit drops the undone ones, but
+ * keeps those that are undone only because the run stands at an earlier tick: they can still be redone.
  */
-final class EditHistory extends UndoManager {
+final class EditHistory {
 
     private static final int MAX_EDITS = 1000;
 
-    private boolean quiet;
+    private final List<Edit> edits = new ArrayList<>();
+    /** The number of edits that are done; they come first. */
+    private int cursor;
 
-    EditHistory() {
-        setLimit(MAX_EDITS);
-    }
-
-    @Override
-    public synchronized boolean addEdit(UndoableEdit edit) {
-        List<CommandEdit> later = editsAhead();
-        boolean added = super.addEdit(edit);
-        if (lastEdit() instanceof CommandEdit last && last.isNoOp()) {
-            trimEdits(edits.size() - 1, edits.size() - 1);
+    /**
+     * Adds an edit that is done. One of the same gesture as the last edit is merged into it; one without effect is
+     * dropped.
+     */
+    void add(Edit edit) {
+        List<CommandEdit> ahead = editsAhead();
+        edits.subList(cursor, edits.size()).clear();
+        if (!(last() instanceof CommandEdit last && edit instanceof CommandEdit newer && last.merge(newer))) {
+            edits.add(edit);
         }
-        quietly(() -> restoreAhead(later));
-        return added;
+        if (last() instanceof CommandEdit last && last.isNoOp()) {
+            edits.remove(last);
+        }
+        edits.subList(0, Math.max(0, edits.size() - MAX_EDITS)).clear();
+        cursor = edits.size();
+        edits.addAll(ahead);
     }
 
-    private void restoreAhead(List<CommandEdit> later) {
-        later.forEach(edit -> {
-            edit.redo();
-            super.addEdit(edit);
-        });
-        later.forEach(edit -> undo());
-        later.forEach(edit -> edit.setAhead(true));
+    private Edit last() {
+        return edits.isEmpty() ? null : edits.get(edits.size() - 1);
     }
 
-    /** What can be redone only because the run stands at a moment before it. */
+    /** Returns the edits that can be redone only because the run stands at an earlier tick. */
     List<CommandEdit> editsAhead() {
-        UndoableEdit next = editToBeRedone();
-        return next == null
-                ? List.of()
-                : edits.subList(edits.indexOf(next), edits.size()).stream()
-                        .filter(CommandEdit.class::isInstance)
-                        .map(CommandEdit.class::cast)
-                        .filter(CommandEdit::isAhead)
-                        .toList();
+        return edits.subList(cursor, edits.size()).stream()
+                .filter(edit -> edit instanceof CommandEdit command && command.isAhead())
+                .map(CommandEdit.class::cast)
+                .toList();
     }
 
-    /** Whether an edit is one of its own here, rather than a part of another. */
-    boolean contains(CommandEdit edit) {
+    /** Returns whether an edit is an entry of its own. */
+    boolean contains(Edit edit) {
         return edits.contains(edit);
     }
 
-    /**
-     * The run has come past the moment when an edit was done, or was taken back before the moment when it was undone.
-     */
-    void redoQuietly(CommandEdit edit) {
-        if (editToBeRedone() == edit) {
-            quietly(this::redo);
+    /** Returns the edit that is undone next. */
+    Optional<Edit> nextUndo() {
+        return cursor > 0 ? Optional.of(edits.get(cursor - 1)) : Optional.empty();
+    }
+
+    /** Returns the edit that is redone next. */
+    Optional<Edit> nextRedo() {
+        return cursor < edits.size() ? Optional.of(edits.get(cursor)) : Optional.empty();
+    }
+
+    /** Moves the cursor before an edit if it is undone next; {@code ahead} says that the run stands before the edit. */
+    void markUndone(Edit edit, boolean ahead) {
+        if (nextUndo().filter(edit::equals).isPresent()) {
+            cursor--;
+            setAhead(edit, ahead);
         }
     }
 
-    /**
-     * The run has come past the moment when an edit was undone, or, which is later then, was taken back before the
-     * moment when it was done.
-     */
-    void undoQuietly(CommandEdit edit, boolean later) {
-        if (editToBeUndone() == edit) {
-            quietly(this::undo);
-            edit.setAhead(later);
+    /** Moves the cursor past an edit if it is redone next. */
+    void markDone(Edit edit) {
+        if (nextRedo().filter(edit::equals).isPresent()) {
+            cursor++;
+            setAhead(edit, false);
         }
     }
 
-    /** The world has refused to do an edit again, or to undo it: it stands where it stood. */
-    void revert(CommandEdit edit, boolean done) {
-        if (done) {
-            undoQuietly(edit, false);
-        } else {
-            redoQuietly(edit);
+    private static void setAhead(Edit edit, boolean ahead) {
+        if (edit instanceof CommandEdit command) {
+            command.setAhead(ahead);
         }
     }
 
-    private void quietly(Runnable move) {
-        quiet = true;
-        move.run();
-        quiet = false;
-    }
-
-    /** Whether edits change sides here without anything being done to the run. */
-    boolean isQuiet() {
-        return quiet;
-    }
-
-    /** What undo would take back; asked only where there is something. */
-    String undoName() {
-        return editToBeUndone().getPresentationName();
-    }
-
-    /** What redo would do; asked only where there is something. */
-    String redoName() {
-        return editToBeRedone().getPresentationName();
+    void clear() {
+        edits.clear();
+        cursor = 0;
     }
 }

@@ -4,46 +4,47 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * When edits were done, undone and redone, so that what can be undone and redone follows the run to other moments of
- * its time.
+ * The ticks at which edits were done, undone and redone, so that what can be undone and redone follows the run when it
+ * is moved to another tick.
  */
 final class EditTimeline {
 
     private final EditHistory history;
-    private final List<TimelineEntry> entries = new ArrayList<>();
-    /** How many of the moments the run has behind it. */
+    private final List<Entry> entries = new ArrayList<>();
+    /** The number of entries that the run has passed. */
     private int position;
 
-    /** An edit was done, or undone, at the start of a tick. */
-    private record TimelineEntry(long tick, CommandEdit edit, boolean done) {}
+    /** An edit that was done or undone at the start of a tick. */
+    private record Entry(long tick, CommandEdit edit, boolean done) {}
 
     EditTimeline(EditHistory history) {
         this.history = history;
     }
 
-    /** An edit is done or undone now; nothing is ahead any more. */
+    /** Adds an edit that is done or undone now, as the last entry. */
     void add(long tick, CommandEdit edit, boolean done) {
-        entries.add(new TimelineEntry(tick, edit, done));
+        entries.add(new Entry(tick, edit, done));
         position = entries.size();
     }
 
-    /** The tick in which an edit was first done; 0 where it was there before the run began. */
+    /** Returns the tick at which an edit was first done, 0 if it was done before the run started. */
     long firstTick(CommandEdit edit) {
         return entries.stream()
-                .filter(moment -> moment.edit() == edit)
-                .mapToLong(TimelineEntry::tick)
+                .filter(entry -> entry.edit() == edit)
+                .mapToLong(Entry::tick)
                 .findFirst()
                 .orElse(0);
     }
 
-    /** Something is done now: what was ahead will not happen. Says whether anything was. */
-    boolean discardAhead() {
+    /** Drops the entries that the run had not passed when a command was executed; returns whether there were any. */
+    boolean fork(long tick) {
+        advanceTo(tick - 1);
         boolean ahead = position < entries.size();
         entries.subList(position, entries.size()).clear();
         return ahead;
     }
 
-    /** The run stands after a tick, and what was done later is ahead. Says whether that changes anything. */
+    /** Follows the run to another tick; returns whether that undoes or redoes an edit. */
     boolean moveTo(long tick) {
         int before = position;
         while (position > 0 && entries.get(position - 1).tick() > tick) {
@@ -53,7 +54,7 @@ final class EditTimeline {
         return advanceTo(tick) || position != before;
     }
 
-    /** The run has come past a tick. Says whether that changes anything. */
+    /** Follows the run to a later tick; returns whether that undoes or redoes an edit. */
     boolean advanceTo(long tick) {
         int before = position;
         while (position < entries.size() && entries.get(position).tick() <= tick) {
@@ -63,23 +64,23 @@ final class EditTimeline {
         return position != before;
     }
 
-    private void revert(TimelineEntry moment) {
-        if (moment.done()) {
-            history.undoQuietly(moment.edit(), true);
+    private void revert(Entry entry) {
+        if (entry.done()) {
+            history.markUndone(entry.edit(), true);
         } else {
-            history.redoQuietly(moment.edit());
+            history.markDone(entry.edit());
         }
     }
 
-    private void apply(TimelineEntry moment) {
-        if (moment.done()) {
-            history.redoQuietly(moment.edit());
+    private void apply(Entry entry) {
+        if (entry.done()) {
+            history.markDone(entry.edit());
         } else {
-            history.undoQuietly(moment.edit(), false);
+            history.markUndone(entry.edit(), false);
         }
     }
 
-    /** The run begins anew with all that was done, also what is ahead; from now on that has always been so. */
+    /** Restarts the run with all edits, including those that were ahead; none of them has a tick any more. */
     void restart() {
         advanceTo(Long.MAX_VALUE);
         clear();

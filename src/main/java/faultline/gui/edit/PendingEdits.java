@@ -1,62 +1,87 @@
 package faultline.gui.edit;
 
-import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
-import java.util.HashMap;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 
-/** Sends what a hand wants, and knows where obstacles were sent until the frames show them there. */
+/**
+ * The commands that were sent to the run and do not show in a frame yet, and what the robot and the obstacles will be
+ * after them. The run answers a command when a frame that shows its effect is published, so commands that have been
+ * answered are forgotten with the next frame, whether they were executed or refused. Event dispatch thread only.
+ */
 public final class PendingEdits {
 
-    /**
-     * After so many frames an obstacle that was sent elsewhere is there, or never will be because the world refused.
-     */
-    private static final int MAX_FRAMES = 10;
+    private final List<Batch> batches = new ArrayList<>();
+    private RobotSpec shownRobot = RobotSpec.DEFAULT;
 
-    private final CommandSink commandSink;
-    private final Map<String, Pose> pendingPoses = new HashMap<>();
-    private int framesSince;
+    /** Commands that were sent together. */
+    private static final class Batch {
+        private final List<Command> commands;
+        private boolean answered;
 
-    public PendingEdits(CommandSink editor) {
-        this.commandSink = editor;
-    }
-
-    /** A hand has taken hold of something: all that it sends until it lets go is one edit. */
-    public void beginGesture() {
-        commandSink.beginGesture();
-    }
-
-    public void endGesture() {
-        commandSink.endGesture();
-    }
-
-    public void send(List<Command> commands) {
-        if (!commands.isEmpty()) {
-            framesSince = 0;
-            commands.forEach(this::track);
-            commandSink.send(commands);
+        Batch(List<Command> commands) {
+            this.commands = List.copyOf(commands);
         }
     }
 
-    private void track(Command command) {
-        if (command instanceof Command.MoveObstacle move) {
-            pendingPoses.put(move.obstacle(), move.pose());
-        }
+    /** Adds commands that are being sent; the returned callback must be called when the run has answered them. */
+    Runnable add(List<Command> commands) {
+        Batch batch = new Batch(commands);
+        batches.add(batch);
+        return () -> batch.answered = true;
     }
 
-    /** An obstacle where it will be once the world has done what it was told. */
-    public Obstacle expectedObstacle(Obstacle obstacle) {
-        return obstacle.withPose(pendingPoses.getOrDefault(obstacle.id(), obstacle.pose()));
+    /** Forgets all commands, because the run that they were sent to is gone. */
+    void clear() {
+        batches.clear();
     }
 
-    /** Sees by a new frame what has arrived. */
-    public void frameChanged(List<Obstacle> obstacles) {
-        framesSince++;
-        if (framesSince >= MAX_FRAMES) {
-            pendingPoses.clear();
+    /** Takes the robot of the newest frame of the run. */
+    public void setRobot(RobotSpec robot) {
+        shownRobot = robot;
+        batches.removeIf(batch -> batch.answered);
+    }
+
+    /** Returns the robot as it will be after all pending commands. */
+    public RobotSpec robot() {
+        RobotSpec expected = shownRobot;
+        for (Batch batch : batches) {
+            for (Command command : batch.commands) {
+                expected = apply(command, expected);
+            }
         }
-        obstacles.forEach(obstacle -> pendingPoses.remove(obstacle.id(), obstacle.pose()));
+        return expected;
+    }
+
+    private static RobotSpec apply(Command command, RobotSpec robot) {
+        if (command instanceof Command.SetPlatform platform) {
+            return robot.withPlatform(platform.length(), platform.width(), platform.speed());
+        }
+        if (command instanceof Command.ConfigureSensor configured
+                && robot.sensor(configured.sensor().id()).isPresent()) {
+            return robot.withSensor(configured.sensor());
+        }
+        if (command instanceof Command.SwitchSensor switched) {
+            return robot.sensor(switched.sensor())
+                    .map(sensor -> robot.withSensor(sensor.withOn(switched.on())))
+                    .orElse(robot);
+        }
+        return robot;
+    }
+
+    /** Returns an obstacle of the newest frame where it will be after all pending commands. */
+    public Obstacle expected(Obstacle obstacle) {
+        Obstacle expected = obstacle;
+        for (Batch batch : batches) {
+            for (Command command : batch.commands) {
+                if (command instanceof Command.MoveObstacle move
+                        && move.obstacle().equals(obstacle.id())) {
+                    expected = expected.withPose(move.pose());
+                }
+            }
+        }
+        return expected;
     }
 }

@@ -1,266 +1,253 @@
 package faultline.gui.edit;
 
+import faultline.geometry.Pose;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.awt.EventQueue;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
-import javax.swing.undo.UndoableEdit;
 
 /**
- * Passes what a user does on to the run, and remembers what the run made of it, so that it can be undone and redone by
- * name. Undoing is itself a command to the run, so a journal replays it like all else. A command that is refused is no
- * edit.
+ * Sends the user's commands to the run and records the results as edits that can be undone and redone. Undo and redo
+ * are themselves commands, so a journal replays them too. A refused command is not an edit. Event dispatch thread only.
  */
-public final class UndoController implements CommandSink {
+public final class UndoController {
 
-    /** Repeated commands about one thing that are no farther apart than this are one edit, milliseconds. */
+    /** The longest pause between repeated commands about the same target that form one edit, milliseconds. */
     private static final long REPEAT_MILLIS = 1000;
 
-    private final CommandChannel channel;
+    private final BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel;
     private final Runnable onStateChange;
-    private final LongSupplier millis;
+    private final LongSupplier clock;
+    private final PendingEdits pendingEdits = new PendingEdits();
     private final EditHistory history = new EditHistory();
     private final EditTimeline timeline = new EditTimeline(history);
-    private Optional<EditListener> listener = Optional.empty();
+    private IntConsumer forkListener = laterEdits -> {};
+    private LongConsumer undoListener = tick -> {};
     private int gestureId;
     private boolean gestureActive;
     private int generation;
     private List<EditTarget> lastTargets = List.of();
     private long lastMillis;
 
-    /** The way to the run. */
-    @FunctionalInterface
-    public interface CommandChannel {
-
-        /**
-         * Gives commands that are carried out together.
-         *
-         * @param commands what is to be done, in order
-         * @param told gets what became of each, on the event dispatch thread, soon
-         */
-        void send(List<Command> commands, Consumer<List<CommandResult>> told);
-    }
-
     /**
-     * A desk without edits.
+     * Creates a controller without edits.
      *
-     * @param channel the way to the run
-     * @param changed told whenever what can be undone or redone is another
+     * @param channel sends commands to the run, to be executed together, and passes their results to a callback, on the
+     *     event dispatch thread
+     * @param onStateChange called whenever what can be undone or redone changes
      */
-    public UndoController(CommandChannel channel, Runnable changed) {
-        this(channel, changed, () -> System.nanoTime() / 1_000_000);
+    public UndoController(BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel, Runnable onStateChange) {
+        this(channel, onStateChange, () -> System.nanoTime() / 1_000_000);
     }
 
-    UndoController(CommandChannel channel, Runnable changed, LongSupplier millis) {
+    UndoController(
+            BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel,
+            Runnable onStateChange,
+            LongSupplier clock) {
         this.channel = channel;
-        this.onStateChange = changed;
-        this.millis = millis;
+        this.onStateChange = onStateChange;
+        this.clock = clock;
     }
 
-    @Override
+    /** Returns the commands that do not show in a frame yet. */
+    public PendingEdits pendingEdits() {
+        return pendingEdits;
+    }
+
+    /** Sets the listener that is called with the number of edits that must be redone by hand after an earlier edit. */
+    public void setForkListener(IntConsumer listener) {
+        forkListener = listener;
+    }
+
+    /** Sets the listener that is called when an edit is undone, with the tick at which it was first done. */
+    public void setUndoListener(LongConsumer listener) {
+        undoListener = listener;
+    }
+
+    /** Sends one command. */
     public void send(Command command) {
         send(List.of(command));
     }
 
-    @Override
+    /** Sends several commands, which form one edit. */
     public void send(List<Command> commands) {
         assert EventQueue.isDispatchThread();
-        if (commands.isEmpty()) {
-            return;
+        if (!commands.isEmpty()) {
+            int id = gestureIdOf(commands);
+            submit(commands, results -> recordEdit(id, results));
         }
-        int now = gestureIdOf(commands);
+    }
+
+    private void submit(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
         int sentIn = generation;
-        channel.send(commands, outcomes -> {
+        Runnable onAnswered = pendingEdits.add(commands);
+        channel.accept(commands, results -> {
+            onAnswered.run();
             if (sentIn == generation) {
-                recordEdit(now, outcomes);
+                onExecuted.accept(results);
             }
         });
     }
 
-    /** A new gesture, unless a hand holds on or the commands repeat the last ones. */
+    /** Returns the id of a new gesture, unless one is active or the commands repeat the last ones. */
     private int gestureIdOf(List<Command> commands) {
-        List<EditTarget> about = commands.stream().map(EditTarget::of).toList();
-        long now = millis.getAsLong();
-        boolean repeated = about.equals(lastTargets)
+        List<EditTarget> targets = commands.stream().map(EditTarget::of).toList();
+        long now = clock.getAsLong();
+        boolean repeated = targets.equals(lastTargets)
                 && now - lastMillis <= REPEAT_MILLIS
-                && about.stream().allMatch(EditTarget::repeatable);
+                && targets.stream().allMatch(EditTarget::repeatable);
         if (!gestureActive && !repeated) {
             gestureId++;
         }
-        lastTargets = about;
+        lastTargets = targets;
         lastMillis = now;
         return gestureId;
     }
 
-    private void recordEdit(int sentAs, List<CommandResult> outcomes) {
-        List<ReversibleCommand> steps = outcomes.stream()
-                .filter(outcome -> outcome.refusal().isEmpty())
-                .map(outcome -> new ReversibleCommand(outcome.command(), outcome.inverse()))
+    private void recordEdit(int sentAs, List<CommandResult> results) {
+        List<ReversibleCommand> steps = results.stream()
+                .filter(result -> result.refusal().isEmpty())
+                .map(result -> new ReversibleCommand(result.command(), result.inverse()))
                 .filter(step -> !step.isNoOp())
                 .toList();
-        checkFork(outcomes);
+        checkFork(results);
         if (!steps.isEmpty()) {
-            CommandEdit edit = new CommandEdit(sentAs, steps, this::sendUndoOrRedo);
-            history.addEdit(edit);
+            CommandEdit edit = new CommandEdit(sentAs, steps);
+            history.add(edit);
             if (history.contains(edit)) {
-                timeline.add(outcomes.get(0).tick(), edit, true);
+                timeline.add(results.get(0).tick(), edit, true);
             }
             onStateChange.run();
         }
     }
 
-    private void sendUndoOrRedo(CommandEdit edit, boolean done, List<Command> commands) {
-        if (!history.isQuiet()) {
-            int sentIn = generation;
-            channel.send(commands, outcomes -> {
-                if (sentIn == generation) {
-                    undoOrRedoExecuted(edit, done, outcomes);
-                }
-            });
+    private void checkFork(List<CommandResult> results) {
+        if (isAnyExecuted(results) && timeline.fork(results.get(0).tick())) {
+            forkListener.accept(history.editsAhead().size());
         }
     }
 
-    private void undoOrRedoExecuted(CommandEdit edit, boolean done, List<CommandResult> outcomes) {
-        if (outcomes.stream().anyMatch(outcome -> outcome.refusal().isEmpty())) {
-            checkFork(outcomes);
+    private static boolean isAnyExecuted(List<CommandResult> results) {
+        return results.stream().anyMatch(result -> result.refusal().isEmpty());
+    }
+
+    /** Records a start pose that is set by restarting the run with {@code restarter}. */
+    public void addStartPoseEdit(Pose before, Pose after, Consumer<Pose> restarter) {
+        runRestarted();
+        history.add(new StartPoseEdit(before, after, restarter));
+        onStateChange.run();
+    }
+
+    /** Undoes the last edit, if there is one. */
+    public void undo() {
+        endEdit();
+        history.nextUndo().ifPresent(edit -> {
+            history.markUndone(edit, false);
+            if (edit instanceof CommandEdit command) {
+                submit(command.undoCommands(), results -> undoOrRedoExecuted(command, false, results));
+            } else if (edit instanceof StartPoseEdit start) {
+                start.restarter().accept(start.before());
+            }
+            onStateChange.run();
+        });
+    }
+
+    /** Redoes the edit that was undone last, if there is one. */
+    public void redo() {
+        endEdit();
+        history.nextRedo().ifPresent(edit -> {
+            history.markDone(edit);
+            if (edit instanceof CommandEdit command) {
+                submit(command.redoCommands(), results -> undoOrRedoExecuted(command, true, results));
+            } else if (edit instanceof StartPoseEdit start) {
+                start.restarter().accept(start.after());
+            }
+            onStateChange.run();
+        });
+    }
+
+    private void undoOrRedoExecuted(CommandEdit edit, boolean done, List<CommandResult> results) {
+        if (isAnyExecuted(results)) {
+            checkFork(results);
             if (!done) {
-                listener.ifPresent(told -> told.editUndone(timeline.firstTick(edit)));
+                undoListener.accept(timeline.firstTick(edit));
             }
-            timeline.add(outcomes.get(0).tick(), edit, done);
+            timeline.add(results.get(0).tick(), edit, done);
         } else {
-            history.revert(edit, done);
+            // The world refused: the edit stays as it was.
+            if (done) {
+                history.markUndone(edit, false);
+            } else {
+                history.markDone(edit);
+            }
             onStateChange.run();
         }
     }
 
-    private void checkFork(List<CommandResult> outcomes) {
-        if (outcomes.stream().anyMatch(outcome -> outcome.refusal().isEmpty()) && timeline.discardAhead()) {
-            listener.ifPresent(told -> told.timelineForked(history.editsAhead().size()));
-        }
-    }
-
-    /**
-     * Sets who is told what becomes of edits.
-     *
-     * @param told on the event dispatch thread
-     */
-    public void setListener(EditListener told) {
-        listener = Optional.of(told);
-    }
-
-    /**
-     * The run was taken to another moment: edits after it can be redone, and come by themselves when the run comes to
-     * them.
-     *
-     * @param tick after which the run stands
-     */
+    /** Follows the run to another tick; later edits can be redone, and are redone when the run comes to them. */
     public void runRepositioned(long tick) {
-        assert EventQueue.isDispatchThread();
         endEdit();
         if (timeline.moveTo(tick)) {
             onStateChange.run();
         }
     }
 
-    /**
-     * The run goes on, maybe past edits that were made before it was taken back.
-     *
-     * @param tick it has come to
-     */
+    /** Follows the run as it advances, possibly past edits that were made before it was moved back. */
     public void runAdvanced(long tick) {
         if (timeline.advanceTo(tick)) {
             onStateChange.run();
         }
     }
 
-    /** The run begins anew, with all edits as if they had always been there. */
+    /** Follows a restart: all edits are part of the run from its start. */
     public void runRestarted() {
-        assert EventQueue.isDispatchThread();
         endEdit();
         timeline.restart();
         onStateChange.run();
     }
 
-    /**
-     * Remembers an edit that has been made by beginning anew.
-     *
-     * @param edit can be undone
-     */
-    public void addEdit(UndoableEdit edit) {
-        runRestarted();
-        history.addEdit(edit);
-        onStateChange.run();
-    }
-
-    @Override
+    /** Starts a gesture: all commands until it ends form one edit. */
     public void beginGesture() {
         endEdit();
         gestureActive = true;
     }
 
-    @Override
+    /** Ends the gesture. */
     public void endGesture() {
         endEdit();
         gestureActive = false;
     }
 
-    /**
-     * Keeps what was done from growing further: what comes is another edit. To be called when the scenario has been
-     * saved.
-     */
+    /** Ends the last edit: later commands form another one. To be called when the scenario has been saved. */
     public void endEdit() {
         assert EventQueue.isDispatchThread();
         gestureId++;
         lastTargets = List.of();
     }
 
-    /** Forgets all edits, because they were another scenario's. */
+    /** Forgets all edits, because another scenario has been opened. */
     public void clear() {
-        assert EventQueue.isDispatchThread();
         generation++;
         endEdit();
+        pendingEdits.clear();
         timeline.clear();
-        history.discardAllEdits();
+        history.clear();
         onStateChange.run();
     }
 
-    /** Takes the last edit back, if there is one. */
-    public void undo() {
-        perform(history.canUndo(), history::undo);
-    }
-
-    /** Does the edit again that was taken back last, if there is one. */
-    public void redo() {
-        perform(history.canRedo(), history::redo);
-    }
-
-    private void perform(boolean possible, Runnable way) {
-        assert EventQueue.isDispatchThread();
-        endEdit();
-        if (possible) {
-            way.run();
-            onStateChange.run();
-        }
-    }
-
-    /**
-     * What {@link #undo} would take back.
-     *
-     * @return the name of an edit, empty where there is none
-     */
+    /** Returns the name of the edit that {@link #undo} would undo. */
     public Optional<String> undoName() {
-        return history.canUndo() ? Optional.of(history.undoName()) : Optional.empty();
+        return history.nextUndo().map(Edit::name);
     }
 
-    /**
-     * What {@link #redo} would do again.
-     *
-     * @return the name of an edit, empty where there is none
-     */
+    /** Returns the name of the edit that {@link #redo} would redo. */
     public Optional<String> redoName() {
-        return history.canRedo() ? Optional.of(history.redoName()) : Optional.empty();
+        return history.nextRedo().map(Edit::name);
     }
 }

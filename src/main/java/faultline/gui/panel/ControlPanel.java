@@ -1,6 +1,6 @@
 package faultline.gui.panel;
 
-import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.world.Snapshot;
@@ -28,7 +28,7 @@ public final class ControlPanel extends JPanel {
     private final RobotPanel robot;
     private final SensorsPanel sensors;
     private final SensorDetailsPanel sensorDetails;
-    private final transient OptimisticSensors optimisticSensors = new OptimisticSensors();
+    private final transient UndoController editor;
 
     /**
      * Creates an empty panel.
@@ -36,11 +36,12 @@ public final class ControlPanel extends JPanel {
      * @param editor receives all changes
      * @param path shows or hides the path
      */
-    public ControlPanel(CommandSink editor, Action path) {
+    public ControlPanel(UndoController editor, Action path) {
         super(new BorderLayout());
+        this.editor = editor;
         robot = new RobotPanel(editor, path);
-        sensors = new SensorsPanel(optimisticSensors, editor);
-        sensorDetails = new SensorDetailsPanel(optimisticSensors, editor);
+        sensors = new SensorsPanel(editor);
+        sensorDetails = new SensorDetailsPanel(editor);
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);
         JPanel column = new JPanel();
@@ -79,8 +80,8 @@ public final class ControlPanel extends JPanel {
     /** Shows a snapshot of the world. */
     public void setSnapshot(Snapshot world) {
         assert EventQueue.isDispatchThread();
-        robot.setRobot(world.robot());
-        optimisticSensors.update(world.sensors());
+        editor.pendingEdits().setRobot(world.robot());
+        robot.setRobot(editor.pendingEdits().robot());
         sensors.setSensors(world.sensors());
         sensorDetails.setSensors(world.sensors());
     }
@@ -110,14 +111,5 @@ public final class ControlPanel extends JPanel {
      */
     public void addSelectionListener(Consumer<Optional<String>> listener) {
         sensors.addSelectionListener(listener);
-    }
-
-    /**
-     * Switches a sensor on or off.
-     *
-     * @param index the index of the sensor in the robot's order; ignored if there is no such sensor
-     */
-    public void toggleSensor(int index) {
-        sensors.toggle(index);
     }
 }

@@ -1,6 +1,6 @@
 package faultline.gui.panel;
 
-import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
@@ -24,13 +24,13 @@ final class FaultList extends JPanel {
     private static final GlyphIcon REMOVE_ICON =
             new GlyphIcon(Glyph.REMOVE, 14, colours -> Optional.of(colours.text()));
 
-    private final transient CommandSink editor;
+    private final transient UndoController editor;
     private transient List<ActiveFault> shownFaults = List.of();
 
     /** A fault of a sensor. */
     private record ActiveFault(String sensor, Fault fault) {}
 
-    FaultList(CommandSink editor) {
+    FaultList(UndoController editor) {
         super(new GridBagLayout());
         this.editor = editor;
         rebuild();

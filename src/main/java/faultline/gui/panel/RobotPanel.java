@@ -1,6 +1,6 @@
 package faultline.gui.panel;
 
-import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.robot.RobotSpec;
@@ -22,21 +22,13 @@ public final class RobotPanel extends JPanel {
     private static final double MAX_SPEED = 100;
     private static final int UNIT_WIDTH = 30;
 
-    private final transient OptimisticValue<Command.SetPlatform> platform =
-            new OptimisticValue<>(platform(RobotSpec.DEFAULT));
-    private final transient CommandSink editor;
-    private final NumberSpinner speed = new NumberSpinner("0.00##", MIN_VALUE, MAX_SPEED, 0.05, value -> {
-        Command.SetPlatform now = platform.value();
-        sendPlatform(new Command.SetPlatform(now.length(), now.width(), value));
-    });
-    private final NumberSpinner length = new NumberSpinner("0.00##", MIN_VALUE, MAX_SIZE, 0.01, value -> {
-        Command.SetPlatform now = platform.value();
-        sendPlatform(new Command.SetPlatform(value, now.width(), now.speed()));
-    });
-    private final NumberSpinner width = new NumberSpinner("0.00##", MIN_VALUE, MAX_SIZE, 0.01, value -> {
-        Command.SetPlatform now = platform.value();
-        sendPlatform(new Command.SetPlatform(now.length(), value, now.speed()));
-    });
+    private final transient UndoController editor;
+    private final NumberSpinner speed = new NumberSpinner(
+            "0.00##", MIN_VALUE, MAX_SPEED, 0.05, value -> sendPlatform(robot().length(), robot().width(), value));
+    private final NumberSpinner length = new NumberSpinner(
+            "0.00##", MIN_VALUE, MAX_SIZE, 0.01, value -> sendPlatform(value, robot().width(), robot().speed()));
+    private final NumberSpinner width = new NumberSpinner(
+            "0.00##", MIN_VALUE, MAX_SIZE, 0.01, value -> sendPlatform(robot().length(), value, robot().speed()));
 
     /**
      * Creates the robot's controls.
@@ -44,7 +36,7 @@ public final class RobotPanel extends JPanel {
      * @param editor receives the changes
      * @param path shows or hides the path
      */
-    public RobotPanel(CommandSink editor, Action path) {
+    public RobotPanel(UndoController editor, Action path) {
         super(new GridBagLayout());
         this.editor = editor;
         addRow(0, "robot.speed", speed, "m/s");
@@ -76,20 +68,19 @@ public final class RobotPanel extends JPanel {
         return label;
     }
 
-    private static Command.SetPlatform platform(RobotSpec robot) {
-        return new Command.SetPlatform(robot.length(), robot.width(), robot.speed());
+    private RobotSpec robot() {
+        return editor.pendingEdits().robot();
     }
 
-    private void sendPlatform(Command.SetPlatform requested) {
-        editor.send(platform.request(requested));
+    private void sendPlatform(double newLength, double newWidth, double newSpeed) {
+        editor.send(new Command.SetPlatform(newLength, newWidth, newSpeed));
     }
 
     /** Shows the current settings of the robot. */
     public void setRobot(RobotSpec robot) {
         assert EventQueue.isDispatchThread();
-        Command.SetPlatform shown = platform.update(platform(robot));
-        speed.setWorldValue(shown.speed());
-        length.setWorldValue(shown.length());
-        width.setWorldValue(shown.width());
+        speed.setWorldValue(robot.speed());
+        length.setWorldValue(robot.length());
+        width.setWorldValue(robot.width());
     }
 }

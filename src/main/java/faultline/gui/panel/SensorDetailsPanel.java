@@ -1,6 +1,6 @@
 package faultline.gui.panel;
 
-import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.sensor.FaultKind;
 import faultline.world.Command;
@@ -28,7 +28,7 @@ public final class SensorDetailsPanel extends JPanel {
 
     private static final int SECTION_GAP = 8;
 
-    private final transient CommandSink editor;
+    private final transient UndoController editor;
     private final transient SensorMountFields mountFields;
     private final transient List<Consumer<Optional<String>>> listeners = new ArrayList<>();
     private final JComboBox<String> sensorChoice = new JComboBox<>();
@@ -42,13 +42,12 @@ public final class SensorDetailsPanel extends JPanel {
     /**
      * Creates a panel without sensors.
      *
-     * @param optimisticSensors the requested settings of the sensors
      * @param editor receives changes and faults
      */
-    SensorDetailsPanel(OptimisticSensors optimisticSensors, CommandSink editor) {
+    SensorDetailsPanel(UndoController editor) {
         super(new BorderLayout(0, SECTION_GAP));
         this.editor = editor;
-        this.mountFields = new SensorMountFields(optimisticSensors, editor);
+        this.mountFields = new SensorMountFields(editor);
         this.faultList = new FaultList(editor);
         configureControls();
         add(createForm(), BorderLayout.NORTH);

@@ -2,7 +2,7 @@ package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
-import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
@@ -22,8 +22,7 @@ final class SensorMountFields {
     private static final double MAX_NOISE = 1;
     private static final double NOISE_STEP = 0.001;
 
-    private final OptimisticSensors optimisticSensors;
-    private final CommandSink editor;
+    private final UndoController editor;
     private final NumberSpinner bearing = new NumberSpinner(
             "0.##",
             -MAX_BEARING,
@@ -49,8 +48,7 @@ final class SensorMountFields {
     private final CachedDegrees shownBearing = new CachedDegrees();
     private Optional<String> sensor = Optional.empty();
 
-    SensorMountFields(OptimisticSensors optimisticSensors, CommandSink editor) {
-        this.optimisticSensors = optimisticSensors;
+    SensorMountFields(UndoController editor) {
         this.editor = editor;
         fields().forEach(field -> field.withColumns(6).setEnabled(false));
     }
@@ -80,8 +78,11 @@ final class SensorMountFields {
     }
 
     private void configureSensor(UnaryOperator<SensorSpec> change) {
-        sensor.ifPresent(id -> editor.send(
-                new Command.ConfigureSensor(optimisticSensors.request(change.apply(optimisticSensors.spec(id))))));
+        spec().ifPresent(spec -> editor.send(new Command.ConfigureSensor(change.apply(spec))));
+    }
+
+    private Optional<SensorSpec> spec() {
+        return sensor.flatMap(id -> editor.pendingEdits().robot().sensor(id));
     }
 
     /** Selects another sensor, after committing the number being typed for the previous one. */
@@ -96,7 +97,7 @@ final class SensorMountFields {
 
     /** Shows the current settings of the sensor. */
     void update() {
-        sensor.map(optimisticSensors::spec).ifPresent(spec -> {
+        spec().ifPresent(spec -> {
             bearing.setWorldValue(shownBearing.toDegrees(spec.bearing()));
             noise.setWorldValue(spec.noise());
             forwardOffset.setWorldValue(spec.mountPosition().x());

@@ -1,7 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
-import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.sensor.SensorSpec;
@@ -33,13 +33,11 @@ final class SensorRow {
     private final ReadingBar actualReading;
     private final ReadingBar reportedReading;
     private final String id;
-    private final OptimisticSensors optimisticSensors;
-    private final CommandSink editor;
+    private final UndoController editor;
     private final CachedDegrees coneDegrees = new CachedDegrees();
 
-    SensorRow(int index, String id, OptimisticSensors optimisticSensors, CommandSink editor, Consumer<String> chosen) {
+    SensorRow(int index, String id, UndoController editor, Consumer<String> chosen) {
         this.id = id;
-        this.optimisticSensors = optimisticSensors;
         this.editor = editor;
         badge = new SensorBadge(index);
         range = new NumberSpinner(
@@ -55,7 +53,7 @@ final class SensorRow {
     }
 
     private SensorSpec spec() {
-        return optimisticSensors.spec(id);
+        return editor.pendingEdits().robot().sensor(id).orElseThrow();
     }
 
     /** Selects the row on a click on its badge, or when one of its controls gains the focus. */
@@ -93,7 +91,7 @@ final class SensorRow {
         enabledBox.setMinimumSize(enabledBox.getPreferredSize());
         enabledBox.setToolTipText(Messages.get("sensor.switch", id));
         enabledBox.getAccessibleContext().setAccessibleName(Messages.get("sensor.switch", id));
-        enabledBox.addActionListener(event -> setSensorOn(enabledBox.isSelected()));
+        enabledBox.addActionListener(event -> editor.send(new Command.SwitchSensor(id, enabledBox.isSelected())));
     }
 
     /** Adds the controls to a row of a grid. */
@@ -106,18 +104,8 @@ final class SensorRow {
         grid.add(reportedReading, FormConstraints.leadingCell(5, row));
     }
 
-    private void setSensorOn(boolean on) {
-        optimisticSensors.request(spec().withOn(on));
-        editor.send(new Command.SwitchSensor(id, on));
-    }
-
     private void configureSensor(SensorSpec requested) {
-        editor.send(new Command.ConfigureSensor(optimisticSensors.request(requested)));
-    }
-
-    /** Switches the sensor on or off. */
-    void toggle() {
-        setSensorOn(!spec().on());
+        editor.send(new Command.ConfigureSensor(requested));
     }
 
     /** Shows the current state of the sensor. */

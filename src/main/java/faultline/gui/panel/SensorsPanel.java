@@ -1,6 +1,6 @@
 package faultline.gui.panel;
 
-import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
@@ -22,8 +22,7 @@ public final class SensorsPanel extends JPanel {
     private static final int SELECTION_MARGIN = 2;
     private static final int SELECTION_ALPHA = 40;
 
-    private final transient OptimisticSensors optimisticSensors;
-    private final transient CommandSink editor;
+    private final transient UndoController editor;
     private final transient List<SensorRow> rows = new ArrayList<>();
     private final transient List<Consumer<Optional<String>>> listeners = new ArrayList<>();
     private List<String> ids = List.of();
@@ -32,12 +31,10 @@ public final class SensorsPanel extends JPanel {
     /**
      * Creates a panel without sensors.
      *
-     * @param optimisticSensors the requested settings of the sensors
      * @param editor receives the changes
      */
-    SensorsPanel(OptimisticSensors optimisticSensors, CommandSink editor) {
+    SensorsPanel(UndoController editor) {
         super(new GridBagLayout());
-        this.optimisticSensors = optimisticSensors;
         this.editor = editor;
     }
 
@@ -51,18 +48,6 @@ public final class SensorsPanel extends JPanel {
         }
         for (int i = 0; i < rows.size(); i++) {
             rows.get(i).setSnapshot(sensors.get(i));
-        }
-    }
-
-    /**
-     * Switches a sensor on or off.
-     *
-     * @param index the index of the sensor in the robot's order; ignored if there is no such sensor
-     */
-    public void toggle(int index) {
-        assert EventQueue.isDispatchThread();
-        if (index < rows.size()) {
-            rows.get(index).toggle();
         }
     }
 
@@ -126,8 +111,7 @@ public final class SensorsPanel extends JPanel {
         add(new MutedLabel(Messages.get("sensors.true")), FormConstraints.cell(4, 0));
         add(new MutedLabel(Messages.get("sensors.reported")), FormConstraints.cell(5, 0));
         for (int i = 0; i < sensors.size(); i++) {
-            SensorRow row =
-                    new SensorRow(i, ids.get(i), optimisticSensors, editor, id -> selectByUser(Optional.of(id)));
+            SensorRow row = new SensorRow(i, ids.get(i), editor, id -> selectByUser(Optional.of(id)));
             row.addTo(this, i + 1);
             rows.add(row);
         }

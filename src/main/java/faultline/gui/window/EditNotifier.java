@@ -3,12 +3,11 @@ package faultline.gui.window;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.document.RunController;
-import faultline.gui.edit.EditListener;
 import faultline.gui.text.Messages;
 import java.util.function.Consumer;
 
 /** Reports the effects of an edit on the run. */
-final class EditNotifier implements EditListener {
+final class EditNotifier {
 
     private final RunController runController;
     private final ActionRegistry actions;
@@ -20,14 +19,12 @@ final class EditNotifier implements EditListener {
         this.notifier = notifier;
     }
 
-    @Override
-    public void timelineForked(int later) {
+    void timelineForked(int later) {
         notifier.accept(Messages.get("edit.forked", Integer.toString(later)));
     }
 
     /** Explains that undoing an edit does not undo a collision that happened after it. */
-    @Override
-    public void editUndone(long since) {
+    void editUndone(long since) {
         runController
                 .frame()
                 .flatMap(frame -> frame.snapshot().collision())

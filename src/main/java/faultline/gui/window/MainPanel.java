@@ -6,7 +6,7 @@ import faultline.engine.session.SessionFrame;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.canvas.SimulationCanvas;
-import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.UndoController;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.instrument.PositionedSplitPane;
 import faultline.gui.panel.ControlPanel;
@@ -56,7 +56,7 @@ final class MainPanel extends JPanel {
      */
     MainPanel(
             SimulationCanvas canvas,
-            CommandSink editor,
+            UndoController editor,
             ActionRegistry actions,
             BoundedRangeModel speed,
             LongConsumer jump) {

@@ -27,7 +27,6 @@ import faultline.gui.document.RunController;
 import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
-import faultline.gui.edit.StartPoseEdit;
 import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
 import faultline.gui.gallery.Gallery;
@@ -104,7 +103,9 @@ public final class MainWindow extends JFrame {
                 workspace,
                 fileController::onFileChangedOnDisk,
                 exception -> showNote(Dialogs.unreadableFileText(exception)));
-        undoController.setListener(new EditNotifier(runController, actionRegistry, this::showNote));
+        EditNotifier editNotifier = new EditNotifier(runController, actionRegistry, this::showNote);
+        undoController.setForkListener(editNotifier::timelineForked);
+        undoController.setUndoListener(editNotifier::editUndone);
         poll.start();
     }
 
@@ -121,13 +122,13 @@ public final class MainWindow extends JFrame {
                         now -> SpeedDialog.showDialog(this, now),
                         preferences)
                 .addTo(actionRegistry);
-        new SensorActions(workspace, runController, undoController).addTo(actionRegistry);
+        new SensorActions(workspace, undoController).addTo(actionRegistry);
         exportController.actions().forEach(actionRegistry::add);
         ViewActions.addTo(actionRegistry, canvas);
         ViewActions.bindTo(getRootPane(), actionRegistry);
         actionRegistry.add(UiAction.toggle("instruments", preferences.isDockShown(), this::setDockShown)
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_I)));
-        runActions.addTo(actionRegistry, this::toggleSensor);
+        runActions.addTo(actionRegistry);
         dialogs.addTo(actionRegistry);
         new PreferenceActions(this, preferences).addTo(actionRegistry);
         actionRegistry.add(new ThemeAction(this, canvas, preferences).action());
@@ -149,7 +150,7 @@ public final class MainWindow extends JFrame {
         JPopupMenu popup = Menus.createCanvasPopup(actionRegistry);
         canvas.tools().addMenuListener(at -> popup.show(canvas, at.x, at.y));
         canvas.tools().addStartListener(pose -> workspace.scenario().ifPresent(open -> {
-            undoController.addEdit(new StartPoseEdit(open.setup().start(), pose, runController::restartAt));
+            undoController.addStartPoseEdit(open.setup().start(), pose, runController::restartAt);
             runController.restartAt(pose);
         }));
     }
@@ -160,10 +161,6 @@ public final class MainWindow extends JFrame {
 
     private void setDockShown(boolean shown) {
         mainPanel.setDockShown(shown);
-    }
-
-    private void toggleSensor(int index) {
-        mainPanel.controlPanel().toggleSensor(index);
     }
 
     private void installCloseHandler() {

@@ -155,4 +155,22 @@ class SessionTest {
                         .toList());
         await(() -> session.status().refusals() == 1);
     }
+
+    @Test
+    void resultsComeAfterAFrameThatShowsTheirEffect() throws Exception {
+        for (boolean running : List.of(false, true)) {
+            CompletableFuture<Boolean> shown = new CompletableFuture<>();
+            session.send(
+                    List.of(new Command.SwitchSensor("left", running)),
+                    results -> shown.complete(session.frame()
+                                    .snapshot()
+                                    .robot()
+                                    .sensor("left")
+                                    .orElseThrow()
+                                    .on()
+                            == running));
+            assertTrue(shown.get());
+            session.resume();
+        }
+    }
 }

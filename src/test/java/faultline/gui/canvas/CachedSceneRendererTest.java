@@ -4,6 +4,7 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.gui.edit.UndoController;
 import faultline.engine.Frame;
 import faultline.engine.RobotPath;
 import faultline.engine.SampleFrames;
@@ -49,8 +50,8 @@ class CachedSceneRendererTest {
     private final List<Obstacle> obstacles = new ArrayList<>();
     private final AtomicLong clock = new AtomicLong();
     private long tick;
-    private final SimulationCanvas canvas =
-            callOnEdt(() -> new SimulationCanvas(command -> {}, () -> clock.addAndGet(tick)));
+    private final SimulationCanvas canvas = callOnEdt(() -> new SimulationCanvas(
+            new UndoController((commands, onExecuted) -> {}, () -> {}), () -> clock.addAndGet(tick)));
     private Palette palette = Palette.LIGHT;
     private boolean labels;
     private int deviceScale;

@@ -10,9 +10,11 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.GuiRobot;
+import faultline.gui.edit.UndoController;
 import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.Cursor;
@@ -20,6 +22,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.Optional;
 import javax.swing.JFrame;
 import org.junit.jupiter.api.AfterEach;
@@ -52,7 +55,7 @@ class CanvasInteractionRobotTest {
     @BeforeEach
     void open() {
         window = callOnEdt(() -> {
-            canvas = new SimulationCanvas(this::execute);
+            canvas = new SimulationCanvas(new UndoController(this::execute, () -> {}));
             JFrame frame = new JFrame("Canvas");
             frame.add(canvas);
             frame.setSize(760, 560);
@@ -68,8 +71,8 @@ class CanvasInteractionRobotTest {
         robot.close(window);
     }
 
-    private void execute(Command command) {
-        Command.MoveObstacle move = (Command.MoveObstacle) command;
+    private void execute(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
+        Command.MoveObstacle move = (Command.MoveObstacle) commands.get(0);
         moves.add(move);
         canvas.setFrame(SampleFrames.frameOf(ROBOT, boxAt(move.pose())));
     }

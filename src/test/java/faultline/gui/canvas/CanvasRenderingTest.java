@@ -10,6 +10,7 @@ import faultline.engine.RobotPath;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.UndoController;
 import faultline.gui.theme.TextSize;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.scene.Layer;
@@ -39,7 +40,8 @@ class CanvasRenderingTest {
     private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Rectangle(1, 0.5), new Pose(4, 3, 0.2));
 
     private final SimulationCanvas canvas = callOnEdt(() -> {
-        SimulationCanvas made = new SimulationCanvas(command -> {}, () -> 0);
+        SimulationCanvas made =
+                new SimulationCanvas(new UndoController((commands, onExecuted) -> {}, () -> {}), () -> 0);
         made.setSize(WIDTH, HEIGHT);
         return made;
     });

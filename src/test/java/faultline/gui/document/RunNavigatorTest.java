@@ -10,7 +10,6 @@ import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
-import faultline.gui.edit.EditListener;
 import faultline.gui.edit.UndoController;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioException;
@@ -48,19 +47,6 @@ class RunNavigatorTest {
     private UndoController edits;
     private Pose original;
 
-    /** Keeps what the edit desk tells. */
-    private final class EditRecorder implements EditListener {
-        @Override
-        public void timelineForked(int later) {
-            forks.add(later);
-        }
-
-        @Override
-        public void editUndone(long since) {
-            undone.add(since);
-        }
-    }
-
     @BeforeEach
     void editTwice() {
         runOnEdt(() -> {
@@ -68,7 +54,8 @@ class RunNavigatorTest {
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
             edits = new UndoController(run::send, () -> {});
-            edits.setListener(new EditRecorder());
+            edits.setForkListener(forks::add);
+            edits.setUndoListener(undone::add);
             documentStore.open(Path.of("scenarios/collision-on-purpose.xml"));
         });
         Await.until("the scenario", () -> run.frame().isPresent());

@@ -11,6 +11,7 @@ import faultline.engine.SampleFrames;
 import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.action.UiAction;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.robot.RobotSpec;
@@ -18,10 +19,12 @@ import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import faultline.world.Snapshot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -33,6 +36,7 @@ import org.junit.jupiter.api.Test;
 class ControlPanelTest {
 
     private final List<Command> commands = new ArrayList<>();
+    private final List<Runnable> refusals = new ArrayList<>();
     private final Snapshot world = SampleFrames.fullFrame().snapshot();
     private ControlPanel panel;
 
@@ -40,10 +44,17 @@ class ControlPanelTest {
     void show() {
         panel = callOnEdt(() -> {
             Theme.LIGHT.install();
-            ControlPanel made = new ControlPanel(commands::add, UiAction.toggle("path", true, on -> {}));
+            ControlPanel made = new ControlPanel(
+                    new UndoController(this::execute, () -> {}), UiAction.toggle("path", true, on -> {}));
             made.setSnapshot(world);
             return made;
         });
+    }
+
+    /** Keeps commands, and how to refuse them. */
+    private void execute(List<Command> sent, Consumer<List<CommandResult>> onExecuted) {
+        commands.addAll(sent);
+        refusals.add(() -> onExecuted.accept(List.of()));
     }
 
     @Test
@@ -68,11 +79,10 @@ class ControlPanelTest {
     @Test
     void aSwitchThatTheWorldRefusesGoesBack() {
         runOnEdt(() -> switchOf("front").doClick(0));
-        runOnEdt(() -> {
-            for (int i = 0; i <= OptimisticValue.TIMEOUT_SNAPSHOTS; i++) {
-                panel.setSnapshot(world);
-            }
-        });
+        runOnEdt(() -> panel.setSnapshot(world));
+        assertFalse(callOnEdt(() -> switchOf("front").isSelected()), "not answered yet");
+        runOnEdt(refusals.get(0)::run);
+        runOnEdt(() -> panel.setSnapshot(world));
         assertTrue(callOnEdt(() -> switchOf("front").isSelected()));
     }
 

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
-import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.UndoController;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
@@ -24,25 +24,13 @@ class FaultListTest {
     private final World world =
             new World(new WorldSpec(6, 4, true, 0, List.of()), RobotSpec.DEFAULT, new Pose(2, 2, 0), 0.01, 1);
 
-    /** Keeps what is sent together apart from what is not. */
-    private final class RecordingEditor implements CommandSink {
-        @Override
-        public void send(Command command) {
-            sent.add(List.of(command));
-        }
-
-        @Override
-        public void send(List<Command> commands) {
-            sent.add(commands);
-        }
-    }
-
     @Test
     void allFaultsAreClearedInOneEdit() {
         world.execute(new Command.InjectFault("left", new Fault.Dead()));
         world.execute(new Command.InjectFault("left", new Fault.Stuck(0.4)));
         world.execute(new Command.InjectFault("rear", new Fault.Dead()));
-        FaultList list = callOnEdt(() -> new FaultList(new RecordingEditor()));
+        FaultList list = callOnEdt(
+                () -> new FaultList(new UndoController((commands, onExecuted) -> sent.add(commands), () -> {})));
         runOnEdt(() -> list.setSensors(world.snapshot().sensors()));
         runOnEdt(() -> ComponentFinder.findAll(list, JButton.class)
                 .filter(button -> "Repair all".equals(button.getText()))

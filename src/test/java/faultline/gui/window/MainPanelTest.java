@@ -108,14 +108,14 @@ class MainPanelTest {
                             now -> OptionalDouble.empty(),
                             WindowPreferences.nonPersistent())
                     .addTo(actions);
-            new SensorActions(bench, run, edits).addTo(actions);
+            new SensorActions(bench, edits).addTo(actions);
             new ExportController(canvas, bench, canvas, files::chooseExportFile, file -> {})
                     .actions()
                     .forEach(actions::add);
             actions.add(UiAction.of("examples", () -> {}));
             ViewActions.addTo(actions, canvas);
             actions.add(UiAction.toggle("dark", false, on -> {}));
-            new RunActions(run, speed).addTo(actions, sensor -> {});
+            new RunActions(run, speed).addTo(actions);
             new Dialogs(null).addTo(actions);
             actions.add(UiAction.toggle("instruments", true, shown -> {}));
             new PreferenceActions(null, WindowPreferences.nonPersistent()).addTo(actions);

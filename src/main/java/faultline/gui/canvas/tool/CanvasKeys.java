@@ -3,7 +3,7 @@ package faultline.gui.canvas.tool;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
-import faultline.gui.edit.PendingEdits;
+import faultline.gui.edit.UndoController;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -28,12 +28,12 @@ public final class CanvasKeys {
     private static final double TURN_ANGLE = Degrees.toRadians(5);
 
     private final CanvasModel model;
-    private final PendingEdits pendingEdits;
+    private final UndoController editor;
     private final CanvasMouse mouse;
 
-    public CanvasKeys(CanvasModel scene, PendingEdits courier, CanvasMouse hand) {
+    public CanvasKeys(CanvasModel scene, UndoController editor, CanvasMouse hand) {
         this.model = scene;
-        this.pendingEdits = courier;
+        this.editor = editor;
         this.mouse = hand;
     }
 
@@ -65,7 +65,7 @@ public final class CanvasKeys {
 
     private void turn(double turn) {
         List<Obstacle> expected =
-                model.selected().stream().map(pendingEdits::expectedObstacle).toList();
+                model.selected().stream().map(editor.pendingEdits()::expected).toList();
         if (!expected.isEmpty()) {
             Vector2 middle = ObstacleOutlines.centre(expected);
             moveSelected(obstacle -> ObstacleOutlines.rotatedPose(obstacle, middle, turn));
@@ -73,9 +73,9 @@ public final class CanvasKeys {
     }
 
     private void moveSelected(Function<Obstacle, Pose> change) {
-        pendingEdits.send(model.selected().stream()
-                .<Command>map(obstacle ->
-                        new Command.MoveObstacle(obstacle.id(), change.apply(pendingEdits.expectedObstacle(obstacle))))
+        editor.send(model.selected().stream()
+                .<Command>map(obstacle -> new Command.MoveObstacle(
+                        obstacle.id(), change.apply(editor.pendingEdits().expected(obstacle))))
                 .toList());
     }
 

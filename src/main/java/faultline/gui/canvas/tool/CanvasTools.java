@@ -84,7 +84,7 @@ public final class CanvasTools {
                     way.add(obstacle.pose().position());
                     WaypointPath motion = new WaypointPath(
                             obstacle.motion().map(WaypointPath::speed).orElse(DEFAULT_SPEED), true, way);
-                    context.commandSink().send(new Command.PlaceObstacle(obstacle.withMotion(Optional.of(motion))));
+                    context.editor().send(new Command.PlaceObstacle(obstacle.withMotion(Optional.of(motion))));
                 });
         return true;
     }

@@ -1,7 +1,7 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
-import faultline.gui.edit.PendingEdits;
+import faultline.gui.edit.UndoController;
 import faultline.gui.edit.SnapSettings;
 import faultline.gui.text.Messages;
 import faultline.paint.scene.InteractionPainter;
@@ -20,18 +20,18 @@ public final class DragGesture implements Gesture {
     private final Vector2 pressed;
     private final CanvasModel model;
     private final Viewport viewport;
-    private final PendingEdits pendingEdits;
+    private final UndoController editor;
     private Optional<DragPreview> preview = Optional.empty();
     private Vector2 last;
 
-    DragGesture(DragOperation drag, Vector2 pressed, CanvasModel scene, Viewport viewpoint, PendingEdits courier) {
+    DragGesture(DragOperation drag, Vector2 pressed, CanvasModel scene, Viewport viewpoint, UndoController editor) {
         this.operation = drag;
         this.pressed = pressed;
         this.model = scene;
         this.viewport = viewpoint;
-        this.pendingEdits = courier;
+        this.editor = editor;
         this.last = pressed;
-        courier.beginGesture();
+        editor.beginGesture();
     }
 
     @Override
@@ -47,21 +47,21 @@ public final class DragGesture implements Gesture {
                 .isEmpty();
         preview = Optional.of(wanted);
         if (isNew) {
-            pendingEdits.send(wanted.commands());
+            editor.send(wanted.commands());
         }
     }
 
     @Override
     public void release() {
-        pendingEdits.endGesture();
+        editor.endGesture();
     }
 
     @Override
     public void cancel() {
         if (preview.isPresent()) {
-            pendingEdits.send(operation.restoreCommands());
+            editor.send(operation.restoreCommands());
         }
-        pendingEdits.endGesture();
+        editor.endGesture();
     }
 
     @Override

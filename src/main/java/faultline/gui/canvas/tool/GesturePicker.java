@@ -1,7 +1,7 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
-import faultline.gui.edit.PendingEdits;
+import faultline.gui.edit.UndoController;
 import faultline.gui.edit.ShapeHandles;
 import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
@@ -22,13 +22,13 @@ public final class GesturePicker {
 
     private final CanvasModel model;
     private final Viewport viewport;
-    private final PendingEdits pendingEdits;
+    private final UndoController editor;
     private final CanvasListeners listeners;
 
-    public GesturePicker(CanvasModel scene, Viewport viewpoint, PendingEdits courier, CanvasListeners watchers) {
+    public GesturePicker(CanvasModel scene, Viewport viewpoint, UndoController editor, CanvasListeners watchers) {
         this.model = scene;
         this.viewport = viewpoint;
-        this.pendingEdits = courier;
+        this.editor = editor;
         this.listeners = watchers;
     }
 
@@ -118,7 +118,7 @@ public final class GesturePicker {
     }
 
     private Gesture dragGesture(DragOperation drag, Vector2 at) {
-        return new DragGesture(drag, at, model, viewport, pendingEdits);
+        return new DragGesture(drag, at, model, viewport, editor);
     }
 
     /** The world, where its robot is at a place and has not set out yet. */

@@ -1,7 +1,7 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
-import faultline.gui.edit.CommandSink;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -12,10 +12,10 @@ import java.util.List;
  *
  * @param model what is there
  * @param viewport how it is looked at
- * @param commandSink where what they make goes
+ * @param editor sends commands
  * @param listeners told what was not done
  */
-public record ToolContext(CanvasModel model, Viewport viewport, CommandSink commandSink, CanvasListeners listeners) {
+public record ToolContext(CanvasModel model, Viewport viewport, UndoController editor, CanvasListeners listeners) {
 
     /** Puts an obstacle where there is room for it, and selects it; says whether there was. */
     public boolean placeObstacle(Obstacle obstacle) {
@@ -24,7 +24,7 @@ public record ToolContext(CanvasModel model, Viewport viewport, CommandSink comm
             return false;
         }
         model.selectWhenPresent(List.of(obstacle.id()));
-        commandSink.send(new Command.PlaceObstacle(obstacle));
+        editor.send(new Command.PlaceObstacle(obstacle));
         return true;
     }
 

@@ -11,8 +11,10 @@ import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.event.ActionEvent;
@@ -21,6 +23,7 @@ import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Consumer;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import org.junit.jupiter.api.Test;
@@ -36,13 +39,21 @@ class CanvasKeysTest {
     private static final Frame EMPTY = SampleFrames.frameOf(ROBOT);
 
     private final List<Command> sent = new ArrayList<>();
+    private final List<Runnable> refusals = new ArrayList<>();
+    private final UndoController editor = callOnEdt(() -> new UndoController(this::execute, () -> {}));
     private final SimulationCanvas canvas = callOnEdt(() -> {
-        SimulationCanvas made = new SimulationCanvas(sent::add);
+        SimulationCanvas made = new SimulationCanvas(editor);
         made.setSize(600, 440);
         made.setFrame(WITH_BOX);
         made.tools().select(List.of("box"));
         return made;
     });
+
+    /** Keeps commands, and how to refuse them. */
+    private void execute(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
+        sent.addAll(commands);
+        refusals.add(() -> onExecuted.accept(List.of()));
+    }
 
     @Test
     void nudgesBetweenTwoFramesAddUp() {
@@ -70,9 +81,9 @@ class CanvasKeysTest {
     @Test
     void afterARefusalTheNextNudgeStartsWhereTheObstacleReallyIs() {
         key("RIGHT");
-        for (int frame = 0; frame < 20; frame++) {
-            runOnEdt(() -> canvas.setFrame(WITH_BOX));
-        }
+        runOnEdt(refusals.get(0)::run);
+        runOnEdt(() -> editor.pendingEdits().setRobot(WITH_BOX.snapshot().robot()));
+        runOnEdt(() -> canvas.setFrame(WITH_BOX));
         key("RIGHT");
         assertEquals(List.of(moveTo(4.01), moveTo(4.01)), callOnEdt(() -> List.copyOf(sent)));
     }

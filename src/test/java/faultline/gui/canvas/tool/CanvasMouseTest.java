@@ -9,6 +9,7 @@ import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.edit.UndoController;
 import faultline.paint.surface.Camera;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -26,7 +27,8 @@ class CanvasMouseTest {
     private final List<Command> sent = new ArrayList<>();
     private final List<Point> menus = new ArrayList<>();
     private final SimulationCanvas canvas = callOnEdt(() -> {
-        SimulationCanvas made = new SimulationCanvas(sent::add);
+        SimulationCanvas made =
+                new SimulationCanvas(new UndoController((commands, onExecuted) -> sent.addAll(commands), () -> {}));
         made.setSize(600, 440);
         made.setFrame(SampleFrames.frameOf(
                 new Pose(1, 1, 0), new Obstacle("box", new ObstacleShape.Rectangle(0.8, 0.5), new Pose(4, 2, 0))));

@@ -1,0 +1,8 @@
+package faultline.gui.edit;
+
+/** An entry of the undo history. */
+sealed interface Edit permits CommandEdit, StartPoseEdit {
+
+    /** Returns the name that menus show. */
+    String name();
+}

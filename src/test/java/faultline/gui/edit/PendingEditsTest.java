@@ -1,0 +1,59 @@
+package faultline.gui.edit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class PendingEditsTest {
+
+    private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0));
+
+    private final PendingEdits pending = new PendingEdits();
+
+    @Test
+    void allPendingCommandsAreExpectedInTheirOrder() {
+        SensorSpec left = RobotSpec.DEFAULT.sensor("left").orElseThrow();
+        pending.add(List.of(new Command.SetPlatform(0.3, 0.2, 0.4)));
+        pending.add(List.of(new Command.ConfigureSensor(left.withRange(1.5))));
+        pending.add(List.of(new Command.SwitchSensor("left", false), new Command.SwitchSensor("nose", false)));
+        assertEquals(
+                RobotSpec.DEFAULT
+                        .withPlatform(0.3, 0.2, 0.4)
+                        .withSensor(left.withRange(1.5).withOn(false)),
+                pending.robot());
+    }
+
+    @Test
+    void aCommandIsExpectedUntilTheFirstFrameAfterItsAnswer() {
+        Runnable onAnswered = pending.add(List.of(new Command.SwitchSensor("left", false)));
+        pending.setRobot(RobotSpec.DEFAULT);
+        assertFalse(isLeftOn(), "not answered");
+        onAnswered.run();
+        assertFalse(isLeftOn(), "no frame since the answer");
+        pending.setRobot(RobotSpec.DEFAULT);
+        assertTrue(isLeftOn(), "the frame shows that the command was refused");
+    }
+
+    private boolean isLeftOn() {
+        return pending.robot().sensor("left").orElseThrow().on();
+    }
+
+    @Test
+    void anObstacleIsExpectedWhereItWasSentLast() {
+        pending.add(List.of(new Command.MoveObstacle("box", new Pose(2, 1, 0))));
+        pending.add(List.of(new Command.MoveObstacle("pole", new Pose(4, 1, 0))));
+        pending.add(List.of(new Command.MoveObstacle("box", new Pose(3, 1, 0))));
+        assertEquals(new Pose(3, 1, 0), pending.expected(BOX).pose());
+        pending.clear();
+        assertEquals(BOX, pending.expected(BOX));
+    }
+}
