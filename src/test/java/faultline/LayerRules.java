@@ -28,6 +28,7 @@ final class LayerRules {
             "scenario",
             "floorplan",
             "campaign",
+            "external",
             "paint.surface",
             "paint.chart",
             "paint.scene",

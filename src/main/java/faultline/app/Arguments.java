@@ -24,6 +24,20 @@ final class Arguments {
      * @throws UsageException if an option is unknown, given twice or lacks its value
      */
     Arguments(List<String> arguments, List<String> known) throws UsageException {
+        this(arguments, known, List.of());
+    }
+
+    /**
+     * Sorts the arguments of a command that also takes options without a value.
+     *
+     * @param arguments in their order
+     * @param known the options that take a value
+     * @param knownFlags the options that take none
+     * @throws UsageException if an option is unknown, given twice, or without its value
+     */
+    Arguments(List<String> arguments, List<String> known, List<String> knownFlags) throws UsageException {
+        List<String> all = new ArrayList<>(known);
+        all.addAll(knownFlags);
         int next = 0;
         while (next < arguments.size()) {
             String argument = arguments.get(next++);
@@ -32,7 +46,12 @@ final class Arguments {
                 continue;
             }
             String[] parts = argument.split("=", 2);
-            requireKnown(parts[0], known);
+            requireKnown(parts[0], all);
+            if (knownFlags.contains(parts[0])) {
+                requireNoValue(parts);
+                options.put(parts[0], "");
+                continue;
+            }
             if (parts.length == 1 && next == arguments.size()) {
                 throw new UsageException(parts[0] + " needs a value");
             }
@@ -50,9 +69,29 @@ final class Arguments {
         }
     }
 
+    private static void requireNoValue(String[] parts) throws UsageException {
+        if (parts.length == 2) {
+            throw new UsageException(parts[0] + " takes no value");
+        }
+    }
+
+    /** Returns whether an option is given. */
+    boolean has(String option) {
+        return options.containsKey(option);
+    }
+
     /** Returns the arguments that are not options, in order. */
     List<String> files() {
         return List.copyOf(files);
+    }
+
+    /** Returns the one scenario file that a command takes. */
+    Path singleFile(String command) throws UsageException {
+        if (files.size() != 1) {
+            throw new UsageException(
+                    command + " takes one scenario file, not " + (files.isEmpty() ? "none" : files.size()));
+        }
+        return parsePath(files.get(0));
     }
 
     /** Returns the value of an option, or empty if it is not given. */

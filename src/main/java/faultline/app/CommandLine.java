@@ -28,6 +28,8 @@ final class CommandLine {
         commands.put("run", new RunCommand(output)::run);
         commands.put("check", new CheckCommand(output)::run);
         commands.put("figures", new FiguresCommand(output)::run);
+        commands.put("serve", new ServeCommand(output)::run);
+        commands.put("controller", new ControllerCommand(output)::run);
         commands.put("--help", arguments -> println(HelpText.HELP));
         commands.put("--version", arguments -> println(HelpText.version()));
         commands.put("--startup-time", new WindowCommand(output)::measureStartup);

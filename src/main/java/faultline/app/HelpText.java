@@ -18,6 +18,11 @@ final class HelpText {
               --trace OUT.csv              write one row for every tick
               --image OUT.png              write a picture of the end of the run
               --journal OUT.xml            write the scenario that replays this run
+              --controller COMMAND         with a controller in a child process, such as "python3 my.py"
+              --patience S|none            how long it may take for an answer (default: 10)
+              --truth                      give it the ground truth as well
+            faultline serve FILE [--truth] step a scenario from outside, over standard input and output
+            faultline controller FILE      act as the child of --controller, with the controller of a scenario
             faultline check FILE...        tell everything that is wrong with scenario files
             faultline figures --out DIR    make the paper's figures and the studies behind its claims
               --theme light|dark|adaptive  their colours; adaptive follows the reader's screen (default: adaptive)

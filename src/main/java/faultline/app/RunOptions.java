@@ -2,6 +2,7 @@ package faultline.app;
 
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
+import faultline.external.ExternalController;
 import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
 import faultline.io.MessageText;
@@ -23,6 +24,9 @@ import java.util.OptionalLong;
  * @param trace the file for the trace
  * @param image the file for the image of the last frame
  * @param journal the file for the scenario that replays the run
+ * @param controller the command of a controller in a child process
+ * @param patience how long such a controller may take for an answer, seconds; infinite for no limit
+ * @param truth whether such a controller is given the ground truth
  */
 record RunOptions(
         Path file,
@@ -31,27 +35,31 @@ record RunOptions(
         ControllerMode mode,
         Optional<Path> trace,
         Optional<Path> image,
-        Optional<Path> journal) {
+        Optional<Path> journal,
+        Optional<String> controller,
+        double patience,
+        boolean truth) {
 
     private static final List<String> OPTION_NAMES =
-            List.of("--until", "--seed", "--threads", "--trace", "--image", "--journal");
+            List.of("--until", "--seed", "--threads", "--trace", "--image", "--journal", "--controller", "--patience");
+    private static final List<String> FLAG_NAMES = List.of("--truth");
     private static final BigDecimal MAX_DURATION = new BigDecimal("10000000");
 
     static RunOptions parse(List<String> arguments) throws UsageException {
-        Arguments parsed = new Arguments(arguments, OPTION_NAMES);
-        if (parsed.files().size() != 1) {
-            throw new UsageException("run takes one scenario file, not "
-                    + (parsed.files().isEmpty() ? "none" : parsed.files().size()));
-        }
+        Arguments parsed = new Arguments(arguments, OPTION_NAMES, FLAG_NAMES);
         RunOptions options = new RunOptions(
-                Arguments.parsePath(parsed.files().get(0)),
+                parsed.singleFile("run"),
                 until(parsed.value("--until")),
                 seed(parsed.value("--seed")),
                 mode(parsed.value("--threads").orElse("none")),
                 parsed.fileOption("--trace"),
                 parsed.fileOption("--image"),
-                parsed.fileOption("--journal"));
+                parsed.fileOption("--journal"),
+                parsed.value("--controller"),
+                patience(parsed.value("--patience")),
+                parsed.has("--truth"));
         options.checkFilesDiffer();
+        options.checkControllerOptions(parsed);
         return options;
     }
 
@@ -65,6 +73,33 @@ record RunOptions(
                 seconds.orElseThrow(() -> new UsageException("--until is " + MessageText.quoted(text.get())
                                 + ", allowed is a number from 0 to " + MAX_DURATION + " seconds"))
                         .doubleValue());
+    }
+
+    private static double patience(Optional<String> text) throws UsageException {
+        if (text.isEmpty()) {
+            return ExternalController.Timeouts.DEFAULT.answer();
+        }
+        if (text.get().equals("none")) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return DecimalText.parse(text.get())
+                .filter(value -> value.signum() > 0 && value.compareTo(MAX_DURATION) <= 0)
+                .orElseThrow(() -> new UsageException("--patience is " + MessageText.quoted(text.get())
+                        + ", allowed is none or a number of seconds above 0, up to " + MAX_DURATION))
+                .doubleValue();
+    }
+
+    private void checkControllerOptions(Arguments given) throws UsageException {
+        for (String option : List.of("--patience", "--truth")) {
+            if (controller.isEmpty() && given.has(option)) {
+                throw new UsageException(option + " needs --controller COMMAND");
+            }
+        }
+        if (controller.isPresent()
+                && given.value("--threads").filter("controller"::equals).isPresent()) {
+            throw new UsageException(
+                    "--threads is \"controller\", allowed with --controller is none: the child runs by itself");
+        }
     }
 
     private static OptionalLong seed(Optional<String> text) throws UsageException {

@@ -23,6 +23,8 @@ final class DirectHost implements ControllerHost {
     public Decision await() {
         try {
             return controller.decide(pending);
+        } catch (RunFailedException broken) {
+            throw broken;
         } catch (RuntimeException broken) {
             throw new RunFailedException("the controller broke at tick " + pending.tick() + ": " + broken, broken);
         }

@@ -1,5 +1,6 @@
 package faultline.engine;
 
+import faultline.control.Controller;
 import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
@@ -49,9 +50,21 @@ public final class Simulation implements AutoCloseable {
      * @param listener receives the result of every command
      */
     public Simulation(SimulationSetup setup, ControllerMode mode, CommandListener listener) {
+        this(setup, ControllerFactory.create(setup.controller()), mode, listener);
+    }
+
+    /**
+     * Creates a run at tick 0 that is driven by a given controller.
+     *
+     * @param setup what to run; its own controller is only named in the first telemetry
+     * @param controller drives the robot; not closed with the run
+     * @param mode where the controller runs
+     * @param listener is notified of every command
+     */
+    public Simulation(SimulationSetup setup, Controller controller, ControllerMode mode, CommandListener listener) {
         this.setup = setup;
         this.world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
-        this.controllerHost = ControllerHost.create(ControllerFactory.create(setup.controller()), mode);
+        this.controllerHost = ControllerHost.create(controller, mode);
         this.activeDecision = new Decision(0, 0, Telemetry.ofState(ControllerFactory.initialState(setup.controller())));
         this.commandListener = listener;
         this.timeline = new Timeline(setup);

@@ -172,15 +172,15 @@ class CommandLineTest {
             quoteCharacter = '`',
             textBlock =
                     """
-            rnu x.xml                       | there is no command "rnu", allowed is run, check, figures, --help, --version, --startup-time or a scenario file; did you mean "run"?
-            --hepl                          | there is no command "--hepl", allowed is run, check, figures, --help, --version, --startup-time or a scenario file; did you mean "--help"?
+            rnu x.xml                       | there is no command "rnu", allowed is run, check, figures, serve, controller, --help, --version, --startup-time or a scenario file; did you mean "run"?
+            --hepl                          | there is no command "--hepl", allowed is run, check, figures, serve, controller, --help, --version, --startup-time or a scenario file; did you mean "--help"?
             a.xml b.xml                     | the window takes one scenario file, not also "b.xml"
             run                             | run takes one scenario file, not none
             run a.xml b.xml                 | run takes one scenario file, not 2
             check                           | check takes one or more scenario files, not none
             check --all a.xml               | there is no option "--all" here, allowed is none
-            run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --image, --journal; did you mean "--seed"?
-            run a.xml -x                    | there is no option "-x" here, allowed is --until, --seed, --threads, --trace, --image, --journal
+            run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --image, --journal, --controller, --patience, --truth; did you mean "--seed"?
+            run a.xml -x                    | there is no option "-x" here, allowed is --until, --seed, --threads, --trace, --image, --journal, --controller, --patience, --truth
             run a.xml --seed                | --seed needs a value
             run a.xml --seed 1 --seed 2     | --seed is there twice
             run a.xml --seed 1.5            | --seed is "1.5", allowed is a whole number from -9223372036854775808 to 9223372036854775807

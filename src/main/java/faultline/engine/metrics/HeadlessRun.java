@@ -1,6 +1,8 @@
 package faultline.engine.metrics;
 
+import faultline.control.Controller;
 import faultline.engine.CommandListener;
+import faultline.engine.ControllerFactory;
 import faultline.engine.ControllerMode;
 import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
@@ -28,6 +30,21 @@ public final class HeadlessRun {
      * @throws RunFailedException if the run broke
      */
     public static RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
+        return run(setup, ControllerFactory.create(setup.controller()), mode, observers);
+    }
+
+    /**
+     * Runs with a given controller in place of the setup's, to the setup's duration, as fast as possible.
+     *
+     * @param setup what to run
+     * @param controller drives the robot; not closed with the run
+     * @param mode where the controller runs
+     * @param observers called at tick 0 and after every tick, in order
+     * @return the result
+     * @throws RunFailedException if the run broke
+     */
+    public static RunResult run(
+            SimulationSetup setup, Controller controller, ControllerMode mode, List<TickObserver> observers) {
         WallFollowingMetrics wall = new WallFollowingMetrics(setup);
         Set<String> states = new LinkedHashSet<>();
         List<TickObserver> all = new ArrayList<>(observers);
@@ -37,7 +54,7 @@ public final class HeadlessRun {
         List<String> refused = new ArrayList<>();
         CommandListener noting = result -> result.refusal()
                 .ifPresent(refusal -> refused.add("at " + result.tick() * setup.dt() + " s: " + refusal.message()));
-        try (Simulation simulation = new Simulation(setup, mode, noting)) {
+        try (Simulation simulation = new Simulation(setup, controller, mode, noting)) {
             long ticks = setup.ticks();
             all.forEach(observer -> observer.observe(simulation));
             while (simulation.ticks() < ticks) {

@@ -1,0 +1,178 @@
+"""A client of the protocol "faultline-lines 1", on Python's standard library alone.
+
+As a child of the simulator, with ``faultline run FILE --controller "python3 my.py"``:
+
+    import faultline
+
+    def decide(sight):
+        return faultline.velocities(0.2, 0.5 if sight["left"] is None else 0.0)
+
+    faultline.drive_with(decide)
+
+As its parent, for step-and-reset programs:
+
+    with faultline.Simulator("scenarios/office.xml") as simulator:
+        sight = simulator.reset(seed=7)
+        while not simulator.done:
+            sight = simulator.step(faultline.velocities(0.2, 0.1), ticks=10)
+
+Lengths are metres, angles radians, times seconds. A reading is a distance, ``None`` for nothing within range, or
+``faultline.NO_ANSWER`` for a sensor that does not answer.
+"""
+
+import json
+import os
+import subprocess
+import sys
+
+PROTOCOL = 1
+
+
+class _NoAnswer:
+    def __repr__(self):
+        return "NO_ANSWER"
+
+
+NO_ANSWER = _NoAnswer()
+
+
+def volts(left, right, state=None, why=None):
+    """Returns a drive message with a voltage for each side."""
+    return _with_state({"type": "drive", "left_v": left, "right_v": right}, state, why)
+
+
+def velocities(v, omega, state=None, why=None):
+    """Returns a drive message with a forward velocity (m/s) and a turn rate (rad/s, positive to the left)."""
+    return _with_state({"type": "drive", "v_m_s": v, "omega_rad_s": omega}, state, why)
+
+
+def _with_state(message, state, why):
+    if state is not None:
+        message["state"] = state
+    if why is not None:
+        message["why"] = why
+    return message
+
+
+class Sight(dict):
+    """The readings of one tick by the ids of the sensors, with ``tick``, ``t``, ``robot`` and, on request, ``truth``."""
+
+    def __init__(self, ids, message, robot):
+        readings = message["readings_m"]
+        answers = message["answers"]
+        super().__init__(
+            (name, reading if answer else NO_ANSWER) for name, reading, answer in zip(ids, readings, answers)
+        )
+        self.tick = message["tick"]
+        self.t = message["t_s"]
+        self.robot = robot
+        self.truth = message.get("truth")
+
+    def distance(self, sensor, otherwise):
+        """Returns a sensor's distance, or another value if it sees nothing or does not answer."""
+        reading = self[sensor]
+        return otherwise if reading is None or reading is NO_ANSWER else reading
+
+
+class _Robot:
+    """Keeps the robot of the last message that described it."""
+
+    def __init__(self, hello):
+        self.description = hello["robot"]
+        self.ids = [sensor["id"] for sensor in self.description["sensors"]]
+
+    def sight(self, message):
+        if "robot" in message:
+            self.__init__(message)
+        return Sight(self.ids, message, self.description)
+
+
+def drive_with(decide, name="python", begin=None):
+    """Acts as the simulator's child until the run is over: calls ``decide(sight)`` once a tick.
+
+    ``begin(hello)`` is called first, if given. Standard output belongs to the protocol, so ``print`` is redirected to
+    standard error. Returns the ``end`` message, or None if the simulator closed the connection.
+    """
+    answers = sys.stdout
+    sys.stdout = sys.stderr
+    write, flush, dumps, loads = answers.write, answers.flush, json.dumps, json.loads
+    robot = None
+    for line in sys.stdin:
+        message = loads(line)
+        kind = message["type"]
+        if kind == "observe":
+            answer = decide(robot.sight(message))
+            answer["tick"] = message["tick"]
+            write(dumps(answer) + "\n")
+            flush()
+        elif kind == "hello":
+            robot = _Robot(message)
+            if begin is not None:
+                begin(message)
+            write(dumps({"type": "ready", "protocol": PROTOCOL, "name": name}) + "\n")
+            flush()
+        elif kind == "end":
+            return message
+    return None
+
+
+def default_command():
+    """Returns the command that starts the simulator: the environment variable FAULTLINE, or ``faultline``."""
+    return os.environ.get("FAULTLINE", "faultline").split()
+
+
+class Simulator:
+    """A simulator that is stepped from Python, over ``faultline serve``."""
+
+    def __init__(self, scenario, truth=False, command=None):
+        command = list(command or default_command()) + ["serve", str(scenario)] + (["--truth"] if truth else [])
+        self._process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8", bufsize=1
+        )
+        self.hello = self._receive()
+        self._robot = _Robot(self.hello)
+        self.done = False
+        self.end = None
+
+    def reset(self, seed=None):
+        """Begins a run and returns its first sight."""
+        self.done = False
+        self.end = None
+        self._robot = _Robot(self.hello)
+        return self._ask({"type": "reset"} if seed is None else {"type": "reset", "seed": seed})
+
+    def step(self, drive, ticks=1):
+        """Drives for some ticks and returns what is then seen; ``done`` tells whether the run is over."""
+        return self._ask(dict(drive, ticks=ticks))
+
+    def _ask(self, message):
+        self._process.stdin.write(json.dumps(message) + "\n")
+        self._process.stdin.flush()
+        answer = self._receive()
+        if answer["type"] == "end":
+            self.done = True
+            self.end = answer
+        return self._robot.sight(answer)
+
+    def _receive(self):
+        line = self._process.stdout.readline()
+        if not line:
+            raise RuntimeError("the simulator has ended with exit code %s" % self._process.wait())
+        return json.loads(line)
+
+    def close(self):
+        """Ends the simulator."""
+        if self._process.poll() is None:
+            try:
+                self._process.stdin.write('{"type":"close"}\n')
+                self._process.stdin.close()
+            except OSError:
+                pass
+            self._process.wait()
+        self._process.stdout.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *unused):
+        self.close()

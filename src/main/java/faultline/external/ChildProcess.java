@@ -1,0 +1,243 @@
+package faultline.external;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+
+/**
+ * A child process that is spoken to in lines. The calling thread polls the child's output and never blocks in a read,
+ * so a silent child, or a descendant that keeps the pipe open, cannot hold it up. A daemon thread drains the child's
+ * standard error; another ends a child that reads nothing, which would block a write.
+ */
+final class ChildProcess implements AutoCloseable {
+
+    private static final double NANOS_PER_SECOND = 1e9;
+    /** A child that answers within this time is waited for without sleeping, nanoseconds. */
+    private static final long SPIN = 300_000;
+
+    private static final long LONGEST_SLEEP = 1_000_000;
+    private static final int KEPT_LINES = 20;
+    private static final int MAX_KEPT_LENGTH = 400;
+    private static final long GRACE_SECONDS = 2;
+
+    private final Process process;
+    private final OutputStream input;
+    private final InputStream output;
+    private final LineBuffer lines = new LineBuffer();
+    private final Deque<String> errorLines = new ArrayDeque<>();
+    private final Thread errorReader;
+    private final Thread writeGuard;
+    private final Thread exitHook;
+    private final Consumer<String> errors;
+    /** When the write that is under way began, or the greatest number if there is none. */
+    private volatile long writeStart = Long.MAX_VALUE;
+
+    private volatile boolean endedByGuard;
+
+    /**
+     * Starts a child.
+     *
+     * @param command the program and its arguments
+     * @param writeSeconds how long a write may block before the child is ended
+     * @param errors receives each line of the child's standard error, on a thread of its own
+     * @throws IOException if it cannot be started
+     */
+    ChildProcess(List<String> command, double writeSeconds, Consumer<String> errors) throws IOException {
+        this.errors = errors;
+        process = new ProcessBuilder(command).start();
+        input = process.getOutputStream();
+        output = process.getInputStream();
+        exitHook = new Thread(this::killTree);
+        Runtime.getRuntime().addShutdownHook(exitHook);
+        errorReader = startDaemon("faultline-child-errors", this::drainErrors);
+        writeGuard = startDaemon("faultline-child-guard", () -> guardWrites(writeSeconds));
+    }
+
+    private static Thread startDaemon(String name, Runnable work) {
+        Thread thread = new Thread(work, name);
+        thread.setDaemon(true);
+        thread.start();
+        return thread;
+    }
+
+    private void drainErrors() {
+        try (BufferedReader reader =
+                new BufferedReader(new InputStreamReader(process.getErrorStream(), StandardCharsets.UTF_8))) {
+            StringBuilder line = new StringBuilder();
+            for (int c = reader.read(); c >= 0; c = reader.read()) {
+                if (c == '\n') {
+                    keepErrorLine(line.toString());
+                    line.setLength(0);
+                } else if (line.length() < MAX_KEPT_LENGTH) {
+                    line.append((char) c);
+                }
+            }
+            if (line.length() > 0) {
+                keepErrorLine(line.toString());
+            }
+        } catch (IOException ended) {
+            // The stream was closed with the process.
+        }
+    }
+
+    private void keepErrorLine(String line) {
+        synchronized (errorLines) {
+            if (errorLines.size() == KEPT_LINES) {
+                errorLines.removeFirst();
+            }
+            errorLines.addLast(line);
+        }
+        errors.accept(line);
+    }
+
+    private void guardWrites(double seconds) {
+        while (process.isAlive()) {
+            long start = writeStart;
+            if (start != Long.MAX_VALUE && System.nanoTime() - start > seconds * NANOS_PER_SECOND) {
+                endedByGuard = true;
+                killTree();
+            }
+            try {
+                process.waitFor(200, TimeUnit.MILLISECONDS);
+            } catch (InterruptedException closed) {
+                return;
+            }
+        }
+    }
+
+    /** Returns the last lines of the child's standard error, the oldest first. */
+    List<String> lastErrorLines() {
+        joinBriefly(errorReader);
+        synchronized (errorLines) {
+            return List.copyOf(errorLines);
+        }
+    }
+
+    /**
+     * Sends a line; the line break is added.
+     *
+     * @throws ProtocolException if the child does not take it
+     */
+    void send(String line) throws ProtocolException {
+        writeStart = System.nanoTime();
+        try {
+            input.write((line + "\n").getBytes(StandardCharsets.UTF_8));
+            input.flush();
+        } catch (IOException e) {
+            throw endOfInput();
+        } finally {
+            writeStart = Long.MAX_VALUE;
+        }
+    }
+
+    private ProtocolException endOfInput() {
+        if (endedByGuard) {
+            return new ProtocolException("does not read its standard input", "");
+        }
+        return waitFor(1)
+                ? new ProtocolException("ended with exit code " + process.exitValue(), "")
+                : new ProtocolException("closed its standard input", "");
+    }
+
+    /**
+     * Waits for a line.
+     *
+     * @param seconds how long to wait; infinity waits without end
+     * @return the line without its break
+     * @throws ProtocolException if none came in time, it is too long, or the child has ended
+     */
+    String receive(double seconds) throws IOException, ProtocolException {
+        long start = System.nanoTime();
+        for (String line = lines.next(); ; line = lines.next()) {
+            if (line != null) {
+                return line;
+            }
+            if (output.available() > 0) {
+                lines.fill(output);
+            } else {
+                awaitOutput(start, seconds);
+            }
+        }
+    }
+
+    private void awaitOutput(long start, double seconds) throws IOException, ProtocolException {
+        long waited = System.nanoTime() - start;
+        if (waited < SPIN) {
+            Thread.yield();
+            return;
+        }
+        if (!process.isAlive() && output.available() == 0) {
+            throw new ProtocolException(
+                    "ended with exit code " + process.exitValue(), lines.hasPart() ? " in the middle of a line" : "");
+        }
+        if (waited > seconds * NANOS_PER_SECOND) {
+            throw new ProtocolException(
+                    "has not answered for " + seconds + " s", lines.hasPart() ? "; its last line has no end" : "");
+        }
+        LockSupport.parkNanos(Math.min(LONGEST_SLEEP, waited / 8));
+    }
+
+    /** Closes the child's input, waits, and ends it and its descendants if they do not end by themselves. */
+    @Override
+    public void close() {
+        List<ProcessHandle> descendants = process.descendants().toList();
+        closeInput();
+        if (!waitFor(GRACE_SECONDS)) {
+            process.destroy();
+            if (!waitFor(GRACE_SECONDS)) {
+                killTree();
+                waitFor(GRACE_SECONDS);
+            }
+        }
+        descendants.forEach(ProcessHandle::destroyForcibly);
+        joinBriefly(errorReader);
+        writeGuard.interrupt();
+        try {
+            Runtime.getRuntime().removeShutdownHook(exitHook);
+        } catch (IllegalStateException shuttingDown) {
+            // The hook runs already.
+        }
+    }
+
+    private void closeInput() {
+        Thread closer = startDaemon("faultline-child-close", () -> {
+            try {
+                input.close();
+            } catch (IOException alreadyClosed) {
+                // The child has closed its end.
+            }
+        });
+        joinBriefly(closer);
+    }
+
+    private boolean waitFor(long seconds) {
+        try {
+            return process.waitFor(seconds, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
+    }
+
+    private static void joinBriefly(Thread thread) {
+        try {
+            thread.join(500);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void killTree() {
+        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        process.destroyForcibly();
+    }
+}

@@ -1,0 +1,61 @@
+package faultline.external;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Splits a command into words as a shell does: blanks part words, and quotes and backslashes keep blanks. */
+public final class CommandWords {
+
+    private CommandWords() {}
+
+    /**
+     * Splits a command.
+     *
+     * @param command such as {@code python3 "my follower.py"}; a backslash outside quotes is kept as it is before
+     *     anything but a blank, a quote or a backslash, so that Windows paths need no quotes
+     * @return the words; empty if there is none
+     * @throws IllegalArgumentException if a quote is not closed
+     */
+    public static List<String> split(String command) {
+        List<String> words = new ArrayList<>();
+        StringBuilder word = new StringBuilder();
+        boolean started = false;
+        char quote = 0;
+        for (int i = 0; i < command.length(); i++) {
+            char c = command.charAt(i);
+            if (isEscape(command, i, quote)) {
+                word.append(command.charAt(++i));
+                started = true;
+            } else if (quote != 0 && c == quote) {
+                quote = 0;
+            } else if (quote != 0) {
+                word.append(c);
+            } else if (c == '"' || c == '\'') {
+                quote = c;
+                started = true;
+            } else if (!Character.isWhitespace(c)) {
+                word.append(c);
+                started = true;
+            } else if (started) {
+                words.add(word.toString());
+                word.setLength(0);
+                started = false;
+            }
+        }
+        if (quote != 0) {
+            throw new IllegalArgumentException("a quote is not closed");
+        }
+        if (started) {
+            words.add(word.toString());
+        }
+        return words;
+    }
+
+    /** Returns whether a backslash takes the special meaning from the next character. */
+    private static boolean isEscape(String command, int index, char quote) {
+        String special = quote == 0 ? " \"'\\" : quote == '"' ? "\"\\" : "";
+        return command.charAt(index) == '\\'
+                && index + 1 < command.length()
+                && special.indexOf(command.charAt(index + 1)) >= 0;
+    }
+}

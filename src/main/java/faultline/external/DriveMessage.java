@@ -1,0 +1,50 @@
+package faultline.external;
+
+import faultline.robot.RobotSpec;
+
+/**
+ * A {@code drive} message: what the motors are to do, and what the controller says of itself.
+ *
+ * @param leftVolts on the left motors
+ * @param rightVolts on the right motors
+ * @param state the name of the controller's state, empty if it gives none
+ * @param why the reason for that state, empty if it gives none
+ */
+record DriveMessage(double leftVolts, double rightVolts, String state, String why) {
+
+    private static final int MAX_TEXT = 200;
+
+    /**
+     * Reads a message, which has either {@code left_v} and {@code right_v} or {@code v_m_s} and {@code omega_rad_s}.
+     *
+     * @param message the received members
+     * @param robot whose track and motors turn velocities into volts
+     */
+    static DriveMessage read(MessageReader message, RobotSpec robot) throws ProtocolException {
+        String state = limit(message.string("state", ""));
+        String why = limit(message.string("why", ""));
+        boolean volts = message.has("left_v") || message.has("right_v");
+        boolean velocities = message.has("v_m_s") || message.has("omega_rad_s");
+        if (volts == velocities) {
+            throw new ProtocolException(
+                    "wrote a drive message",
+                    " with " + (volts ? "voltages and velocities" : "neither voltages nor velocities")
+                            + ", allowed is either left_v and right_v or v_m_s and omega_rad_s");
+        }
+        if (volts) {
+            return new DriveMessage(message.number("left_v"), message.number("right_v"), state, why);
+        }
+        double v = message.number("v_m_s");
+        double half = message.number("omega_rad_s") * robot.track() / 2;
+        double left = robot.motor().voltageFor(v - half);
+        double right = robot.motor().voltageFor(v + half);
+        if (!Double.isFinite(left) || !Double.isFinite(right)) {
+            throw new ProtocolException("wrote a drive message", " whose velocities are too large for any voltage");
+        }
+        return new DriveMessage(left, right, state, why);
+    }
+
+    private static String limit(String text) {
+        return text.length() > MAX_TEXT ? text.substring(0, MAX_TEXT) : text;
+    }
+}

@@ -1,0 +1,29 @@
+package faultline.external;
+
+import faultline.control.Decision;
+import faultline.control.Telemetry;
+
+/** Follows the states that an outside controller gives, so that they are shown like those of the built-in one. */
+final class DriveTelemetry {
+
+    private Telemetry telemetry;
+
+    /** Begins in a state of a given name. */
+    DriveTelemetry(String initialState) {
+        telemetry = Telemetry.ofState(initialState);
+    }
+
+    /** Returns the decision of a drive message; a message without a state keeps the last one. */
+    Decision decide(DriveMessage drive, long tick) {
+        if (!drive.state().isEmpty() && !drive.state().equals(telemetry.state())) {
+            telemetry = enter(drive.state(), drive.why(), tick);
+        }
+        return new Decision(drive.leftVolts(), drive.rightVolts(), telemetry);
+    }
+
+    private Telemetry enter(String state, String why, long tick) {
+        double none = Double.NaN;
+        int transitions = telemetry.transitions() + 1;
+        return new Telemetry(state, why, tick, transitions, none, none, none, none, none, none, none);
+    }
+}

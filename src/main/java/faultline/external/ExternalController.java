@@ -1,0 +1,160 @@
+package faultline.external;
+
+import faultline.control.Controller;
+import faultline.control.Decision;
+import faultline.control.Observation;
+import faultline.engine.RunFailedException;
+import faultline.engine.Simulation;
+import faultline.engine.TickObserver;
+import faultline.io.JsonWriter;
+import faultline.robot.RobotSpec;
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+
+/**
+ * A controller in a child process, asked in lock-step. Called directly by the simulation's thread. A child that breaks
+ * the protocol or a time-out ends the run with a {@link RunFailedException}; no decision is ever put in its place.
+ */
+public final class ExternalController implements Controller, TickObserver, AutoCloseable {
+
+    /**
+     * How long a child is waited for. A time-out ends a run, it never changes one.
+     *
+     * @param ready until it has begun, seconds; infinity for no limit
+     * @param answer until each answer, seconds; infinity for no limit
+     */
+    public record Timeouts(double ready, double answer) {
+
+        /** The limits of the protocol. */
+        public static final Timeouts DEFAULT = new Timeouts(30, 10);
+
+        /** Returns these limits with another one for answers; a child may take as long to begin, too. */
+        public Timeouts withAnswer(double seconds) {
+            return new Timeouts(Math.max(ready, seconds), seconds);
+        }
+    }
+
+    private final String who;
+    private final ChildProcess child;
+    private final Timeouts timeouts;
+    private final boolean givesTruth;
+    private final DriveTelemetry telemetry;
+    private RobotSpec knownRobot;
+    private Simulation simulation;
+
+    /**
+     * Starts a child and waits until it is ready.
+     *
+     * @param command the command line
+     * @param run what the child is told first
+     * @param timeouts how long the child is waited for
+     * @param givesTruth whether observations carry the ground truth
+     * @param errors receives each line of the child's standard error, on a thread of its own
+     * @throws IOException if the child cannot be started, in one sentence
+     * @throws RunFailedException if it does not become ready
+     */
+    public ExternalController(
+            String command, RunDescription run, Timeouts timeouts, boolean givesTruth, Consumer<String> errors)
+            throws IOException {
+        this.who = "the controller \"" + command + "\"";
+        this.timeouts = timeouts;
+        this.givesTruth = givesTruth;
+        this.knownRobot = run.robot();
+        this.child = start(command, timeouts.answer(), errors);
+        this.telemetry = new DriveTelemetry(greet(run));
+    }
+
+    private static ChildProcess start(String command, double patience, Consumer<String> errors) throws IOException {
+        try {
+            List<String> words = CommandWords.split(command);
+            if (words.isEmpty()) {
+                throw new IOException("the command is empty");
+            }
+            return new ChildProcess(words, patience, errors);
+        } catch (IOException | IllegalArgumentException e) {
+            throw new IOException("the controller \"" + command + "\" cannot be started: " + e.getMessage(), e);
+        }
+    }
+
+    private String greet(RunDescription run) {
+        try {
+            child.send(Messages.hello(run));
+            MessageReader ready = receive("ready", timeouts.ready());
+            if (ready.whole("protocol") != Messages.PROTOCOL) {
+                throw new ProtocolException(
+                        "speaks protocol " + ready.whole("protocol"), ", allowed is " + Messages.PROTOCOL);
+            }
+            return ready.string("name", "EXTERN");
+        } catch (ProtocolException | IOException e) {
+            throw failure(e, "before the first tick");
+        }
+    }
+
+    private MessageReader receive(String type, double seconds) throws IOException, ProtocolException {
+        MessageReader message = MessageReader.of(child.receive(seconds));
+        String given = message.string("type");
+        if (!given.equals(type)) {
+            throw new ProtocolException("wrote a message", " of type \"" + given + "\", allowed is \"" + type + "\"");
+        }
+        return message;
+    }
+
+    @Override
+    public Decision decide(Observation observation) {
+        boolean robotChanged = !observation.robot().equals(knownRobot);
+        knownRobot = observation.robot();
+        JsonWriter json = Messages.observe(observation, robotChanged);
+        if (givesTruth && simulation != null) {
+            Messages.writeTruth(json, simulation);
+        }
+        try {
+            child.send(json.finish());
+            MessageReader drive = receive("drive", timeouts.answer());
+            if (drive.whole("tick") != observation.tick()) {
+                throw new ProtocolException(
+                        "answered tick " + drive.whole("tick"), ", allowed is the tick of the observation");
+            }
+            return telemetry.decide(DriveMessage.read(drive, observation.robot()), observation.tick());
+        } catch (ProtocolException | IOException e) {
+            throw failure(e, "at tick " + observation.tick());
+        }
+    }
+
+    /** Keeps the simulation, whose truth is sent with the coming observation if it is wanted. */
+    @Override
+    public void observe(Simulation observed) {
+        simulation = observed;
+    }
+
+    private RunFailedException failure(Exception cause, String when) {
+        child.close();
+        List<String> said = child.lastErrorLines();
+        String errors = said.isEmpty() ? "" : "; its last words on standard error: " + String.join(" | ", said);
+        String sentence = cause instanceof ProtocolException broken
+                ? broken.sentence(who, when)
+                : who + " cannot be read " + when + ": " + cause.getMessage();
+        return new RunFailedException(sentence + errors, cause);
+    }
+
+    /**
+     * Tells the child that the run is over; what the child does then no longer matters.
+     *
+     * @param reason why it is over, such as {@code duration}
+     * @param trajectoryHash of the whole run
+     * @param summary the lines of the run's summary
+     */
+    public void finish(String reason, String trajectoryHash, Map<String, String> summary) {
+        try {
+            child.send(Messages.end(reason, trajectoryHash, summary).finish());
+        } catch (ProtocolException gone) {
+            // A child that has ended already needs no end.
+        }
+    }
+
+    @Override
+    public void close() {
+        child.close();
+    }
+}

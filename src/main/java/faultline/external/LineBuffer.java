@@ -1,0 +1,69 @@
+package faultline.external;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+
+/** Splits a stream of bytes into lines of bounded length. */
+final class LineBuffer {
+
+    /** The longest line that is read, bytes. */
+    private static final int MAX_LINE_BYTES = 1_000_000;
+
+    private byte[] bytes = new byte[8192];
+    private int begin;
+    private int end;
+    /** Up to here no line break was found. */
+    private int searched;
+
+    /** Reads what is there, and waits for at least one byte. Returns whether the stream goes on. */
+    boolean fill(InputStream in) throws IOException {
+        if (begin > 0 && end == bytes.length) {
+            System.arraycopy(bytes, begin, bytes, 0, end - begin);
+            searched -= begin;
+            end -= begin;
+            begin = 0;
+        } else if (end == bytes.length) {
+            bytes = Arrays.copyOf(bytes, 2 * bytes.length);
+        }
+        int count = in.read(bytes, end, bytes.length - end);
+        end += Math.max(0, count);
+        return count >= 0;
+    }
+
+    /**
+     * Returns the next whole line without its break, or null if it is not there yet.
+     *
+     * @throws ProtocolException if the line is too long
+     */
+    String next() throws ProtocolException {
+        while (searched < end && bytes[searched] != '\n') {
+            searched++;
+        }
+        if (searched - begin > MAX_LINE_BYTES) {
+            throw new ProtocolException(
+                    "wrote a line of more than " + MAX_LINE_BYTES + " bytes", ", allowed are shorter ones");
+        }
+        if (searched == end) {
+            return null;
+        }
+        int length = searched - begin;
+        if (length > 0 && bytes[searched - 1] == '\r') {
+            length--;
+        }
+        String line = new String(bytes, begin, length, StandardCharsets.UTF_8);
+        begin = ++searched;
+        if (begin == end) {
+            begin = 0;
+            end = 0;
+            searched = 0;
+        }
+        return line;
+    }
+
+    /** Returns whether part of a line has come. */
+    boolean hasPart() {
+        return end > begin;
+    }
+}

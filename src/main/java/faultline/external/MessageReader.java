@@ -1,0 +1,146 @@
+package faultline.external;
+
+import faultline.io.JsonException;
+import faultline.io.JsonParser;
+import faultline.io.MessageText;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** The members of one received message, checked as they are asked for. Unknown members are ignored. */
+final class MessageReader {
+
+    private static final double MAX_WHOLE = 1L << 53;
+
+    private final Map<?, ?> members;
+
+    private MessageReader(Map<?, ?> members) {
+        this.members = members;
+    }
+
+    /**
+     * Reads a line.
+     *
+     * @param line one JSON object
+     * @return its members
+     * @throws ProtocolException if the line is no JSON object
+     */
+    static MessageReader of(String line) throws ProtocolException {
+        Object value;
+        try {
+            value = JsonParser.parse(line);
+        } catch (JsonException e) {
+            throw new ProtocolException(
+                    "wrote no JSON",
+                    ": " + MessageText.quoted(line) + " (" + e.getMessage()
+                            + "); write messages for people to standard error");
+        }
+        if (!(value instanceof Map<?, ?> map)) {
+            throw new ProtocolException("wrote no JSON object", ": " + MessageText.quoted(line));
+        }
+        return new MessageReader(map);
+    }
+
+    boolean has(String name) {
+        return members.containsKey(name);
+    }
+
+    /** Returns a string member. */
+    String string(String name) throws ProtocolException {
+        if (members.get(name) instanceof String string) {
+            return string;
+        }
+        throw wrong(name, "a string");
+    }
+
+    /** Returns a string member, or another string if there is none. */
+    String string(String name, String defaultValue) throws ProtocolException {
+        return has(name) && members.get(name) != JsonParser.NULL ? string(name) : defaultValue;
+    }
+
+    /** Returns a finite number. */
+    double number(String name) throws ProtocolException {
+        if (members.get(name) instanceof Double number && Double.isFinite(number)) {
+            return number;
+        }
+        throw wrong(name, "a finite number");
+    }
+
+    /** Returns a whole number. */
+    long whole(String name) throws ProtocolException {
+        if (members.get(name) instanceof Double number
+                && number == Math.rint(number)
+                && Math.abs(number) <= MAX_WHOLE) {
+            return number.longValue();
+        }
+        throw wrong(name, "a whole number");
+    }
+
+    /** Returns a truth value, or another if there is none. */
+    boolean flag(String name, boolean defaultValue) throws ProtocolException {
+        if (!has(name)) {
+            return defaultValue;
+        }
+        if (members.get(name) instanceof Boolean flag) {
+            return flag;
+        }
+        throw wrong(name, "true or false");
+    }
+
+    /** Returns an object member. */
+    MessageReader object(String name) throws ProtocolException {
+        if (members.get(name) instanceof Map<?, ?> map) {
+            return new MessageReader(map);
+        }
+        throw wrong(name, "an object");
+    }
+
+    /** Returns an array of objects. */
+    List<MessageReader> objects(String name) throws ProtocolException {
+        if (!(members.get(name) instanceof List<?> list)) {
+            throw wrong(name, "an array of objects");
+        }
+        List<MessageReader> objects = new ArrayList<>();
+        for (Object value : list) {
+            if (!(value instanceof Map<?, ?> map)) {
+                throw wrong(name, "an array of objects");
+            }
+            objects.add(new MessageReader(map));
+        }
+        return objects;
+    }
+
+    /** Returns an array of numbers in which {@code null} stands for a value of its own. */
+    double[] numbers(String name, double nullValue) throws ProtocolException {
+        if (!(members.get(name) instanceof List<?> list)) {
+            throw wrong(name, "an array of numbers");
+        }
+        double[] numbers = new double[list.size()];
+        for (int i = 0; i < numbers.length; i++) {
+            Object value = list.get(i);
+            if (value != JsonParser.NULL && !(value instanceof Double)) {
+                throw wrong(name, "an array of numbers");
+            }
+            numbers[i] = value instanceof Double number ? number : nullValue;
+        }
+        return numbers;
+    }
+
+    /** Returns an array of truth values. */
+    boolean[] flags(String name) throws ProtocolException {
+        if (!(members.get(name) instanceof List<?> list) || !list.stream().allMatch(Boolean.class::isInstance)) {
+            throw wrong(name, "an array of true and false");
+        }
+        boolean[] flags = new boolean[list.size()];
+        for (int i = 0; i < flags.length; i++) {
+            flags[i] = (Boolean) list.get(i);
+        }
+        return flags;
+    }
+
+    private ProtocolException wrong(String name, String allowed) {
+        String given = has(name) ? MessageText.quoted(String.valueOf(members.get(name))) : "missing";
+        return new ProtocolException(
+                "wrote a message", " whose " + MessageText.quoted(name) + " is " + given + ", allowed is " + allowed);
+    }
+}

@@ -1,0 +1,149 @@
+package faultline.external;
+
+import faultline.control.Observation;
+import faultline.engine.Simulation;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.io.JsonWriter;
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** The messages of the protocol as JSON objects. Lengths are metres, angles radians, times seconds. */
+final class Messages {
+
+    /** The version of the protocol. */
+    static final int PROTOCOL = 1;
+
+    private Messages() {}
+
+    /** Returns the first message of a run. */
+    static String hello(RunDescription run) {
+        JsonWriter json = new JsonWriter()
+                .member("type", "hello")
+                .member("protocol", PROTOCOL)
+                .member("program", run.program())
+                .member("scenario", run.scenario())
+                .member("seed", run.seed())
+                .member("dt_s", run.dt())
+                .member("period_ticks", run.periodTicks())
+                .member("duration_s", run.duration());
+        writeRobot(json.name("robot"), run.robot());
+        return json.finish();
+    }
+
+    private static void writeRobot(JsonWriter json, RobotSpec robot) {
+        json.beginObject()
+                .member("length_m", robot.length())
+                .member("width_m", robot.width())
+                .member("track_m", robot.track())
+                .member("speed_m_s", robot.speed())
+                .member("turn_rate_rad_s", robot.turnRate())
+                .member("max_voltage_v", robot.motor().maxVoltage())
+                .member("speed_constant_m_s_v", robot.motor().speedConstant())
+                .member("time_constant_s", robot.motor().timeConstant())
+                .name("sensors")
+                .beginArray();
+        for (SensorSpec sensor : robot.sensors()) {
+            json.beginObject()
+                    .member("id", sensor.id())
+                    .member("x_m", sensor.mountPosition().x())
+                    .member("y_m", sensor.mountPosition().y())
+                    .member("bearing_rad", sensor.bearing())
+                    .member("range_m", sensor.range())
+                    .member("cone_rad", sensor.cone())
+                    .member("on", sensor.on())
+                    .member("noise_m", sensor.noise())
+                    .endObject();
+        }
+        json.endArray().endObject();
+    }
+
+    /** Returns an observation; the robot is written only if it was changed, the truth only if it is given. */
+    static JsonWriter observe(Observation observation, boolean robotChanged) {
+        JsonWriter json = new JsonWriter().member("type", "observe");
+        writeReadings(json, observation);
+        if (robotChanged) {
+            writeRobot(json.name("robot"), observation.robot());
+        }
+        return json;
+    }
+
+    /** Writes the tick, the time and the readings of an observation. */
+    static void writeReadings(JsonWriter json, Observation observation) {
+        json.member("tick", observation.tick()).member("t_s", observation.tick() * observation.dt());
+        json.name("readings_m").beginArray();
+        for (double reading : observation.readings()) {
+            writeReading(json, reading);
+        }
+        json.endArray().name("answers").beginArray();
+        for (double reading : observation.readings()) {
+            json.value(!Reading.isOff(reading));
+        }
+        json.endArray();
+    }
+
+    private static void writeReading(JsonWriter json, double reading) {
+        if (Double.isFinite(reading)) {
+            json.value(reading);
+        } else {
+            json.nullValue();
+        }
+    }
+
+    /** Writes what no controller should know: the true pose, the true readings, and whether the robot has collided. */
+    static void writeTruth(JsonWriter json, Simulation simulation) {
+        Pose pose = simulation.pose();
+        json.name("truth").beginObject().name("pose").beginObject();
+        json.member("x_m", pose.x())
+                .member("y_m", pose.y())
+                .member("heading_rad", pose.heading())
+                .endObject();
+        json.name("readings_m").beginArray();
+        for (int i = 0; i < simulation.robot().sensors().size(); i++) {
+            writeReading(json, simulation.trueReading(i));
+        }
+        json.endArray().member("collided", simulation.collision().isPresent()).endObject();
+    }
+
+    /** Reads the robot of a {@code hello} or {@code observe} message. */
+    static RobotSpec readRobot(MessageReader robot) throws ProtocolException {
+        List<SensorSpec> sensors = new ArrayList<>();
+        for (MessageReader sensor : robot.objects("sensors")) {
+            sensors.add(new SensorSpec(
+                    sensor.string("id"),
+                    new Vector2(sensor.number("x_m"), sensor.number("y_m")),
+                    sensor.number("bearing_rad"),
+                    sensor.number("range_m"),
+                    sensor.number("cone_rad"),
+                    sensor.flag("on", true),
+                    sensor.has("noise_m") ? sensor.number("noise_m") : 0));
+        }
+        MotorSpec motor = new MotorSpec(
+                robot.number("time_constant_s"), robot.number("speed_constant_m_s_v"), robot.number("max_voltage_v"));
+        return new RobotSpec(
+                robot.number("length_m"),
+                robot.number("width_m"),
+                robot.number("track_m"),
+                robot.number("speed_m_s"),
+                robot.number("turn_rate_rad_s"),
+                motor,
+                sensors);
+    }
+
+    /** Returns the last message of a run. */
+    static JsonWriter end(String reason, String trajectoryHash, Map<String, String> summary) {
+        JsonWriter json = new JsonWriter()
+                .member("type", "end")
+                .member("reason", reason)
+                .member("trajectory_hash", trajectoryHash)
+                .name("summary")
+                .beginObject();
+        summary.forEach(json::member);
+        return json.endObject();
+    }
+}

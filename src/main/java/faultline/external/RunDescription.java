@@ -1,0 +1,32 @@
+package faultline.external;
+
+import faultline.engine.SimulationSetup;
+import faultline.robot.RobotSpec;
+
+/**
+ * What a controller is told of a run before it begins.
+ *
+ * @param program the name and version of the simulator
+ * @param scenario the name of the scenario
+ * @param seed the seed of all random numbers
+ * @param dt the length of a tick, seconds
+ * @param periodTicks how many ticks a decision holds
+ * @param duration the length of the run, seconds
+ * @param robot as built
+ */
+public record RunDescription(
+        String program, String scenario, long seed, double dt, long periodTicks, double duration, RobotSpec robot) {
+
+    /**
+     * Returns the description of a setup.
+     *
+     * @param program the name and version of the simulator
+     * @param scenario the name of the scenario
+     * @param setup the run
+     * @param periodTicks how many ticks a decision holds
+     */
+    public static RunDescription of(String program, String scenario, SimulationSetup setup, long periodTicks) {
+        return new RunDescription(
+                program, scenario, setup.seed(), setup.dt(), periodTicks, setup.duration(), setup.robot());
+    }
+}

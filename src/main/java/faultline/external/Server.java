@@ -1,0 +1,167 @@
+package faultline.external;
+
+import faultline.control.Observation;
+import faultline.engine.CommandListener;
+import faultline.engine.ControllerMode;
+import faultline.engine.RunFailedException;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.io.JsonWriter;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * A simulation that is stepped from outside: {@code reset} begins a run, {@code drive} makes some ticks of it, and each
+ * is answered by one {@code observe}, or by one {@code end} that also carries the last readings.
+ */
+public final class Server {
+
+    private static final long MAX_TICKS = 1_000_000_000;
+
+    private final String program;
+    private final String scenario;
+    private final boolean givesTruth;
+    private final InputStream in;
+    private final OutputStream out;
+    private final LineBuffer lines = new LineBuffer();
+
+    /**
+     * Creates a server.
+     *
+     * @param program the name and version of the simulator
+     * @param scenario the name of the scenario
+     * @param givesTruth whether observations carry the ground truth
+     * @param in where requests come from
+     * @param out where answers go
+     */
+    public Server(String program, String scenario, boolean givesTruth, InputStream in, OutputStream out) {
+        this.program = program;
+        this.scenario = scenario;
+        this.givesTruth = givesTruth;
+        this.in = in;
+        this.out = out;
+    }
+
+    /** One run and what drives it. */
+    private static final class Episode implements AutoCloseable {
+        private final ManualController controller;
+        private final DriveTelemetry telemetry = new DriveTelemetry("EXTERN");
+        private final Simulation simulation;
+
+        Episode(SimulationSetup setup) {
+            controller = new ManualController(telemetry.decide(new DriveMessage(0, 0, "", ""), 0));
+            simulation = new Simulation(setup, controller, ControllerMode.DIRECT, CommandListener.NONE);
+        }
+
+        void drive(DriveMessage drive, long ticks) {
+            controller.set(telemetry.decide(drive, simulation.ticks()));
+            for (long i = 0; i < ticks && !isOver(); i++) {
+                simulation.tick();
+            }
+        }
+
+        boolean isOver() {
+            return simulation.ticks() >= simulation.setup().ticks();
+        }
+
+        Observation observation() {
+            double[] readings = new double[simulation.robot().sensors().size()];
+            for (int i = 0; i < readings.length; i++) {
+                readings[i] = simulation.reportedReading(i);
+            }
+            return new Observation(simulation.ticks(), simulation.setup().dt(), simulation.robot(), readings);
+        }
+
+        @Override
+        public void close() {
+            simulation.close();
+        }
+    }
+
+    /**
+     * Answers requests until {@code close} or the end of the input.
+     *
+     * @param setup the run that each reset begins
+     * @throws IOException if the streams cannot be read or written
+     * @throws RunFailedException if a request breaks the protocol, in one sentence
+     */
+    public void run(SimulationSetup setup) throws IOException {
+        send(Messages.hello(RunDescription.of(program, scenario, setup, 1)));
+        Episode episode = new Episode(setup);
+        try {
+            for (String line = readLine(); line != null; line = readLine()) {
+                MessageReader request = MessageReader.of(line);
+                String type = request.string("type");
+                switch (type) {
+                    case "close" -> {
+                        return;
+                    }
+                    case "reset" -> {
+                        episode.close();
+                        episode = new Episode(request.has("seed") ? setup.withSeed(request.whole("seed")) : setup);
+                    }
+                    case "drive" -> drive(episode, request);
+                    default ->
+                        throw new ProtocolException(
+                                "wrote a message", " of type \"" + type + "\", allowed is reset, drive or close");
+                }
+                send(answer(episode));
+            }
+        } catch (ProtocolException e) {
+            throw new RunFailedException(e.sentence("the client", "at tick " + episode.simulation.ticks()), e);
+        } finally {
+            episode.close();
+        }
+    }
+
+    private static void drive(Episode episode, MessageReader request) throws ProtocolException {
+        if (episode.isOver()) {
+            throw new ProtocolException(
+                    "wrote a drive message", " after the end of the run, allowed is reset or close");
+        }
+        long ticks = request.has("ticks") ? request.whole("ticks") : 1;
+        if (ticks < 1 || ticks > MAX_TICKS) {
+            throw new ProtocolException(
+                    "wrote a drive message", " for " + ticks + " ticks, allowed are 1 to " + MAX_TICKS);
+        }
+        episode.drive(DriveMessage.read(request, episode.simulation.robot()), ticks);
+    }
+
+    private String readLine() throws IOException, ProtocolException {
+        String line = lines.next();
+        while (line == null) {
+            if (!lines.fill(in)) {
+                return null;
+            }
+            line = lines.next();
+        }
+        return line;
+    }
+
+    private String answer(Episode episode) {
+        Observation observation = episode.observation();
+        JsonWriter json;
+        if (episode.isOver()) {
+            String hash = String.format(Locale.ROOT, "%016x", episode.simulation.trajectoryHash());
+            json = Messages.end("duration", hash, Map.of());
+            Messages.writeReadings(json, observation);
+        } else {
+            json = Messages.observe(
+                    observation,
+                    !observation.robot().equals(episode.simulation.setup().robot()));
+        }
+        if (givesTruth) {
+            Messages.writeTruth(json, episode.simulation);
+        }
+        return json.finish();
+    }
+
+    private void send(String line) throws IOException {
+        out.write((line + "\n").getBytes(StandardCharsets.UTF_8));
+        out.flush();
+    }
+}

@@ -1,0 +1,179 @@
+package faultline.external;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.RunFailedException;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
+import faultline.scenario.Scenario;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Good children give the trajectories of the built-in controller; bad ones end the run in one sentence. */
+@EnabledOnOs(
+        value = {OS.LINUX, OS.MAC},
+        disabledReason = "the children of this test are shell scripts")
+@Timeout(60)
+class ExternalControllerTest {
+
+    private static final String READY = "{\"type\":\"ready\",\"protocol\":1,\"name\":\"child\"}";
+    private static final double PATIENCE = 0.5;
+
+    private final List<String> errors = Collections.synchronizedList(new ArrayList<>());
+
+    @Test
+    void aBuiltInControllerAsAChildGivesTheSameTrajectory() throws Exception {
+        for (String file : List.of("scenarios/right-hand.xml", "scenarios/every-fault.xml")) {
+            Scenario scenario = Scenario.load(Path.of(file));
+            SimulationSetup setup = scenario.setup().withDuration(20);
+            long expected =
+                    HeadlessRun.run(setup, ControllerMode.DIRECT, List.of()).trajectoryHash();
+            assertEquals(
+                    expected, run(javaChild("controller " + file), setup, 10).trajectoryHash());
+        }
+    }
+
+    static Path classes() {
+        try {
+            return Path.of(ExternalController.class
+                    .getProtectionDomain()
+                    .getCodeSource()
+                    .getLocation()
+                    .toURI());
+        } catch (java.net.URISyntaxException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private static String javaChild(String arguments) {
+        return Path.of(System.getProperty("java.home"), "bin", "java") + " -cp '" + classes() + "' faultline.app.Main "
+                + arguments;
+    }
+
+    @Test
+    void theChildIsAskedOnceATickAndIsToldTheEnd() throws Exception {
+        String child = "read hello; echo '" + READY + "'; i=0; while [ $i -lt 50 ]; do read line; "
+                + "echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,\\\"v_m_s\\\":0.1,\\\"omega_rad_s\\\":0}\"; i=$((i+1)); done; "
+                + "read end; echo \"$end\" >&2";
+        RunResult result = run(shell(child), office(), PATIENCE);
+        assertEquals(50, result.ticks());
+        assertEquals(1, errors.size(), errors::toString);
+        assertTrue(errors.get(0).contains("\"type\":\"end\""), errors::toString);
+        assertTrue(errors.get(0).contains("\"reason\":\"duration\""), errors::toString);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            textBlock =
+                    """
+            read l; echo R; read l; echo hello                             | wrote no JSON at tick 0: "hello" (there is no value at character 1); write messages for people to standard error
+            read l; echo R; read l; echo 7                                 | wrote no JSON object at tick 0: "7"
+            read l; echo R; read l; echo '{"type":"dance"}'                | wrote a message at tick 0 of type "dance", allowed is "drive"
+            read l; echo R; read l; echo '{"type":"drive","tick":5,"left_v":1,"right_v":1}' | answered tick 5 at tick 0, allowed is the tick of the observation
+            read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1}' | wrote a message at tick 0 whose "right_v" is missing, allowed is a finite number
+            read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":"1","right_v":1}' | wrote a message at tick 0 whose "left_v" is "1", allowed is a finite number
+            read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1e999,"right_v":1}' | wrote a message at tick 0 whose "left_v" is "Infinity", allowed is a finite number
+            read l; echo R; read l; echo '{"type":"drive","tick":0}'       | wrote a drive message at tick 0 with neither voltages nor velocities, allowed is either left_v and right_v or v_m_s and omega_rad_s
+            read l; echo R; read l; exit 7                                 | ended with exit code 7 at tick 0
+            read l; echo R; read l; printf '{"type":'; exit 0              | ended with exit code 0 at tick 0 in the middle of a line
+            read l; echo R; read l; sleep 60                               | has not answered for 0.5 s at tick 0
+            read l; echo R; read l; printf '{"type":'; sleep 60            | has not answered for 0.5 s at tick 0; its last line has no end
+            read l; echo R; read l; head -c 2000000 /dev/zero; sleep 60    | wrote a line of more than 1000000 bytes at tick 0, allowed are shorter ones
+            read l; echo '{"type":"ready","protocol":2}'                   | speaks protocol 2 before the first tick, allowed is 1
+            sleep 60                                                       | has not answered for 0.5 s before the first tick
+            exit 3                                                         | ended with exit code 3 before the first tick
+            """)
+    void aBadChildEndsTheRunInOneSentence(String script, String sentence) {
+        String command = shell(script.replace("echo R;", "echo '" + READY + "';"));
+        RunFailedException e = assertThrows(RunFailedException.class, () -> run(command, office(), PATIENCE));
+        assertEquals("the controller \"" + command + "\" " + sentence, e.getMessage());
+        assertEquals(List.of(), childrenStillRunning());
+    }
+
+    @Test
+    void aSecondAnswerIsFoundAtTheNextTick() {
+        String twice =
+                "read l; echo '" + READY + "'; read l; A='{\"type\":\"drive\",\"tick\":0,\"left_v\":1,\"right_v\":1}'; "
+                        + "echo $A; echo $A; sleep 60";
+        RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(twice), office(), PATIENCE));
+        assertTrue(e.getMessage().contains("answered tick 0 at tick 1"), e.getMessage());
+    }
+
+    @Test
+    void theLastWordsOnStandardErrorAreKeptWithTheFailure() {
+        String flood = "read l; for i in $(seq 3000); do echo line $i >&2; done; exit 1";
+        RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(flood), office(), PATIENCE));
+        assertTrue(e.getMessage().contains("line 2981 | "), e.getMessage());
+        assertTrue(e.getMessage().endsWith("line 3000"), e.getMessage());
+        assertEquals(3000, errors.size());
+    }
+
+    @Test
+    void aChildThatReadsNothingCannotHoldUpTheRun() {
+        String deaf = "echo '" + READY + "'; i=0; while [ $i -lt 100000 ]; do "
+                + "echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,\\\"left_v\\\":1,\\\"right_v\\\":1}\"; i=$((i+1)); done; sleep 60";
+        SimulationSetup setup = office().withDuration(1000);
+        RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(deaf), setup, PATIENCE));
+        assertTrue(e.getMessage().contains("does not read its standard input"), e.getMessage());
+        assertEquals(List.of(), childrenStillRunning());
+    }
+
+    @Test
+    void descendantsEndWithTheChild() {
+        String script = "sleep 1000 & read l; exit 1";
+        assertThrows(RunFailedException.class, () -> run(shell(script), office(), PATIENCE));
+        assertEquals(List.of(), childrenStillRunning());
+    }
+
+    @Test
+    void aProgramThatIsNotThereIsReported() {
+        IOException e = assertThrows(IOException.class, () -> run("no-such-program --x", office(), PATIENCE));
+        assertTrue(e.getMessage().startsWith("the controller \"no-such-program --x\" cannot be started: "));
+    }
+
+    private static List<String> childrenStillRunning() {
+        return ProcessHandle.current()
+                .descendants()
+                .filter(ProcessHandle::isAlive)
+                .map(child -> child.info().commandLine().orElse("?"))
+                .toList();
+    }
+
+    private static SimulationSetup office() {
+        try {
+            return Scenario.load(Path.of("scenarios/office.xml")).setup().withDuration(0.5);
+        } catch (faultline.scenario.ScenarioException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private static String shell(String script) {
+        return "sh -c \"" + script.replace("\\", "\\\\").replace("\"", "\\\"") + "\"";
+    }
+
+    private RunResult run(String command, SimulationSetup setup, double patience) throws IOException {
+        RunDescription run = RunDescription.of("faultline test", "Office", setup, 1);
+        try (ExternalController child = new ExternalController(
+                command, run, new ExternalController.Timeouts(patience, patience), false, errors::add)) {
+            RunResult result = HeadlessRun.run(setup, child, ControllerMode.DIRECT, List.of());
+            child.finish("duration", "0", Map.of());
+            return result;
+        }
+    }
+}

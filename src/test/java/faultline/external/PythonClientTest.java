@@ -1,0 +1,126 @@
+package faultline.external;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
+import faultline.scenario.Scenario;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The Python examples, run as the documentation says. */
+@Timeout(120)
+class PythonClientTest {
+
+    private static final Path EXAMPLES = Path.of("docs/examples/python");
+
+    private record Output(int code, String text) {}
+
+    @BeforeEach
+    void requirePython() throws Exception {
+        assumeTrue(
+                python("-c", "import sys; sys.exit(sys.version_info < (3, 8))").code() == 0, "needs Python 3.8");
+    }
+
+    @Test
+    void theExampleFollowerFollowsTheWallOfTheYard() throws Exception {
+        SimulationSetup setup = Scenario.load(Path.of("scenarios/yard.xml")).setup();
+        RunResult first = follow(setup);
+        assertTrue(first.collision().isEmpty());
+        assertTrue(first.coverage().orElseThrow() > 0.8, () -> "coverage " + first.coverage());
+        assertEquals(first.trajectoryHash(), follow(setup).trajectoryHash());
+    }
+
+    private static RunResult follow(SimulationSetup setup) throws IOException {
+        String command = "python3 " + EXAMPLES.resolve("my_follower.py");
+        RunDescription run = RunDescription.of("faultline test", "Yard", setup, 1);
+        List<String> errors = new ArrayList<>();
+        try (ExternalController child =
+                new ExternalController(command, run, ExternalController.Timeouts.DEFAULT, false, errors::add)) {
+            RunResult result = HeadlessRun.run(setup, child, ControllerMode.DIRECT, List.of());
+            assertEquals(List.of(), errors);
+            return result;
+        }
+    }
+
+    @Test
+    void theDocumentedExampleIsTheShippedOne() throws IOException {
+        String page = Files.readString(Path.of("docs/controllers.md"));
+        Matcher block = Pattern.compile("```python\n(.*?)```", Pattern.DOTALL).matcher(page);
+        assertTrue(block.find());
+        String shipped = Files.readString(EXAMPLES.resolve("my_follower.py"));
+        assertEquals(shipped.substring(shipped.indexOf("import")), block.group(1));
+    }
+
+    @Test
+    void aRunIsSteppedFromPython() throws Exception {
+        Output output = python(
+                "-c",
+                """
+                import faultline
+                with faultline.Simulator("scenarios/office.xml") as simulator:
+                    hashes = []
+                    for seed in (7, 7, 8):
+                        sight = simulator.reset(seed=seed)
+                        while not simulator.done:
+                            sight = simulator.step(faultline.velocities(0.2, 0.3), ticks=500)
+                        hashes.append(simulator.end["trajectory_hash"])
+                    assert len(sight) == 8 and hashes[0] == hashes[1], hashes
+                print("stepped")
+                """);
+        assertEquals("stepped", output.text().strip());
+    }
+
+    @Test
+    void theGymnasiumEnvironmentPassesItsCheck() throws Exception {
+        assumeTrue(python("-c", "import gymnasium").code() == 0, "needs the Python package gymnasium");
+        Output output = python(
+                "-W",
+                "ignore",
+                "-c",
+                """
+                from gymnasium.utils.env_checker import check_env
+                import faultline_gym
+                environment = faultline_gym.WallFollowingEnv()
+                check_env(environment, skip_render_check=True)
+                environment.close()
+                print("checked")
+                """);
+        assertTrue(output.text().strip().endsWith("checked"), output.text());
+        assertEquals(0, output.code());
+    }
+
+    private static Output python(String... arguments) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of("python3"));
+        command.addAll(List.of(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().put("PYTHONPATH", EXAMPLES.toString());
+        builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+        builder.environment()
+                .put("FAULTLINE", java + " -cp " + ExternalControllerTest.classes() + " faultline.app.Main");
+        try {
+            Process process = builder.start();
+            process.getOutputStream().close();
+            String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            process.waitFor(60, TimeUnit.SECONDS);
+            return new Output(process.exitValue(), text);
+        } catch (IOException notThere) {
+            return new Output(-1, notThere.getMessage());
+        }
+    }
+}

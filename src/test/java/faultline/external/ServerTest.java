@@ -1,0 +1,94 @@
+package faultline.external;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerMode;
+import faultline.engine.RunFailedException;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.scenario.Scenario;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Requests in, observations out. */
+class ServerTest {
+
+    private static List<String> serve(String... requests) throws Exception {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        byte[] in = (String.join("\n", requests) + "\n").getBytes(StandardCharsets.UTF_8);
+        new Server("faultline test", "Office", true, new ByteArrayInputStream(in), out).run(office());
+        return out.toString(StandardCharsets.UTF_8).lines().toList();
+    }
+
+    private static SimulationSetup office() throws Exception {
+        return Scenario.load(Path.of("scenarios/office.xml")).setup().withDuration(1);
+    }
+
+    @Test
+    void everyRequestHasOneAnswerBehindTheGreeting() throws Exception {
+        List<String> answers = serve(
+                "{\"type\":\"reset\",\"seed\":7}",
+                "{\"type\":\"drive\",\"left_v\":1,\"right_v\":1,\"ticks\":5}",
+                "{\"type\":\"drive\",\"v_m_s\":0.1,\"omega_rad_s\":0}",
+                "{\"type\":\"close\"}");
+        assertEquals(4, answers.size());
+        assertTrue(answers.get(0).startsWith("{\"type\":\"hello\",\"protocol\":1,"), answers.get(0));
+        assertTrue(answers.get(1).contains("\"tick\":0,"), answers.get(1));
+        assertTrue(answers.get(2).contains("\"tick\":5,"), answers.get(2));
+        assertTrue(answers.get(3).contains("\"tick\":6,"), answers.get(3));
+        assertTrue(answers.get(3).contains("\"truth\":{\"pose\":{"), answers.get(3));
+    }
+
+    @Test
+    void drivingConstantlyGivesTheTrajectoryOfTheDriveController() throws Exception {
+        SimulationSetup setup = office();
+        SimulationSetup constant = new SimulationSetup(
+                setup.world(),
+                setup.robot(),
+                setup.start(),
+                new ControllerSpec.Drive(2.5, 3),
+                setup.timeline(),
+                setup.dt(),
+                setup.seed(),
+                setup.duration());
+        long expected =
+                HeadlessRun.run(constant, ControllerMode.DIRECT, List.of()).trajectoryHash();
+        List<String> answers = serve("{\"type\":\"drive\",\"left_v\":2.5,\"right_v\":3,\"ticks\":1000}");
+        String end = answers.get(1);
+        assertTrue(end.startsWith("{\"type\":\"end\",\"reason\":\"duration\""), end);
+        assertTrue(end.contains(String.format(Locale.ROOT, "\"trajectory_hash\":\"%016x\"", expected)), end);
+    }
+
+    @Test
+    void aResetGivesTheSameRunAgain() throws Exception {
+        String drive = "{\"type\":\"drive\",\"left_v\":2,\"right_v\":3,\"ticks\":50}";
+        List<String> answers = serve(drive, "{\"type\":\"reset\"}", drive);
+        assertEquals(answers.get(1), answers.get(3));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            textBlock =
+                    """
+            {"type":"jump"}                                    | the client wrote a message at tick 0 of type "jump", allowed is reset, drive or close
+            {"type":"drive","left_v":1,"right_v":1,"ticks":0}  | the client wrote a drive message at tick 0 for 0 ticks, allowed are 1 to 1000000000
+            {"type":"drive","left_v":1}                        | the client wrote a message at tick 0 whose "right_v" is missing, allowed is a finite number
+            hello                                              | the client wrote no JSON at tick 0: "hello" (there is no value at character 1); write messages for people to standard error
+            """)
+    void aBadRequestEndsTheServerInOneSentence(String request, String sentence) {
+        RunFailedException e = assertThrows(RunFailedException.class, () -> serve(request));
+        assertEquals(sentence, e.getMessage());
+    }
+}

@@ -1,0 +1,84 @@
+package faultline.io;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class JsonTest {
+
+    @Test
+    void valuesOfEveryKindAreRead() throws JsonException {
+        assertEquals(
+                Map.of("a", List.of(1.0, -0.5, 2e3), "b", true, "c", "x\n\u00e9\"", "d", Map.of(), "e", List.of()),
+                JsonParser.parse(
+                        " { \"a\" : [1, -0.5, 2e3], \"b\":true, \"c\":\"x\\n\\u00e9\\\"\", \"d\":{}, \"e\":[ ] } "));
+        assertEquals(JsonParser.NULL, JsonParser.parse("null"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            textBlock =
+                    """
+            hello            | there is no value at character 1
+            {"a":1           | a comma or } is missing at character 7
+            {"a" 1}          | a colon is missing at character 6
+            {a:1}            | a member's name is missing at character 2
+            {"a":1,"a":2}    | a member is given twice at character 13
+            [1,]             | there is no value at character 4
+            [1 2]            | a comma or ] is missing at character 4
+            01               | a number begins with a zero at character 3
+            1.               | a digit is missing at character 3
+            -                | a digit is missing at character 2
+            "a               | the text ends too early at character 3
+            "\\x"            | there is no such escape at character 4
+            1 2              | there is text after the value at character 3
+            NaN              | there is no value at character 1
+            """)
+    void aTextThatIsNoJsonIsReportedWithItsPlace(String text, String message) {
+        String given = text.replace("\\\\", "\\");
+        assertEquals(
+                message,
+                assertThrows(JsonException.class, () -> JsonParser.parse(given)).getMessage());
+    }
+
+    @Test
+    void deepNestingIsRefusedAndNotOverflowing() {
+        String deep = "[".repeat(100_000);
+        assertThrows(JsonException.class, () -> JsonParser.parse(deep));
+    }
+
+    @Test
+    void finiteNumbersReadBackToTheSameBits() throws JsonException {
+        Random random = new Random(1);
+        for (int i = 0; i < 100_000; i++) {
+            double value = Double.longBitsToDouble(random.nextLong());
+            if (Double.isFinite(value)) {
+                Map<?, ?> read = (Map<?, ?>)
+                        JsonParser.parse(new JsonWriter().member("n", value).finish());
+                assertEquals(Double.doubleToRawLongBits(value), Double.doubleToRawLongBits((Double) read.get("n")));
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "plain", "quote \" and \\ slash", "line\nbreak\ttab\u0000", "\ud83d\ude00 \u2028"})
+    void stringsReadBack(String text) throws JsonException {
+        Map<?, ?> read =
+                (Map<?, ?>) JsonParser.parse(new JsonWriter().member("s", text).finish());
+        assertEquals(text, read.get("s"));
+    }
+
+    @Test
+    void aNumberThatJsonCannotWriteIsRefused() {
+        assertThrows(IllegalArgumentException.class, () -> new JsonWriter().member("n", Double.NaN));
+    }
+}
