@@ -17,10 +17,13 @@ public final class AppIcon {
     private AppIcon() {}
 
     public static List<Image> images() {
-        return IntStream.of(16, 24, 32, 48, 64).mapToObj(AppIcon::createImage).toList();
+        return IntStream.of(16, 24, 32, 48, 64)
+                .<Image>mapToObj(AppIcon::createImage)
+                .toList();
     }
 
-    private static Image createImage(int size) {
+    /** Returns the icon in a size, pixels. */
+    public static BufferedImage createImage(int size) {
         BufferedImage image = new BufferedImage(size, size, BufferedImage.TYPE_INT_ARGB);
         Antialiasing.paint(image.createGraphics(), g -> {
             g.scale(size / 16.0, size / 16.0);

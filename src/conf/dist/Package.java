@@ -1,0 +1,160 @@
+import faultline.gui.dialog.AppIcon;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Locale;
+import java.util.spi.ToolProvider;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+
+/**
+ * Makes packages with the JDK's own jlink and jpackage: a runtime of only the modules that are needed, an app image on
+ * every system, and a .deb where dpkg is. Run by {@code mvn -Pdist package}; the results are in target/dist.
+ *
+ * <p>usage: java -cp target/classes src/conf/dist/Package.java VERSION
+ */
+public final class Package {
+
+    private static final String MODULES = "java.desktop,java.xml,java.prefs,java.logging";
+    private static final Path DIST = Path.of("target/dist");
+    private static final Path INPUT = DIST.resolve("input");
+    private static final Path RUNTIME = DIST.resolve("runtime");
+    private static final Path RESOURCES = Path.of("src/conf/dist/linux");
+
+    private Package() {}
+
+    public static void main(String[] args) throws Exception {
+        String version = args[0];
+        System.setProperty("java.awt.headless", "true");
+        deleteTree(DIST);
+        Files.createDirectories(INPUT);
+        Files.copy(Path.of("target/faultline.jar"), INPUT.resolve("faultline.jar"));
+        Path icon = INPUT.resolve("faultline.png");
+        writeIcon(icon);
+        makeRuntime();
+        List<String> common = List.of("--name", "faultline", "--dest", DIST.toString());
+        jpackage(
+                common,
+                List.of("--type", "app-image", "--app-version", version, "--input", INPUT.toString()),
+                List.of("--main-jar", "faultline.jar", "--main-class", "faultline.app.Main"),
+                List.of("--runtime-image", RUNTIME.toString(), "--vendor", "Faultline"),
+                isLinux() ? List.of("--icon", icon.toString()) : List.of());
+        if (isLinux() && isOnPath("dpkg-deb") && isOnPath("fakeroot")) {
+            jpackage(
+                    common,
+                    List.of(
+                            "--type",
+                            "deb",
+                            "--app-version",
+                            version,
+                            "--app-image",
+                            DIST.resolve("faultline").toString()),
+                    List.of("--resource-dir", RESOURCES.toString(), "--linux-package-name", "faultline"),
+                    List.of("--linux-app-category", "science", "--linux-deb-maintainer", "faultline@localhost"),
+                    List.of("--description", "A simulator of a wall-following robot whose infrared sensors fail"));
+        }
+        writeChecksums();
+    }
+
+    private static void makeRuntime() throws IOException, InterruptedException {
+        run(
+                "jlink",
+                List.of(
+                        "--add-modules",
+                        MODULES,
+                        "--no-header-files",
+                        "--no-man-pages",
+                        "--compress=2",
+                        "--output",
+                        RUNTIME.toString()));
+        // jlink leaves out the archive of the JDK's own classes, without which a start takes half as long again.
+        String java = RUNTIME.resolve("bin")
+                .resolve(isWindows() ? "java.exe" : "java")
+                .toString();
+        Process dump = new ProcessBuilder(java, "-Xshare:dump", "-Xlog:disable")
+                .inheritIO()
+                .start();
+        require(dump.waitFor() == 0, "java -Xshare:dump failed");
+    }
+
+    private static void writeIcon(Path file) throws IOException {
+        BufferedImage icon = AppIcon.createImage(256);
+        require(ImageIO.write(icon, "png", file.toFile()), "no PNG writer");
+        for (String name : List.of("faultline.desktop", "faultline-mime.xml")) {
+            Files.copy(RESOURCES.resolve("share").resolve(name), INPUT.resolve(name));
+        }
+    }
+
+    private static void jpackage(List<String> first, List<?>... more) {
+        List<String> arguments = new ArrayList<>(first);
+        Stream.of(more).flatMap(List::stream).map(String.class::cast).forEach(arguments::add);
+        run("jpackage", arguments);
+    }
+
+    private static void run(String tool, List<String> arguments) {
+        ToolProvider provider =
+                ToolProvider.findFirst(tool).orElseThrow(() -> new IllegalStateException("this JDK has no " + tool));
+        require(provider.run(System.out, System.err, arguments.toArray(new String[0])) == 0, tool + " failed");
+    }
+
+    /** One line for each file that is given to users, in the manner of sha256sum. */
+    private static void writeChecksums() throws Exception {
+        List<String> lines = new ArrayList<>();
+        List<Path> files = new ArrayList<>();
+        try (Stream<Path> made = Stream.concat(Files.list(DIST), Files.list(Path.of("target")))) {
+            made.filter(Files::isRegularFile)
+                    .filter(file -> file.toString().matches(".*\\.(deb|jar|msi|exe|dmg|pkg)"))
+                    .sorted(Comparator.comparing(Path::getFileName))
+                    .forEach(files::add);
+        }
+        for (Path file : files) {
+            byte[] hash = java.security.MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file));
+            lines.add(HexFormat.of().formatHex(hash) + "  " + file.getFileName());
+            Path copy = DIST.resolve(file.getFileName());
+            if (!file.equals(copy)) {
+                Files.copy(file, copy, StandardCopyOption.REPLACE_EXISTING);
+            }
+        }
+        Files.write(DIST.resolve("SHA256SUMS"), lines);
+    }
+
+    private static boolean isLinux() {
+        return os().contains("linux");
+    }
+
+    private static boolean isWindows() {
+        return os().contains("windows");
+    }
+
+    private static String os() {
+        return System.getProperty("os.name").toLowerCase(Locale.ROOT);
+    }
+
+    private static boolean isOnPath(String program) {
+        return Stream.of(System.getenv("PATH").split(":"))
+                .anyMatch(folder -> Files.isExecutable(Path.of(folder, program)));
+    }
+
+    private static void require(boolean condition, String problem) {
+        if (!condition) {
+            throw new IllegalStateException(problem);
+        }
+    }
+
+    private static void deleteTree(Path root) throws IOException {
+        if (Files.notExists(root)) {
+            return;
+        }
+        try (Stream<Path> files = Files.walk(root)) {
+            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                Files.delete(file);
+            }
+        }
+    }
+}
