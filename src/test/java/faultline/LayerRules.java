@@ -25,6 +25,7 @@ final class LayerRules {
             "engine.recording",
             "engine.session",
             "engine.metrics",
+            "scenario.xml",
             "scenario",
             "floorplan",
             "campaign",
@@ -90,7 +91,7 @@ final class LayerRules {
         referencedPackages(code).stream()
                 .filter(other -> !isAllowed(layer, other))
                 .forEach(other -> violations.add(path + " may not use faultline." + other));
-        boolean isModel = layer < PACKAGE_ORDER.indexOf("scenario");
+        boolean isModel = layer < PACKAGE_ORDER.indexOf("scenario.xml");
         check(SWING_USE, layer < PACKAGE_ORDER.indexOf("gui.text"), path, code, violations);
         check(CLOCK_USE, isModel && !CLOCK_USERS.contains(path), path, code, violations);
         check(INEXACT_MATHS, isModel, path, code, violations);

@@ -1,7 +1,7 @@
 package faultline.app;
 
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.util.List;
 
 /** {@code check}: reads scenario files and reports their problems. */

@@ -3,7 +3,7 @@ package faultline.app;
 import faultline.engine.RunFailedException;
 import faultline.io.DidYouMean;
 import faultline.io.MessageText;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;

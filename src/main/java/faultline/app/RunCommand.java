@@ -11,7 +11,7 @@ import faultline.external.ExternalController;
 import faultline.external.RunDescription;
 import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -2,7 +2,7 @@ package faultline.app;
 
 import faultline.external.Server;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.util.List;
 

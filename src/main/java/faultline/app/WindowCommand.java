@@ -2,7 +2,7 @@ package faultline.app;
 
 import faultline.gui.GuiLauncher;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;

@@ -3,6 +3,7 @@ package faultline.scenario;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.engine.metrics.Expectation;
 import java.util.ArrayList;
 import java.util.List;
 

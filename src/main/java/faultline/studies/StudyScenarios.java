@@ -1,7 +1,7 @@
 package faultline.studies;
 
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 
 /** The scenarios that ship with the program, which cannot be bad files. */
 final class StudyScenarios {

@@ -158,7 +158,7 @@ class ExternalControllerTest {
     private static SimulationSetup office() {
         try {
             return Scenario.load(Path.of("scenarios/office.xml")).setup().withDuration(0.5);
-        } catch (faultline.scenario.ScenarioException e) {
+        } catch (faultline.scenario.xml.ScenarioException e) {
             throw new IllegalStateException(e);
         }
     }

@@ -8,6 +8,7 @@ import faultline.engine.Journal;
 import faultline.engine.Simulation;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
+import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.Obstacle;

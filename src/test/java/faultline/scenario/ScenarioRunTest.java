@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.ControllerMode;
+import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Reading;
 import java.nio.file.Path;
 import java.util.List;

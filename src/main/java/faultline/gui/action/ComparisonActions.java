@@ -1,7 +1,7 @@
 package faultline.gui.action;
 
-import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.RunEvent;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.NamedReferenceRun;
 import faultline.gui.document.RunComparison;

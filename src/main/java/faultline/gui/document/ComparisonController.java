@@ -1,9 +1,9 @@
 package faultline.gui.document;
 
-import faultline.engine.session.SessionFrame;
 import faultline.engine.Journal;
 import faultline.engine.recording.HashTrace;
 import faultline.engine.session.ReferenceRun;
+import faultline.engine.session.SessionFrame;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.nio.file.Path;

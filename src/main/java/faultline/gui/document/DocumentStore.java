@@ -2,8 +2,8 @@ package faultline.gui.document;
 
 import faultline.engine.Journal;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
-import faultline.scenario.XmlComments;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.XmlComments;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;

@@ -1,7 +1,7 @@
 package faultline.gui.document;
 
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -2,7 +2,7 @@ package faultline.gui.document;
 
 import faultline.io.AtomicFile;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -1,9 +1,9 @@
 package faultline.gui.document;
 
-import faultline.engine.session.SessionFrame;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
+import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.scenario.Scenario;
 import faultline.world.Command;

@@ -13,7 +13,7 @@ import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.util.EnumSet;

@@ -1,8 +1,8 @@
 package faultline.gui.gallery;
 
 import faultline.paint.surface.Palette;
-import faultline.scenario.ScenarioException;
 import faultline.scenario.ShippedScenarios;
+import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.ExecutionException;

@@ -2,11 +2,11 @@ package faultline.gui.instrument;
 
 import faultline.control.FollowerState;
 import faultline.control.Telemetry;
-import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.recording.TraceChannels;
 import faultline.engine.recording.TraceLevel;
+import faultline.engine.session.SessionFrame;
 import faultline.geometry.Angles;
 import java.util.ArrayList;
 import java.util.List;

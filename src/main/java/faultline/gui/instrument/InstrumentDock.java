@@ -1,7 +1,7 @@
 package faultline.gui.instrument;
 
-import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.RunEvent;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import java.awt.Dimension;

@@ -1,8 +1,8 @@
 package faultline.gui.instrument;
 
-import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
+import faultline.engine.session.SessionFrame;
 import java.util.ArrayList;
 import java.util.List;
 

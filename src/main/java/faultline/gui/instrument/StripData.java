@@ -1,8 +1,8 @@
 package faultline.gui.instrument;
 
-import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.Trace;
 import faultline.engine.recording.TraceLevel;
+import faultline.engine.session.SessionFrame;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
 

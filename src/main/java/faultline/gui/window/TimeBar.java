@@ -1,8 +1,8 @@
 package faultline.gui.window;
 
-import faultline.engine.session.SessionFrame;
 import faultline.engine.Frame;
 import faultline.engine.recording.RunEvent;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.FlatSliderUI;
 import faultline.gui.theme.SeparatorBorder;

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.session.SessionFrame;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;

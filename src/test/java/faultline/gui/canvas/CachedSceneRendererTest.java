@@ -4,12 +4,12 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.gui.edit.UndoController;
 import faultline.engine.Frame;
 import faultline.engine.RobotPath;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.UndoController;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.Pixels;
 import faultline.paint.surface.Palette;

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.session.SessionFrame;
 import faultline.engine.session.ReferenceRun;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.scenario.Scenario;

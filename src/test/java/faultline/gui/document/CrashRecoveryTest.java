@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
 import java.io.IOException;
 import java.nio.file.Files;

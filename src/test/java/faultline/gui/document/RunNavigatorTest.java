@@ -12,7 +12,7 @@ import faultline.gui.Await;
 import faultline.gui.EdtChecker;
 import faultline.gui.edit.UndoController;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import java.nio.file.Path;

@@ -12,7 +12,7 @@ import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.Obstacle;

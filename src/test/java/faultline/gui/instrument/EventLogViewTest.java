@@ -5,8 +5,8 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.RunEvent;
+import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;

@@ -1,10 +1,10 @@
 package faultline.gui.instrument;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.session.SessionFrame;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
+import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;

@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.session.SessionFrame;
 import faultline.engine.recording.TraceChannels;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.ComponentFinder;
 import faultline.gui.theme.Theme;
 import java.awt.event.MouseEvent;

@@ -49,7 +49,7 @@ class MessageTranslatorTest {
 
     private static Stream<String> sentences(String test, String pattern) throws IOException {
         Pattern sentence = Pattern.compile(pattern);
-        return Files.readAllLines(Path.of("src/test/java/faultline/scenario", test + ".java")).stream()
+        return Files.readAllLines(Path.of("src/test/java/faultline/scenario/xml", test + ".java")).stream()
                 .map(sentence::matcher)
                 .filter(Matcher::find)
                 .map(found -> found.group(1).strip());

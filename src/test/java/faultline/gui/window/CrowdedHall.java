@@ -2,13 +2,13 @@ package faultline.gui.window;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.theme.Theme;
 import faultline.robot.RobotSpec;
-import faultline.scenario.Expectation;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;

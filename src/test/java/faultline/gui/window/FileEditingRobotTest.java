@@ -12,7 +12,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import faultline.world.Obstacle;
 import java.awt.Window;
 import java.awt.event.InputEvent;

@@ -5,10 +5,10 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.recording.Recording;
-import faultline.engine.session.SessionFrame;
 import faultline.engine.SampleFrames;
+import faultline.engine.recording.Recording;
 import faultline.engine.session.Session;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.ComponentFinder;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;

@@ -11,7 +11,7 @@ import faultline.gui.EdtChecker;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;

@@ -9,7 +9,7 @@ import faultline.gui.EdtChecker;
 import faultline.gui.document.RecoveryStore;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import faultline.world.Obstacle;
 import java.awt.event.KeyEvent;
 import java.io.IOException;

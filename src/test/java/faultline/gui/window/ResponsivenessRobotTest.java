@@ -8,7 +8,7 @@ import faultline.gui.DurationStatistics;
 import faultline.gui.EdtChecker;
 import faultline.gui.EventThreadMeter;
 import faultline.gui.theme.Theme;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;

@@ -9,7 +9,7 @@ import faultline.geometry.Pose;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.awt.EventQueue;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;

@@ -3,7 +3,7 @@ package faultline.paint.scene;
 import faultline.engine.Journal;
 import faultline.engine.session.ReferenceRun;
 import faultline.scenario.Scenario;
-import faultline.scenario.ScenarioException;
+import faultline.scenario.xml.ScenarioException;
 import java.util.List;
 import java.util.OptionalLong;
 

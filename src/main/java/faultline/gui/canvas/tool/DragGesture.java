@@ -1,8 +1,8 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
-import faultline.gui.edit.UndoController;
 import faultline.gui.edit.SnapSettings;
+import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.paint.scene.InteractionPainter;
 import faultline.paint.surface.DrawContext;

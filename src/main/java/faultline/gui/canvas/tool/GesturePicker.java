@@ -1,8 +1,8 @@
 package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
-import faultline.gui.edit.UndoController;
 import faultline.gui.edit.ShapeHandles;
+import faultline.gui.edit.UndoController;
 import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
 import faultline.world.Obstacle;

@@ -1,0 +1,254 @@
+package faultline.scenario.xml;
+
+import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
+import faultline.io.DidYouMean;
+import faultline.io.MessageText;
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+
+/**
+ * The attributes of one element, asked for one by one. What is wrong is complained of and read as a stand-in value, so
+ * that reading goes on and finds the next fault too; whoever reads throws everything away at the end if there were
+ * complaints.
+ */
+final class AttributeReader {
+
+    /** Where to find the schema; editors put it in, and it says nothing to us. */
+    private static final Set<String> SCHEMA_LOCATION_ATTRIBUTES =
+            Set.of("xsi:schemaLocation", "xsi:noNamespaceSchemaLocation");
+
+    private static final String ID_RULE =
+            "1 to 100 characters, none of them a comma, a double quote or a control character";
+
+    /** Enough for any outline; stands in for points that could not be read. */
+    private static final List<Vector2> PLACEHOLDER_POINTS = List.of(Vector2.ZERO, new Vector2(1, 0), new Vector2(0, 1));
+
+    private final XmlElement node;
+    private final Problems problems;
+    private final Set<String> requested = new LinkedHashSet<>();
+    private final Map<String, Supplier<String>> missing = new LinkedHashMap<>();
+
+    AttributeReader(XmlElement node, Problems complaints) {
+        this.node = node;
+        this.problems = complaints;
+    }
+
+    boolean isPresent(String name) {
+        requested.add(name);
+        return node.attributes().containsKey(name);
+    }
+
+    Optional<String> text(String name) {
+        requested.add(name);
+        return Optional.ofNullable(node.attributes().get(name));
+    }
+
+    /** A number that must be there. */
+    double number(String name, NumberRange range) {
+        return required(name, () -> number(range))
+                .map(text -> parseNumber(name, text, range))
+                .orElse(placeholder(range));
+    }
+
+    double number(String name, NumberRange range, double fallback) {
+        return text(name).map(text -> parseNumber(name, text, range)).orElse(fallback);
+    }
+
+    /** An angle in degrees, read to radians. */
+    double angle(String name, NumberRange range) {
+        return required(name, () -> plainNumberRule(range))
+                .map(text -> parseAngle(name, text, range))
+                .orElse(0.0);
+    }
+
+    double angle(String name, NumberRange range, double fallback) {
+        return text(name).map(text -> parseAngle(name, text, range)).orElse(fallback);
+    }
+
+    /** A cone, whose nearest number of radians must be less than pi too. */
+    double cone(double fallback) {
+        double radians = angle("cone", NumberRange.CONE, fallback);
+        if (radians > 0 && radians < StrictMath.PI) {
+            return radians;
+        }
+        report("cone", text("cone").orElse(""), plainNumberRule(NumberRange.CONE));
+        return fallback;
+    }
+
+    boolean flag(String name) {
+        return required(name, () -> "true or false")
+                .map(text -> flag(name, text))
+                .orElse(false);
+    }
+
+    boolean flag(String name, boolean fallback) {
+        return text(name).map(text -> flag(name, text)).orElse(fallback);
+    }
+
+    private boolean flag(String name, String text) {
+        return choice(name, text, Map.of("true", true, "false", false), List.of("true", "false"))
+                .orElse(false);
+    }
+
+    long integer(String name, long least, long most, long fallback) {
+        return text(name).map(text -> integer(name, text, least, most)).orElse(fallback);
+    }
+
+    private long integer(String name, String text, long least, long most) {
+        try {
+            long value = Long.parseLong(text.strip());
+            if (value >= least && value <= most) {
+                return value;
+            }
+        } catch (NumberFormatException e) {
+            // Told below, like a number out of range.
+        }
+        report(name, text, "a whole number from " + least + " to " + most);
+        return least;
+    }
+
+    /** A name of something, which must be there. */
+    String id(String name) {
+        Optional<String> given = required(name, () -> ID_RULE);
+        given.filter(text -> !isValidId(text)).ifPresent(text -> report(name, text, ID_RULE));
+        return given.filter(AttributeReader::isValidId).orElse("?");
+    }
+
+    private static boolean isValidId(String text) {
+        return !text.isEmpty()
+                && text.length() <= 100
+                && text.chars().noneMatch(c -> c == ',' || c == '"' || Character.isISOControl(c));
+    }
+
+    /** One of a few words, which must be there. */
+    <T> Optional<T> choice(String name, Map<String, T> options) {
+        List<String> words = List.copyOf(options.keySet());
+        return required(name, () -> MessageText.joinNames(words)).flatMap(text -> choice(name, text, options, words));
+    }
+
+    <T> T choice(String name, Map<String, T> options, T fallback) {
+        List<String> words = List.copyOf(options.keySet());
+        return text(name).flatMap(text -> choice(name, text, options, words)).orElse(fallback);
+    }
+
+    private <T> Optional<T> choice(String name, String text, Map<String, T> options, List<String> words) {
+        Optional<T> chosen = Optional.ofNullable(options.get(text.strip()));
+        if (chosen.isEmpty()) {
+            report(name, text, MessageText.joinNames(words) + DidYouMean.hint(text.strip(), words));
+        }
+        return chosen;
+    }
+
+    /** Points as "x,y x,y", which must be there; no more of them than there may be. */
+    List<Vector2> points(String name, int least, int most) {
+        String allowed =
+                least + " or more points as x,y with blanks between them, each number " + NumberRange.COORDINATE;
+        List<Vector2> points = required(name, () -> allowed)
+                .map(text -> points(name, text, most, allowed))
+                .orElse(PLACEHOLDER_POINTS);
+        if (points.size() < least) {
+            report(name, text(name).orElse(""), allowed);
+            return PLACEHOLDER_POINTS;
+        }
+        return points;
+    }
+
+    private List<Vector2> points(String name, String text, int most, String allowed) {
+        List<Vector2> points = new ArrayList<>();
+        PointParser pairs = new PointParser(text);
+        while (pairs.hasNext() && points.size() < most) {
+            String pair = pairs.next();
+            Optional<Vector2> point = PointParser.parsePoint(pair);
+            if (point.isEmpty()) {
+                report(name, pair, allowed);
+                return PLACEHOLDER_POINTS;
+            }
+            points.add(point.get());
+        }
+        if (pairs.hasNext()) {
+            problems.add(
+                    node,
+                    describeAttribute(name) + " holds more points than are left of the " + ScenarioLimits.MAX_PARTS
+                            + " obstacles and points that a file may hold");
+        }
+        return points;
+    }
+
+    /** Complains of a value that is there. */
+    void report(String name, String given, String allowed) {
+        problems.add(node, describeAttribute(name) + " is " + MessageText.quoted(given) + ", allowed is " + allowed);
+    }
+
+    /**
+     * Complains of every attribute that was given and never asked for, and of every one that must be there and is not.
+     * One that looks like a misspelt name of the other kind is told of once.
+     */
+    void reportUnknownAndMissing() {
+        for (String name : node.attributes().keySet()) {
+            if (!requested.contains(name) && !SCHEMA_LOCATION_ATTRIBUTES.contains(name)) {
+                problems.add(
+                        node,
+                        "<" + node.name() + "> has no attribute " + MessageText.quoted(name) + ", allowed is "
+                                + (requested.isEmpty() ? "none" : MessageText.joinNames(requested))
+                                + DidYouMean.hint(name, requested));
+                DidYouMean.nearest(name, requested).ifPresent(missing::remove);
+            }
+        }
+        missing.forEach((name, allowed) -> problems.add(
+                node, "<" + node.name() + "> lacks the attribute \"" + name + "\", allowed is " + allowed.get()));
+    }
+
+    private Optional<String> required(String name, Supplier<String> allowed) {
+        Optional<String> text = text(name);
+        if (text.isEmpty()) {
+            missing.put(name, allowed);
+        }
+        return text;
+    }
+
+    private double parseNumber(String name, String text, NumberRange range) {
+        Optional<Double> value = DecimalText.parse(text)
+                .filter(range::contains)
+                .map(exact -> DecimalText.toDouble(exact, text))
+                .filter(nearest -> nearest != 0 || range.minInclusive());
+        if (value.isEmpty()) {
+            report(name, text, number(range));
+        }
+        return value.orElse(placeholder(range));
+    }
+
+    private double parseAngle(String name, String text, NumberRange range) {
+        Optional<BigDecimal> exact = DecimalText.parse(text)
+                .filter(number -> text.indexOf('e') < 0 && text.indexOf('E') < 0)
+                .filter(range::contains);
+        if (exact.isEmpty()) {
+            report(name, text, plainNumberRule(range));
+        }
+        return exact.map(number -> DecimalText.toRadians(number, text)).orElse(1.0);
+    }
+
+    private static String number(NumberRange range) {
+        return "a number " + range;
+    }
+
+    private static String plainNumberRule(NumberRange range) {
+        return "a number without exponent, " + range;
+    }
+
+    /** A value that nothing else will take offence at. */
+    private static double placeholder(NumberRange range) {
+        return Math.min(1, range.max().doubleValue());
+    }
+
+    private String describeAttribute(String name) {
+        return name + " of <" + node.name() + ">";
+    }
+}

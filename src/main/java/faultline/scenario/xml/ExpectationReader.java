@@ -1,0 +1,62 @@
+package faultline.scenario.xml;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerFactory;
+import faultline.engine.metrics.Expectation;
+import faultline.io.DidYouMean;
+import faultline.io.MessageText;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/** Makes the expectations of their element. */
+final class ExpectationReader {
+
+    /** More than any controller has. */
+    private static final int MAX_STATES = 50;
+
+    private final Problems problems;
+    private final List<String> knownStates;
+
+    ExpectationReader(Problems complaints, ControllerSpec controller) {
+        this.problems = complaints;
+        this.knownStates = ControllerFactory.states(controller);
+    }
+
+    Expectation read(XmlElement node) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        Optional<Boolean> collision =
+                fields.isPresent("collision") ? Optional.of(fields.flag("collision")) : Optional.empty();
+        OptionalDouble coverage = optionalNumber(fields, "minCoverage", NumberRange.FRACTION);
+        OptionalDouble distance = optionalNumber(fields, "maxDistanceRms", NumberRange.SIZE);
+        List<String> states = new ArrayList<>();
+        fields.text("states").ifPresent(text -> states.addAll(readStates(fields, text)));
+        Optional<String> last = fields.text("finalState").map(String::strip);
+        last.ifPresent(state -> checkState(fields, "finalState", state));
+        fields.reportUnknownAndMissing();
+        return new Expectation(collision, coverage, distance, states, last);
+    }
+
+    private static OptionalDouble optionalNumber(AttributeReader fields, String name, NumberRange range) {
+        return fields.isPresent(name) ? OptionalDouble.of(fields.number(name, range)) : OptionalDouble.empty();
+    }
+
+    private List<String> readStates(AttributeReader fields, String text) {
+        List<String> states = Arrays.asList(text.strip().split("\\s+", MAX_STATES));
+        states.forEach(state -> checkState(fields, "states", state));
+        return states;
+    }
+
+    private void checkState(AttributeReader fields, String name, String state) {
+        if (!knownStates.contains(state)) {
+            fields.report(
+                    name,
+                    state,
+                    "one of the controller's states: " + MessageText.joinNames(knownStates)
+                            + DidYouMean.hint(state, knownStates));
+        }
+    }
+}

@@ -1,0 +1,102 @@
+package faultline.scenario.xml;
+
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+
+/** Makes obstacles of elements, in the world and in the timeline, and counts how many parts the file has had. */
+final class ObstacleReader {
+
+    /** The surfaces that can be specular. */
+    private static final List<String> SPECULAR_SHAPES = List.of("rectangle", "polygon", "wall");
+
+    private static final List<String> CHILD_ELEMENTS = List.of("motion");
+
+    private final Problems problems;
+    private final Map<String, Function<AttributeReader, ObstacleShape>> shapeReaders = new LinkedHashMap<>();
+    private int partCount;
+
+    ObstacleReader(Problems complaints) {
+        this.problems = complaints;
+        shapeReaders.put(
+                "rectangle",
+                f -> new ObstacleShape.Rectangle(
+                        f.number("width", NumberRange.SIZE), f.number("height", NumberRange.SIZE)));
+        shapeReaders.put("circle", f -> new ObstacleShape.Circle(f.number("radius", NumberRange.SIZE)));
+        shapeReaders.put(
+                "ellipse",
+                f -> new ObstacleShape.Ellipse(f.number("rx", NumberRange.SIZE), f.number("ry", NumberRange.SIZE)));
+        shapeReaders.put("polygon", f -> new ObstacleShape.Polygon(readPoints(f, 3)));
+        shapeReaders.put("wall", f -> new ObstacleShape.Wall(readPoints(f, 2)));
+    }
+
+    /** The names of the elements that are obstacles. */
+    List<String> elementNames() {
+        return List.copyOf(shapeReaders.keySet());
+    }
+
+    /** The obstacle of an element whose name is one of {@link #elementNames()}. */
+    Obstacle read(XmlElement node) {
+        partCount++;
+        ElementRules.checkChildren(node, CHILD_ELEMENTS, problems);
+        ElementRules.checkAtMostOne(node, CHILD_ELEMENTS, problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        String id = fields.id("id");
+        Pose pose = new Pose(
+                fields.number("x", NumberRange.COORDINATE),
+                fields.number("y", NumberRange.COORDINATE),
+                fields.angle("heading", NumberRange.ANGLE, 0));
+        ObstacleShape shape = shapeReaders.get(node.name()).apply(fields);
+        double specular = SPECULAR_SHAPES.contains(node.name())
+                ? fields.angle("specular", NumberRange.INCIDENCE_ANGLE, Obstacle.MATT)
+                : Obstacle.MATT;
+        fields.reportUnknownAndMissing();
+        Optional<WaypointPath> motion = node.firstChild("motion").map(this::readMotion);
+        return new Obstacle(id, shape, pose, motion, specular);
+    }
+
+    private WaypointPath readMotion(XmlElement node) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        WaypointPath motion = new WaypointPath(
+                fields.number("speed", NumberRange.SPEED), fields.flag("loop", true), readPoints(fields, 1));
+        fields.reportUnknownAndMissing();
+        checkLoopTime(node, motion);
+        return motion;
+    }
+
+    private void checkLoopTime(XmlElement node, WaypointPath motion) {
+        double length = 0;
+        for (int i = 0; i < motion.waypoints().size(); i++) {
+            length += motion.waypoints()
+                    .get(i)
+                    .distanceTo(
+                            motion.waypoints().get((i + 1) % motion.waypoints().size()));
+        }
+        if (motion.loop() && length > 0 && length < motion.speed() * ScenarioLimits.MIN_LOOP_TIME) {
+            problems.add(
+                    node,
+                    "<motion> goes round its way-points in " + DecimalText.formatRounded(length / motion.speed())
+                            + " s, allowed is " + DecimalText.format(ScenarioLimits.MIN_LOOP_TIME) + " s or more");
+        }
+    }
+
+    private List<Vector2> readPoints(AttributeReader fields, int least) {
+        List<Vector2> points = fields.points("points", least, Math.max(least, ScenarioLimits.MAX_PARTS - partCount));
+        partCount += points.size();
+        return points;
+    }
+
+    /** Whether the file has had more than its share of obstacles and points. */
+    boolean isFull() {
+        return partCount >= ScenarioLimits.MAX_PARTS;
+    }
+}

@@ -1,0 +1,43 @@
+package faultline.scenario.xml;
+
+import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
+import java.math.BigDecimal;
+import java.util.Optional;
+import java.util.StringTokenizer;
+
+/**
+ * Points as files write them: x,y pairs with blanks between the pairs. They are taken one at a time, because a hostile
+ * file may have millions.
+ */
+final class PointParser {
+
+    private final StringTokenizer pairs;
+
+    PointParser(String text) {
+        pairs = new StringTokenizer(text);
+    }
+
+    boolean hasNext() {
+        return pairs.hasMoreTokens();
+    }
+
+    String next() {
+        return pairs.nextToken();
+    }
+
+    /** The point of one pair, empty where it is none. */
+    static Optional<Vector2> parsePoint(String pair) {
+        int comma = pair.indexOf(',');
+        if (comma < 0) {
+            return Optional.empty();
+        }
+        return parseCoordinate(pair.substring(0, comma))
+                .flatMap(x -> parseCoordinate(pair.substring(comma + 1)).map(y -> new Vector2(x, y)));
+    }
+
+    private static Optional<Double> parseCoordinate(String text) {
+        Optional<BigDecimal> exact = DecimalText.parse(text).filter(NumberRange.COORDINATE::contains);
+        return exact.map(number -> DecimalText.toDouble(number, text));
+    }
+}

@@ -1,0 +1,53 @@
+package faultline.scenario.xml;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** Gathers all that is wrong with one file, so that it is told at once. */
+final class Problems {
+
+    /** No more than this is told of one file. */
+    static final int MAX_LISTED = 100;
+
+    private final String file;
+    private final List<Problem> problems = new ArrayList<>();
+    private int omitted;
+
+    Problems(String file) {
+        this.file = file;
+    }
+
+    void add(XmlElement node, String text) {
+        add(node.location(), text);
+    }
+
+    void add(SourceLocation place, String text) {
+        Problem complaint = new Problem(file, place, text);
+        if (problems.size() == MAX_LISTED) {
+            omitted++;
+        } else if (!problems.contains(complaint)) {
+            problems.add(complaint);
+        }
+    }
+
+    boolean isEmpty() {
+        return problems.isEmpty();
+    }
+
+    /** Throws what was gathered, in the file's order; does nothing where nothing was. */
+    void throwIfAny() throws ScenarioException {
+        if (!problems.isEmpty()) {
+            throw new ScenarioException(sorted());
+        }
+    }
+
+    private List<Problem> sorted() {
+        List<Problem> ordered = new ArrayList<>(problems);
+        ordered.sort(Comparator.comparing(Problem::location));
+        if (omitted > 0) {
+            ordered.add(new Problem(file, SourceLocation.NONE, "and " + omitted + " more complaints"));
+        }
+        return ordered;
+    }
+}

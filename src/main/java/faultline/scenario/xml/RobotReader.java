@@ -1,0 +1,138 @@
+package faultline.scenario.xml;
+
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/** Makes the robot and its pose at the start of its element. */
+final class RobotReader {
+
+    private static final List<String> CHILD_ELEMENTS = List.of("motor", "sensor");
+
+    private final Problems problems;
+
+    RobotReader(Problems complaints) {
+        this.problems = complaints;
+    }
+
+    /**
+     * The robot as built, and where it starts.
+     *
+     * @param spec as built
+     * @param start its pose at time 0
+     */
+    record PlacedRobot(RobotSpec spec, Pose start) {}
+
+    PlacedRobot read(XmlElement node) {
+        ElementRules.checkChildren(node, CHILD_ELEMENTS, problems);
+        ElementRules.checkAtMostOne(node, List.of("motor"), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        RobotSpec usual = RobotSpec.DEFAULT;
+        Pose start = new Pose(
+                fields.number("x", NumberRange.COORDINATE),
+                fields.number("y", NumberRange.COORDINATE),
+                fields.angle("heading", NumberRange.ANGLE, 0));
+        double length = fields.number("length", NumberRange.SIZE, usual.length());
+        double width = fields.number("width", NumberRange.SIZE, usual.width());
+        double track = fields.number("track", NumberRange.SIZE, usual.track());
+        double speed = fields.number("speed", NumberRange.POSITIVE_SPEED, usual.speed());
+        double turnRate = fields.angle("turnRate", NumberRange.TURN_RATE, usual.turnRate());
+        boolean defaults = fields.flag("defaultSensors", true);
+        fields.reportUnknownAndMissing();
+        MotorSpec motor = node.firstChild("motor").map(this::readMotor).orElse(MotorSpec.DEFAULT);
+        checkDriveLimits(node, motor, track);
+        List<SensorSpec> sensors = readSensors(node, defaults ? RobotSpec.standardSensors(length, width) : List.of());
+        return new PlacedRobot(new RobotSpec(length, width, track, speed, turnRate, motor, sensors), start);
+    }
+
+    private void checkDriveLimits(XmlElement node, MotorSpec motor, double track) {
+        double spin = 2 * motor.maxSpeed() / track;
+        if (motor.maxSpeed() > ScenarioLimits.MAX_WHEEL_SPEED) {
+            problems.add(
+                    node.firstChild("motor").orElse(node),
+                    "<motor> drives its wheels at up to " + DecimalText.formatRounded(motor.maxSpeed())
+                            + " m/s (speedConstant times maxVoltage), allowed is "
+                            + DecimalText.format(ScenarioLimits.MAX_WHEEL_SPEED) + " m/s or less");
+        } else if (spin > ScenarioLimits.MAX_SPIN_RATE) {
+            problems.add(
+                    node,
+                    "<robot> could spin at " + DecimalText.formatRounded(spin)
+                            + " rad/s (twice its wheels' top speed by its track), allowed is "
+                            + DecimalText.format(ScenarioLimits.MAX_SPIN_RATE) + " rad/s or less");
+        }
+    }
+
+    private MotorSpec readMotor(XmlElement node) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        MotorSpec usual = MotorSpec.DEFAULT;
+        MotorSpec motor = new MotorSpec(
+                fields.number("timeConstant", NumberRange.TIME_CONSTANT, usual.timeConstant()),
+                fields.number("speedConstant", NumberRange.SPEED_CONSTANT, usual.speedConstant()),
+                fields.number("maxVoltage", NumberRange.POSITIVE_VOLTAGE, usual.maxVoltage()));
+        fields.reportUnknownAndMissing();
+        return motor;
+    }
+
+    /** The standard sensors, each in its place as the file sets it, and after them the file's own. */
+    private List<SensorSpec> readSensors(XmlElement robot, List<SensorSpec> standard) {
+        List<SensorSpec> sensors = new ArrayList<>(standard);
+        Map<String, SourceLocation> ids = new HashMap<>();
+        robot.childrenNamed("sensor").forEach(node -> {
+            SensorSpec sensor = readSensor(node, standard);
+            ElementRules.checkUniqueId(node, sensor.id(), ids, problems);
+            addOrReplace(sensor, sensors);
+        });
+        return sensors;
+    }
+
+    private static void addOrReplace(SensorSpec sensor, List<SensorSpec> sensors) {
+        IntStream.range(0, sensors.size())
+                .filter(i -> sensors.get(i).id().equals(sensor.id()))
+                .findFirst()
+                .ifPresentOrElse(i -> sensors.set(i, sensor), () -> sensors.add(sensor));
+    }
+
+    private SensorSpec readSensor(XmlElement node, List<SensorSpec> standard) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        String id = fields.id("id");
+        Optional<SensorSpec> seated =
+                standard.stream().filter(sensor -> sensor.id().equals(id)).findFirst();
+        SensorSpec usual = seated.orElseGet(() -> readCustomSensor(id, fields));
+        SensorSpec sensor = readAttributes(fields, usual);
+        fields.reportUnknownAndMissing();
+        return sensor;
+    }
+
+    private static SensorSpec readCustomSensor(String id, AttributeReader fields) {
+        Vector2 seat =
+                new Vector2(fields.number("x", NumberRange.COORDINATE), fields.number("y", NumberRange.COORDINATE));
+        double bearing = fields.angle("bearing", NumberRange.ANGLE);
+        return new SensorSpec(id, seat, bearing, SensorSpec.DEFAULT_RANGE, SensorSpec.DEFAULT_CONE, true, 0);
+    }
+
+    /** Returns a sensor with the attributes of a file, and with those of another sensor where the file has none. */
+    static SensorSpec readAttributes(AttributeReader fields, SensorSpec usual) {
+        Vector2 seat = new Vector2(
+                fields.number("x", NumberRange.COORDINATE, usual.mountPosition().x()),
+                fields.number("y", NumberRange.COORDINATE, usual.mountPosition().y()));
+        return new SensorSpec(
+                usual.id(),
+                seat,
+                fields.angle("bearing", NumberRange.ANGLE, usual.bearing()),
+                fields.number("range", NumberRange.SIZE, usual.range()),
+                fields.cone(usual.cone()),
+                fields.flag("on", usual.on()),
+                fields.number("noise", NumberRange.NOISE, usual.noise()));
+    }
+}

@@ -1,0 +1,63 @@
+package faultline.scenario.xml;
+
+import faultline.geometry.Pose;
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import java.util.List;
+
+/** Writes the robot. Sensors that are just the standard ones are left to the default. */
+final class RobotWriter {
+
+    private RobotWriter() {}
+
+    static void write(RobotSpec robot, Pose start, XmlWriter out) {
+        List<SensorSpec> standard = RobotSpec.standardSensors(robot.length(), robot.width());
+        boolean defaults = startsWithIdsOf(standard, robot.sensors());
+        WorldWriter.writePose(start, out.beginElement("robot"))
+                .attribute("length", robot.length())
+                .attribute("width", robot.width())
+                .attribute("track", robot.track())
+                .attribute("speed", robot.speed())
+                .angleAttribute("turnRate", robot.turnRate())
+                .attribute("defaultSensors", defaults);
+        writeMotor(robot.motor(), out);
+        robot.sensors().stream()
+                .filter(sensor -> !(defaults && standard.contains(sensor)))
+                .forEach(sensor -> writeSensor(sensor, out));
+        out.endElement();
+    }
+
+    private static boolean startsWithIdsOf(List<SensorSpec> standard, List<SensorSpec> sensors) {
+        return sensors.size() >= standard.size()
+                && ids(sensors.subList(0, standard.size())).equals(ids(standard));
+    }
+
+    private static List<String> ids(List<SensorSpec> sensors) {
+        return sensors.stream().map(SensorSpec::id).toList();
+    }
+
+    private static void writeMotor(MotorSpec motor, XmlWriter out) {
+        out.beginElement("motor")
+                .attribute("timeConstant", motor.timeConstant())
+                .attribute("speedConstant", motor.speedConstant())
+                .attribute("maxVoltage", motor.maxVoltage())
+                .endElement();
+    }
+
+    private static void writeSensor(SensorSpec sensor, XmlWriter out) {
+        writeSettings(sensor, out.beginElement("sensor").attribute("id", sensor.id()))
+                .endElement();
+    }
+
+    /** All of a sensor but its id. */
+    static XmlWriter writeSettings(SensorSpec sensor, XmlWriter out) {
+        return out.attribute("x", sensor.mountPosition().x())
+                .attribute("y", sensor.mountPosition().y())
+                .angleAttribute("bearing", sensor.bearing())
+                .attribute("range", sensor.range())
+                .angleAttribute("cone", sensor.cone())
+                .attribute("on", sensor.on())
+                .attribute("noise", sensor.noise());
+    }
+}

@@ -1,0 +1,32 @@
+package faultline.scenario.xml;
+
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
+import faultline.io.XmlText;
+
+/**
+ * The content of a scenario file.
+ *
+ * @param name a name for people; on one line
+ * @param description a description for people, may be empty; on one line
+ * @param recorded whether the file is the record of a run
+ * @param setup the setup of the run
+ * @param expectation the expected result
+ */
+public record ScenarioContent(
+        String name, String description, boolean recorded, SimulationSetup setup, Expectation expectation) {
+
+    /** The duration if the file has none, seconds. */
+    static final double DEFAULT_DURATION = 120;
+
+    /** The length of a tick if the file has none, seconds. */
+    static final double DEFAULT_TICK = 0.01;
+
+    /** The seed if the file has none. */
+    static final long DEFAULT_SEED = 1;
+
+    public ScenarioContent {
+        name = XmlText.oneLine(name);
+        description = XmlText.oneLine(description);
+    }
+}

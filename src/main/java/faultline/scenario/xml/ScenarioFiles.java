@@ -1,0 +1,109 @@
+package faultline.scenario.xml;
+
+import faultline.io.AtomicFile;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Reads and writes scenario files. */
+public final class ScenarioFiles {
+
+    private ScenarioFiles() {}
+
+    /**
+     * Reads a scenario file.
+     *
+     * @throws ScenarioException with everything that is wrong with the file
+     */
+    public static ScenarioContent read(Path file) throws ScenarioException {
+        return parse(file.toString(), readBytes(file));
+    }
+
+    static byte[] readBytes(Path file) throws ScenarioException {
+        String name = file.toString();
+        try {
+            checkRegularFile(name, file);
+            return Files.readAllBytes(file);
+        } catch (NoSuchFileException e) {
+            throw problem(name, "there is no such file");
+        } catch (IOException e) {
+            throw problem(name, "the file cannot be read");
+        }
+    }
+
+    /** A device or a pipe could go on for ever, so this comes before anything is read. */
+    private static void checkRegularFile(String name, Path file) throws ScenarioException, IOException {
+        if (Files.isDirectory(file)) {
+            throw problem(name, "this is a folder, allowed is a scenario file");
+        }
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw problem(name, "this is no regular file, allowed is a scenario file");
+        }
+        if (Files.size(file) > ScenarioLimits.MAX_BYTES) {
+            throw problem(name, "the file has " + Files.size(file) + " bytes, allowed is " + ScenarioLimits.MAX_BYTES);
+        }
+    }
+
+    /**
+     * Reads a scenario that is part of the program.
+     *
+     * @param name the name of a file in the folder {@code scenarios}
+     * @throws ScenarioException if there is none of that name
+     */
+    public static ScenarioContent readShipped(String name) throws ScenarioException {
+        try (InputStream in = ScenarioFiles.class.getResourceAsStream("/scenarios/" + name)) {
+            if (in == null) {
+                throw problem(name, "no such scenario ships with the program");
+            }
+            return parse(name, in.readAllBytes());
+        } catch (IOException e) {
+            throw problem(name, "the scenario cannot be read from the program's own files");
+        }
+    }
+
+    /**
+     * Parses the content of a scenario file.
+     *
+     * @param name the name of the file in problems
+     * @param bytes the content
+     * @throws ScenarioException with everything that is wrong with it
+     */
+    public static ScenarioContent parse(String name, byte[] bytes) throws ScenarioException {
+        if (bytes.length == 0) {
+            throw problem(name, "the file is empty, allowed is a scenario");
+        }
+        return ScenarioReader.read(name, bytes);
+    }
+
+    /**
+     * Writes a scenario file, completely or not at all.
+     *
+     * @param content the content, which is checked to read back the same
+     * @param file the file; an existing one is replaced
+     * @param comments the comments that a person has put into the file
+     * @throws IOException if the file cannot be written, or the content is beyond the limits of the format
+     */
+    public static void write(ScenarioContent content, Path file, XmlComments comments) throws IOException {
+        byte[] bytes = ScenarioWriter.toBytes(content, comments);
+        try (AtomicFile out = AtomicFile.create(file)) {
+            out.stream().write(bytes);
+            out.commit();
+        }
+    }
+
+    /**
+     * Returns the bytes of a scenario file, which are checked to read back the same.
+     *
+     * @throws IOException if the content is beyond the limits of the format
+     */
+    public static byte[] toBytes(ScenarioContent content) throws IOException {
+        return ScenarioWriter.toBytes(content, XmlComments.NONE);
+    }
+
+    private static ScenarioException problem(String name, String text) {
+        return new ScenarioException(List.of(new Problem(name, SourceLocation.NONE, text)));
+    }
+}

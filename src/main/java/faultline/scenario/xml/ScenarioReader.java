@@ -1,0 +1,121 @@
+package faultline.scenario.xml;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.engine.metrics.Expectation;
+import faultline.io.MessageText;
+import faultline.world.WorldSpec;
+import java.util.List;
+import java.util.Optional;
+
+/** Makes a scenario of a file's bytes, or says all that is wrong with them. */
+final class ScenarioReader {
+
+    private static final List<String> CHILD_ELEMENTS =
+            List.of("description", "world", "robot", "controller", "timeline", "expect");
+
+    private final Problems problems;
+    private final ObstacleReader obstacleReader;
+    private final WorldReader worldReader;
+
+    /** What the root element itself says. */
+    private record Header(String name, String description, boolean recorded, double duration, double tick, long seed) {}
+
+    private ScenarioReader(Problems complaints) {
+        this.problems = complaints;
+        this.obstacleReader = new ObstacleReader(complaints);
+        this.worldReader = new WorldReader(complaints, obstacleReader);
+    }
+
+    /**
+     * Reads a scenario.
+     *
+     * @param file the name that complaints give it
+     * @param bytes its content
+     * @return the scenario
+     * @throws ScenarioException with everything that is wrong
+     */
+    static ScenarioContent read(String file, byte[] bytes) throws ScenarioException {
+        Problems complaints = new Problems(file);
+        XmlParser parsing = new XmlParser(bytes, complaints);
+        Optional<ScenarioContent> scenario = parsing.parse().flatMap(root -> new ScenarioReader(complaints).read(root));
+        if (complaints.isEmpty()) {
+            parsing.reportSchemaError();
+        }
+        complaints.throwIfAny();
+        return scenario.orElseThrow();
+    }
+
+    private Optional<ScenarioContent> read(XmlElement root) {
+        if (!root.name().equals("scenario")) {
+            problems.add(
+                    root,
+                    "the root element is <" + MessageText.oneLine(root.name()) + ">, allowed is <scenario xmlns=\""
+                            + ScenarioSchema.NAMESPACE + "\">");
+            return Optional.empty();
+        }
+        ElementRules.checkChildren(root, CHILD_ELEMENTS, problems);
+        ElementRules.checkAtMostOne(root, CHILD_ELEMENTS, problems);
+        return readSections(root);
+    }
+
+    /** Reads every section, so that all complaints come at once. */
+    private Optional<ScenarioContent> readSections(XmlElement root) {
+        Header head = readHeader(root);
+        Optional<WorldSpec> world = requiredSection(root, "world").map(worldReader::read);
+        Optional<RobotReader.PlacedRobot> robot = requiredSection(root, "robot").map(new RobotReader(problems)::read);
+        ControllerSpec controller = root.firstChild("controller")
+                .map(node -> ControllerReader.read(node, problems))
+                .orElse(ControllerSpec.WallFollowing.DEFAULT);
+        Expectation expect = root.firstChild("expect")
+                .map(new ExpectationReader(problems, controller)::read)
+                .orElse(Expectation.NONE);
+        if (world.isEmpty() || robot.isEmpty()) {
+            return Optional.empty();
+        }
+        SimulationSetup setup = new SimulationSetup(
+                world.get(),
+                robot.get().spec(),
+                robot.get().start(),
+                controller,
+                readTimeline(root, robot.get()),
+                head.tick,
+                head.seed,
+                head.duration);
+        if (problems.isEmpty()) {
+            StartPoseCheck.check(root.firstChild("robot").orElseThrow(), setup, problems);
+        }
+        return Optional.of(new ScenarioContent(head.name, head.description, head.recorded, setup, expect));
+    }
+
+    private Header readHeader(XmlElement root) {
+        AttributeReader fields = new AttributeReader(root, problems);
+        Header head = new Header(
+                fields.text("name").orElse(""),
+                root.firstChild("description")
+                        .map(node -> ElementRules.readText(node, problems))
+                        .orElse(""),
+                fields.flag("recorded", false),
+                fields.number("duration", NumberRange.TIME, ScenarioContent.DEFAULT_DURATION),
+                fields.number("tick", NumberRange.TICK, ScenarioContent.DEFAULT_TICK),
+                fields.integer("seed", Long.MIN_VALUE, Long.MAX_VALUE, ScenarioContent.DEFAULT_SEED));
+        fields.reportUnknownAndMissing();
+        return head;
+    }
+
+    /** Comes after the world and the robot, whose ids it names. */
+    private List<TimedCommand> readTimeline(XmlElement root, RobotReader.PlacedRobot robot) {
+        return root.firstChild("timeline")
+                .map(new TimelineReader(problems, obstacleReader, robot.spec(), worldReader.ids())::read)
+                .orElse(List.of());
+    }
+
+    private Optional<XmlElement> requiredSection(XmlElement root, String name) {
+        Optional<XmlElement> section = root.firstChild(name);
+        if (section.isEmpty()) {
+            problems.add(root, "<scenario> lacks the element <" + name + ">, allowed is one");
+        }
+        return section;
+    }
+}

@@ -1,0 +1,87 @@
+package faultline.scenario.xml;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+
+/** Writes a scenario as a file that reads back to an equal one. */
+final class ScenarioWriter {
+
+    private ScenarioWriter() {}
+
+    /**
+     * The file's bytes.
+     *
+     * @throws IOException if the scenario holds what no file may, such as a size beyond the limits
+     */
+    static byte[] toBytes(ScenarioContent scenario, XmlComments remarks) throws IOException {
+        byte[] bytes = toText(scenario, remarks).getBytes(StandardCharsets.UTF_8);
+        try {
+            if (!ScenarioReader.read("", bytes).equals(scenario)) {
+                throw new IOException("the scenario cannot be saved: it would not read back the same");
+            }
+        } catch (ScenarioException e) {
+            throw new IOException(
+                    "the scenario cannot be saved: " + e.problems().get(0).message(), e);
+        }
+        return bytes;
+    }
+
+    static String toText(ScenarioContent scenario, XmlComments remarks) {
+        SimulationSetup setup = scenario.setup();
+        XmlWriter out = new XmlWriter(remarks);
+        out.beginElement("scenario")
+                .attribute("xmlns", ScenarioSchema.NAMESPACE)
+                .attribute("name", scenario.name())
+                .attribute("duration", setup.duration())
+                .attribute("tick", setup.dt())
+                .attribute("seed", String.valueOf(setup.seed()));
+        if (scenario.recorded()) {
+            out.attribute("recorded", true);
+        }
+        if (!scenario.description().isEmpty()) {
+            out.textElement("description", scenario.description());
+        }
+        WorldWriter.write(setup.world(), out);
+        RobotWriter.write(setup.robot(), setup.start(), out);
+        writeController(setup.controller(), out);
+        if (!setup.timeline().isEmpty()) {
+            TimelineWriter.write(setup.timeline(), out);
+        }
+        writeExpectation(scenario.expectation(), out);
+        return out.endElement().toString();
+    }
+
+    private static void writeController(ControllerSpec spec, XmlWriter out) {
+        out.beginElement("controller");
+        if (spec instanceof ControllerSpec.WallFollowing follow) {
+            out.attribute("type", "wall-follower")
+                    .attribute("distance", follow.distance())
+                    .attribute("hand", follow.side().fileName())
+                    .attribute("period", follow.period())
+                    .attribute("timing", follow.timingRule().fileName());
+        } else if (spec instanceof ControllerSpec.Drive drive) {
+            out.attribute("type", "drive").attribute("left", drive.leftVolts()).attribute("right", drive.rightVolts());
+        } else {
+            out.attribute("type", "none");
+        }
+        out.endElement();
+    }
+
+    private static void writeExpectation(Expectation expect, XmlWriter out) {
+        if (expect.equals(Expectation.NONE)) {
+            return;
+        }
+        out.beginElement("expect");
+        expect.collision().ifPresent(value -> out.attribute("collision", value));
+        expect.minCoverage().ifPresent(value -> out.attribute("minCoverage", value));
+        expect.maxDistanceRms().ifPresent(value -> out.attribute("maxDistanceRms", value));
+        if (!expect.states().isEmpty()) {
+            out.attribute("states", String.join(" ", expect.states()));
+        }
+        expect.finalState().ifPresent(value -> out.attribute("finalState", value));
+        out.endElement();
+    }
+}

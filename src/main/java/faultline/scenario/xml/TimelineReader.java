@@ -1,0 +1,181 @@
+package faultline.scenario.xml;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Pose;
+import faultline.io.DecimalText;
+import faultline.io.DidYouMean;
+import faultline.io.MessageText;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Fault;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.WorldSpec;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+
+/** Makes commands of the timeline's elements, one handler for each. */
+final class TimelineReader {
+
+    /**
+     * Reads one element: its time is known, its attributes are at hand, and what it comes to is put at the end of the
+     * list.
+     */
+    private interface CommandReader {
+        Stream<TimedCommand> read(XmlElement node, AttributeReader fields, double at);
+    }
+
+    private final Problems problems;
+    private final ObstacleReader obstacleReader;
+    private final RobotSpec robot;
+    private final Map<String, SensorSpec> sensors = new LinkedHashMap<>();
+    private final Set<String> obstacleIds;
+    private final Map<String, CommandReader> readers = new LinkedHashMap<>();
+
+    TimelineReader(Problems complaints, ObstacleReader obstacles, RobotSpec robot, Set<String> obstacleIds) {
+        this.problems = complaints;
+        this.obstacleReader = obstacles;
+        this.robot = robot;
+        this.obstacleIds = new LinkedHashSet<>(obstacleIds);
+        robot.sensors().forEach(sensor -> sensors.put(sensor.id(), sensor));
+        readers.put("fault", this::readFault);
+        readers.put("mend", this::readMend);
+        readers.put("switch", this::readSwitch);
+        readers.put("tune", this::readTune);
+        readers.put("move", this::readMove);
+        readers.put("put", this::readPut);
+        readers.put("remove", this::readRemove);
+        readers.put("platform", this::readPlatform);
+    }
+
+    List<TimedCommand> read(XmlElement timeline) {
+        ElementRules.checkChildren(timeline, readers.keySet(), problems);
+        new AttributeReader(timeline, problems).reportUnknownAndMissing();
+        timeline.childrenNamed("put").flatMap(node -> node.children().stream()).forEach(child -> Optional.ofNullable(
+                        child.attributes().get("id"))
+                .ifPresent(obstacleIds::add));
+        List<TimedCommand> commands = new ArrayList<>();
+        for (XmlElement node : timeline.children()) {
+            Optional.ofNullable(readers.get(node.name()))
+                    .ifPresent(handler -> read(node, handler).forEach(commands::add));
+        }
+        return commands;
+    }
+
+    private Stream<TimedCommand> read(XmlElement node, CommandReader handler) {
+        ElementRules.checkChildren(
+                node, node.name().equals("put") ? obstacleReader.elementNames() : List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        double at = fields.number("at", NumberRange.TIME);
+        List<TimedCommand> commands = handler.read(node, fields, at).toList();
+        fields.reportUnknownAndMissing();
+        return commands.stream();
+    }
+
+    private Stream<TimedCommand> readFault(XmlElement node, AttributeReader fields, double at) {
+        String sensor = readSensorId(fields);
+        Optional<Fault> fault = FaultAttributes.read(fields);
+        Stream<TimedCommand> breaks =
+                fault.stream().map(broken -> new TimedCommand(at, new Command.InjectFault(sensor, broken)));
+        if (!fields.isPresent("until")) {
+            return breaks;
+        }
+        double until = fields.number("until", NumberRange.TIME);
+        if (until <= at) {
+            problems.add(
+                    node,
+                    "until of <fault> is " + DecimalText.format(until) + ", allowed is a time after at, which is "
+                            + DecimalText.format(at));
+        }
+        return Stream.concat(
+                breaks, fault.stream().map(mended -> new TimedCommand(until, new Command.ClearFault(sensor, mended))));
+    }
+
+    private Stream<TimedCommand> readMend(XmlElement node, AttributeReader fields, double at) {
+        String sensor = readSensorId(fields);
+        if (fields.isPresent("kind") || fields.isPresent("value")) {
+            return FaultAttributes.read(fields).stream()
+                    .map(fault -> new TimedCommand(at, new Command.ClearFault(sensor, fault)));
+        }
+        return singleCommand(at, new Command.ClearFaults(sensor));
+    }
+
+    private Stream<TimedCommand> readSwitch(XmlElement node, AttributeReader fields, double at) {
+        return singleCommand(at, new Command.SwitchSensor(readSensorId(fields), fields.flag("on")));
+    }
+
+    private Stream<TimedCommand> readTune(XmlElement node, AttributeReader fields, double at) {
+        SensorSpec usual = sensors.getOrDefault(
+                readSensorId(fields), RobotSpec.DEFAULT.sensors().get(0));
+        return singleCommand(at, new Command.ConfigureSensor(RobotReader.readAttributes(fields, usual)));
+    }
+
+    private Stream<TimedCommand> readMove(XmlElement node, AttributeReader fields, double at) {
+        Pose pose = new Pose(
+                fields.number("x", NumberRange.COORDINATE),
+                fields.number("y", NumberRange.COORDINATE),
+                fields.angle("heading", NumberRange.ANGLE, 0));
+        return singleCommand(at, new Command.MoveObstacle(readObstacleId(fields), pose));
+    }
+
+    private Stream<TimedCommand> readPut(XmlElement node, AttributeReader fields, double at) {
+        List<XmlElement> inside = node.children().stream()
+                .filter(child -> obstacleReader.elementNames().contains(child.name()))
+                .toList();
+        if (inside.size() != 1) {
+            problems.add(
+                    node,
+                    "<put> holds " + inside.size() + " obstacles, allowed is one of "
+                            + MessageText.joinNames(obstacleReader.elementNames()));
+            return Stream.empty();
+        }
+        Obstacle obstacle = obstacleReader.read(inside.get(0));
+        if (obstacle.id().equals(WorldSpec.ENCLOSURE)) {
+            problems.add(inside.get(0), WorldReader.reservedIdMessage(inside.get(0)));
+        }
+        return singleCommand(at, new Command.PlaceObstacle(obstacle));
+    }
+
+    private Stream<TimedCommand> readRemove(XmlElement node, AttributeReader fields, double at) {
+        return singleCommand(at, new Command.RemoveObstacle(readObstacleId(fields)));
+    }
+
+    private Stream<TimedCommand> readPlatform(XmlElement node, AttributeReader fields, double at) {
+        return singleCommand(
+                at,
+                new Command.SetPlatform(
+                        fields.number("length", NumberRange.SIZE, robot.length()),
+                        fields.number("width", NumberRange.SIZE, robot.width()),
+                        fields.number("speed", NumberRange.POSITIVE_SPEED, robot.speed())));
+    }
+
+    private static Stream<TimedCommand> singleCommand(double at, Command command) {
+        return Stream.of(new TimedCommand(at, command));
+    }
+
+    private String readSensorId(AttributeReader fields) {
+        return readKnownId(fields, "sensor", sensors.keySet(), "the robot's sensors");
+    }
+
+    private String readObstacleId(AttributeReader fields) {
+        return readKnownId(fields, "obstacle", obstacleIds, "the obstacles");
+    }
+
+    private static String readKnownId(AttributeReader fields, String attribute, Set<String> ids, String what) {
+        String id = fields.id(attribute);
+        if (fields.isPresent(attribute) && !ids.contains(id) && !id.equals("?")) {
+            fields.report(
+                    attribute,
+                    id,
+                    (ids.isEmpty() ? "none: there are none" : "one of " + what + ": " + MessageText.joinNames(ids))
+                            + DidYouMean.hint(id, ids));
+        }
+        return id;
+    }
+}

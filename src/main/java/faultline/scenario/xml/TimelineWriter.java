@@ -1,0 +1,99 @@
+package faultline.scenario.xml;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.util.List;
+
+/** Writes the timeline. A fault that the next command clears is written as one element with {@code until}. */
+final class TimelineWriter implements Command.Visitor<XmlWriter> {
+
+    private final XmlWriter out;
+    private double time;
+
+    private TimelineWriter(XmlWriter out) {
+        this.out = out;
+    }
+
+    static void write(List<TimedCommand> commands, XmlWriter out) {
+        TimelineWriter writer = new TimelineWriter(out);
+        out.beginElement("timeline");
+        for (int i = 0; i < commands.size(); i++) {
+            writer.time = commands.get(i).time();
+            XmlWriter element = commands.get(i).command().accept(writer);
+            if (i + 1 < commands.size() && isClearedBy(commands.get(i), commands.get(i + 1))) {
+                i++;
+                element.attribute("until", commands.get(i).time());
+            }
+            element.endElement();
+        }
+        out.endElement();
+    }
+
+    private static boolean isClearedBy(TimedCommand first, TimedCommand second) {
+        return first.command() instanceof Command.InjectFault inject
+                && second.time() > first.time()
+                && second.command().equals(new Command.ClearFault(inject.sensor(), inject.fault()));
+    }
+
+    private XmlWriter begin(String name) {
+        return out.beginElement(name).attribute("at", time);
+    }
+
+    private XmlWriter beginFault(String name, String sensor, Fault fault) {
+        begin(name).attribute("sensor", sensor).attribute("kind", fault.kind().fileName());
+        return fault.kind().takesValue() ? out.attribute("value", fault.value()) : out;
+    }
+
+    @Override
+    public XmlWriter visit(Command.SwitchSensor command) {
+        return begin("switch").attribute("sensor", command.sensor()).attribute("on", command.on());
+    }
+
+    @Override
+    public XmlWriter visit(Command.ConfigureSensor command) {
+        return RobotWriter.writeSettings(
+                command.sensor(),
+                begin("tune").attribute("sensor", command.sensor().id()));
+    }
+
+    @Override
+    public XmlWriter visit(Command.InjectFault command) {
+        return beginFault("fault", command.sensor(), command.fault());
+    }
+
+    @Override
+    public XmlWriter visit(Command.ClearFault command) {
+        return beginFault("mend", command.sensor(), command.fault());
+    }
+
+    @Override
+    public XmlWriter visit(Command.ClearFaults command) {
+        return begin("mend").attribute("sensor", command.sensor());
+    }
+
+    @Override
+    public XmlWriter visit(Command.MoveObstacle command) {
+        return WorldWriter.writePose(command.pose(), begin("move").attribute("obstacle", command.obstacle()));
+    }
+
+    @Override
+    public XmlWriter visit(Command.PlaceObstacle command) {
+        begin("put");
+        WorldWriter.writeObstacle(command.obstacle(), out);
+        return out;
+    }
+
+    @Override
+    public XmlWriter visit(Command.RemoveObstacle command) {
+        return begin("remove").attribute("obstacle", command.obstacle());
+    }
+
+    @Override
+    public XmlWriter visit(Command.SetPlatform command) {
+        return begin("platform")
+                .attribute("length", command.length())
+                .attribute("width", command.width())
+                .attribute("speed", command.speed());
+    }
+}

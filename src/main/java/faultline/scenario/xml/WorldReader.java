@@ -1,0 +1,84 @@
+package faultline.scenario.xml;
+
+import faultline.io.MessageText;
+import faultline.world.Obstacle;
+import faultline.world.WorldSpec;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** Makes the world of its element. */
+final class WorldReader {
+
+    private final Problems problems;
+    private final ObstacleReader obstacles;
+    private final Map<String, SourceLocation> ids = new LinkedHashMap<>();
+    private int movingCount;
+
+    WorldReader(Problems complaints, ObstacleReader obstacles) {
+        this.problems = complaints;
+        this.obstacles = obstacles;
+    }
+
+    WorldSpec read(XmlElement node) {
+        ElementRules.checkChildren(node, obstacles.elementNames(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        double width = fields.number("width", NumberRange.SIZE);
+        double height = fields.number("height", NumberRange.SIZE);
+        boolean enclosed = fields.flag("enclosed", true);
+        int maxMoving = (int) fields.integer("maxMoving", 0, ScenarioLimits.MAX_PARTS, WorldSpec.DEFAULT_MAX_MOVING);
+        fields.reportUnknownAndMissing();
+        List<Obstacle> list = obstacles(node, maxMoving);
+        return new WorldSpec(
+                width, height, enclosed, Math.max(maxMoving, movingCount), problems.isEmpty() ? list : List.of());
+    }
+
+    /** The ids of all obstacles that were read, in the file's order. */
+    Set<String> ids() {
+        return ids.keySet();
+    }
+
+    private List<Obstacle> obstacles(XmlElement world, int maxMoving) {
+        List<Obstacle> list = new ArrayList<>();
+        for (XmlElement child : world.children()) {
+            if (obstacles.isFull()) {
+                problems.add(
+                        child,
+                        "<world> holds too much, allowed is " + ScenarioLimits.MAX_PARTS
+                                + " obstacles and points together");
+                return list;
+            }
+            if (obstacles.elementNames().contains(child.name())) {
+                Obstacle obstacle = obstacles.read(child);
+                checkId(child, obstacle.id());
+                checkMotion(child, obstacle, maxMoving);
+                list.add(obstacle);
+            }
+        }
+        return list;
+    }
+
+    private void checkId(XmlElement node, String id) {
+        if (id.equals(WorldSpec.ENCLOSURE)) {
+            problems.add(node, reservedIdMessage(node));
+        }
+        ElementRules.checkUniqueId(node, id, ids, problems);
+    }
+
+    /** The complaint about an obstacle that is called like the wall round the world. */
+    static String reservedIdMessage(XmlElement node) {
+        return "id of <" + node.name() + "> is \"" + WorldSpec.ENCLOSURE
+                + "\", allowed is any other: it names the wall round the world";
+    }
+
+    private void checkMotion(XmlElement node, Obstacle obstacle, int maxMoving) {
+        if (obstacle.motion().isPresent() && ++movingCount > maxMoving) {
+            problems.add(
+                    node,
+                    "<" + node.name() + "> " + MessageText.quoted(obstacle.id()) + " is moving obstacle number "
+                            + movingCount + ", allowed is " + maxMoving + " (maxMoving of <world>)");
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package faultline.scenario.xml;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.xml.sax.Attributes;
+import org.xml.sax.InputSource;
+import org.xml.sax.SAXException;
+import org.xml.sax.XMLReader;
+import org.xml.sax.ext.DefaultHandler2;
+
+/**
+ * The comments of a file that a person has written by hand, so that they outlive a save. Each stays before the element
+ * that it stands before, wherever that is written; where it is written no more, the comment moves to the end of what it
+ * stood in.
+ */
+public final class XmlComments {
+
+    /** No comment at all. */
+    public static final XmlComments NONE = new XmlComments(List.of());
+
+    /**
+     * One comment.
+     *
+     * @param index from 0, in the file's order
+     * @param anchor the path of the element that follows it in the same parent; where none does, the parent's path and
+     *     a slash
+     * @param text all between the comment's marks
+     */
+    record XmlComment(int index, String anchor, String text) {}
+
+    private final List<XmlComment> comments;
+
+    private XmlComments(List<XmlComment> all) {
+        this.comments = List.copyOf(all);
+    }
+
+    /**
+     * Those of a file.
+     *
+     * @param file a scenario file; slow, and for other threads than the event dispatch thread
+     * @return none where the file cannot be read
+     */
+    public static XmlComments read(Path file) {
+        try {
+            return read(ScenarioFiles.readBytes(file));
+        } catch (ScenarioException unreadable) {
+            return NONE;
+        }
+    }
+
+    static XmlComments read(byte[] bytes) {
+        Collector collector = new Collector();
+        try {
+            XMLReader reader = XmlParser.newNonValidatingParser().getXMLReader();
+            reader.setProperty("http://xml.org/sax/properties/lexical-handler", collector);
+            reader.setContentHandler(collector);
+            reader.setErrorHandler(collector);
+            reader.parse(new InputSource(new ByteArrayInputStream(bytes)));
+            return new XmlComments(collector.found);
+        } catch (SAXException | IOException broken) {
+            return NONE;
+        }
+    }
+
+    /** In the file's order. */
+    List<XmlComment> comments() {
+        return comments;
+    }
+
+    /** Collects comments, and gives each its element as soon as that begins. */
+    private static final class Collector extends DefaultHandler2 {
+
+        private final ElementPath path = new ElementPath();
+        private final List<XmlComment> found = new ArrayList<>();
+        private final List<String> pending = new ArrayList<>();
+
+        @Override
+        public void comment(char[] buffer, int start, int length) {
+            pending.add(new String(buffer, start, length));
+        }
+
+        @Override
+        public void startElement(String uri, String localName, String qName, Attributes attributes) {
+            String id = attributes.getValue("id");
+            path.enter(localName, id == null ? "" : id);
+            flushPending(path.current());
+        }
+
+        @Override
+        public void endElement(String uri, String localName, String qName) {
+            flushPending(path.current() + "/");
+            path.leave();
+        }
+
+        @Override
+        public void endDocument() {
+            flushPending("/");
+        }
+
+        private void flushPending(String before) {
+            pending.forEach(text -> found.add(new XmlComment(found.size(), before, text)));
+            pending.clear();
+        }
+    }
+}

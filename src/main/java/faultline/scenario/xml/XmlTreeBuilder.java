@@ -1,0 +1,138 @@
+package faultline.scenario.xml;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.xml.sax.Attributes;
+import org.xml.sax.Locator;
+import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
+import org.xml.sax.ext.Attributes2;
+import org.xml.sax.helpers.DefaultHandler;
+
+/**
+ * Builds the tree of elements from one pass of the parser, and remembers the first thing that the schema took offence
+ * at.
+ */
+final class XmlTreeBuilder extends DefaultHandler {
+
+    /** Ends the pass because the file goes beyond a limit. */
+    static final class LimitExceededException extends SAXException {
+
+        private static final long serialVersionUID = 1L;
+
+        LimitExceededException(String message) {
+            super(message);
+        }
+    }
+
+    /** An element whose end tag has not come yet. */
+    private record PendingElement(XmlElement node, StringBuilder text) {}
+
+    private static final Attributes2 NO_ATTRIBUTES = new org.xml.sax.ext.Attributes2Impl();
+
+    private final Deque<PendingElement> pendingElements = new ArrayDeque<>();
+    private Locator locator;
+    private int elementCount;
+    private Optional<XmlElement> root = Optional.empty();
+    private Optional<SAXParseException> schemaError = Optional.empty();
+
+    @Override
+    public void setDocumentLocator(Locator parserLocator) {
+        locator = parserLocator;
+    }
+
+    @Override
+    public void startElement(String uri, String localName, String qName, Attributes attributes) throws SAXException {
+        if (++elementCount > ScenarioLimits.MAX_ELEMENTS) {
+            throw new LimitExceededException(
+                    "the file has too many elements, allowed is " + ScenarioLimits.MAX_ELEMENTS);
+        }
+        if (pendingElements.size() == ScenarioLimits.MAX_DEPTH) {
+            throw new LimitExceededException(
+                    "the elements are nested too deep, allowed is " + ScenarioLimits.MAX_DEPTH);
+        }
+        String name = uri.equals(ScenarioSchema.NAMESPACE) ? localName : foreignName(uri, qName);
+        pendingElements.push(new PendingElement(
+                new XmlElement(name, location(), specifiedAttributes(attributes), new ArrayList<>(), ""),
+                new StringBuilder()));
+    }
+
+    /** An element outside of our namespace is shown with its own, so that it cannot pass for one of ours. */
+    private static String foreignName(String uri, String qName) {
+        return qName + (uri.isEmpty() ? " xmlns=\"\"" : " xmlns=\"" + uri + "\"");
+    }
+
+    private static Map<String, String> specifiedAttributes(Attributes attributes) {
+        Attributes2 all = attributes instanceof Attributes2 detailed ? detailed : NO_ATTRIBUTES;
+        Map<String, String> given = new LinkedHashMap<>();
+        for (int i = 0; i < all.getLength(); i++) {
+            if (all.isSpecified(i)) {
+                given.put(attributeName(all, i), all.getValue(i));
+            }
+        }
+        return given;
+    }
+
+    private static String attributeName(Attributes attributes, int index) {
+        boolean schemaInstance = attributes.getURI(index).equals("http://www.w3.org/2001/XMLSchema-instance");
+        return schemaInstance ? "xsi:" + attributes.getLocalName(index) : attributes.getQName(index);
+    }
+
+    private SourceLocation location() {
+        return new SourceLocation(locator.getLineNumber(), locator.getColumnNumber());
+    }
+
+    @Override
+    public void characters(char[] buffer, int start, int length) {
+        pendingElements.peek().text.append(buffer, start, length);
+    }
+
+    /** Under a schema the parser takes some text for white space that is none. */
+    @Override
+    public void ignorableWhitespace(char[] buffer, int start, int length) {
+        characters(buffer, start, length);
+    }
+
+    @Override
+    public void endElement(String uri, String localName, String qName) {
+        PendingElement done = pendingElements.pop();
+        XmlElement raw = done.node;
+        XmlElement node =
+                new XmlElement(raw.name(), raw.location(), raw.attributes(), raw.children(), done.text.toString());
+        if (pendingElements.isEmpty()) {
+            root = Optional.of(node);
+        } else {
+            pendingElements.peek().node.children().add(node);
+        }
+    }
+
+    /** The schema's errors come here; the parser's own are fatal. */
+    @Override
+    public void error(SAXParseException exception) {
+        schemaError = schemaError.isPresent() ? schemaError : Optional.of(exception);
+    }
+
+    @Override
+    public void fatalError(SAXParseException exception) throws SAXException {
+        throw exception;
+    }
+
+    Optional<XmlElement> root() {
+        return root;
+    }
+
+    /** What the schema complained of first. */
+    Optional<SAXParseException> schemaError() {
+        return schemaError;
+    }
+
+    /** The elements that are still open, the innermost first. */
+    List<XmlElement> openElements() {
+        return pendingElements.stream().map(PendingElement::node).toList();
+    }
+}

@@ -1,0 +1,155 @@
+package faultline.scenario.xml;
+
+import faultline.io.DecimalText;
+import faultline.io.XmlText;
+import faultline.scenario.xml.XmlComments.XmlComment;
+import java.util.ArrayDeque;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+
+/**
+ * Writes indented XML: one element a line, attributes in the order in which they are given, and a person's comments
+ * where they were. A start tag is held back until it is whole, because the id in it says which comments come before it.
+ */
+final class XmlWriter {
+
+    private final StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    private final StringBuilder startTag = new StringBuilder();
+    private final Deque<String> openElements = new ArrayDeque<>();
+    private final ElementPath path = new ElementPath();
+    /** By the path that each stands before. */
+    private final NavigableMap<String, List<XmlComment>> unwrittenComments;
+
+    private String id = "";
+
+    XmlWriter() {
+        this(XmlComments.NONE);
+    }
+
+    XmlWriter(XmlComments remarks) {
+        unwrittenComments = remarks.comments().stream()
+                .collect(Collectors.groupingBy(XmlComment::anchor, TreeMap::new, Collectors.toList()));
+    }
+
+    /** Begins an element. */
+    XmlWriter beginElement(String name) {
+        finishStartTag(">\n");
+        startTag.append('<').append(name);
+        openElements.push(name);
+        return this;
+    }
+
+    XmlWriter attribute(String name, String value) {
+        if (name.equals("id")) {
+            id = value;
+        }
+        startTag.append(' ')
+                .append(name)
+                .append("=\"")
+                .append(XmlText.escapeAttribute(value))
+                .append('"');
+        return this;
+    }
+
+    XmlWriter attribute(String name, double value) {
+        return attribute(name, DecimalText.format(value));
+    }
+
+    XmlWriter attribute(String name, boolean value) {
+        return attribute(name, String.valueOf(value));
+    }
+
+    /** An angle in radians, written in degrees. */
+    XmlWriter angleAttribute(String name, double radians) {
+        return attribute(name, DecimalText.formatDegrees(radians));
+    }
+
+    /** Ends the innermost element. */
+    XmlWriter endElement() {
+        boolean empty = !startTag.isEmpty();
+        if (empty) {
+            writeStartTag();
+            empty = commentsInside().isEmpty();
+            out.append(empty ? "/>\n" : ">\n");
+        }
+        String name = closeElement();
+        if (!empty) {
+            indent(openElements.size());
+            out.append("</").append(name).append(">\n");
+        }
+        if (openElements.isEmpty()) {
+            writeRemainingComments();
+        }
+        return this;
+    }
+
+    /** A whole element that holds text only. */
+    void textElement(String name, String text) {
+        beginElement(name).finishStartTag(">");
+        out.append(XmlText.escapeText(text)).append("</").append(name).append(">\n");
+        openElements.pop();
+        path.leave();
+    }
+
+    private void finishStartTag(String end) {
+        if (!startTag.isEmpty()) {
+            writeStartTag();
+            out.append(end);
+        }
+    }
+
+    /** Writes what is held back, but for its end. */
+    private void writeStartTag() {
+        path.enter(openElements.peek(), id);
+        id = "";
+        Optional.ofNullable(unwrittenComments.remove(path.current()))
+                .ifPresent(before -> writeComments(before, openElements.size() - 1));
+        indent(openElements.size() - 1);
+        out.append(startTag);
+        startTag.setLength(0);
+    }
+
+    private String closeElement() {
+        writeRemainingComments();
+        path.leave();
+        return openElements.pop();
+    }
+
+    /** What is left to be said inside the element that is open. */
+    private void writeRemainingComments() {
+        writeComments(
+                commentsInside().values().stream()
+                        .flatMap(List::stream)
+                        .sorted(Comparator.comparingInt(XmlComment::index))
+                        .toList(),
+                openElements.size());
+        commentsInside().clear();
+    }
+
+    /** All whose paths begin with that of the open element and a slash. */
+    private Map<String, List<XmlComment>> commentsInside() {
+        return unwrittenComments.subMap(path.current() + "/", path.current() + (char) ('/' + 1));
+    }
+
+    private void writeComments(List<XmlComment> some, int depth) {
+        for (XmlComment remark : some) {
+            indent(depth);
+            out.append("<!--").append(remark.text()).append("-->\n");
+        }
+    }
+
+    private void indent(int depth) {
+        out.append("  ".repeat(depth));
+    }
+
+    @Override
+    public String toString() {
+        return out.toString();
+    }
+}

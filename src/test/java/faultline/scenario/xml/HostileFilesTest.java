@@ -1,0 +1,157 @@
+package faultline.scenario.xml;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import faultline.scenario.Scenario;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Files that are no scenario at all, or that mean harm: one line each. */
+class HostileFilesTest {
+
+    private static final String OPEN = "<scenario xmlns=\"urn:faultline:scenario:1\">";
+
+    @TempDir
+    private Path folder;
+
+    private String problemIn(byte[] bytes) throws IOException {
+        Path file = Files.write(folder.resolve("file.xml"), bytes);
+        return problemIn(file);
+    }
+
+    private String problemIn(String text) throws IOException {
+        return problemIn(text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private String problemIn(Path file) {
+        String message =
+                assertThrows(ScenarioException.class, () -> Scenario.load(file)).getMessage();
+        return message.replace(folder + "/", "");
+    }
+
+    @Test
+    void anUnreadableFileIsReportedWithoutALocation() throws IOException {
+        assertEquals("none.xml: there is no such file", problemIn(folder.resolve("none.xml")));
+        assertEquals(folder + ": this is a folder, allowed is a scenario file", problemIn(folder));
+        assertEquals("file.xml: the file is empty, allowed is a scenario", problemIn(""));
+    }
+
+    @Test
+    void aFileBeyondTheLimitIsRefusedUnread() throws IOException {
+        assertEquals("file.xml: the file has 16777217 bytes, allowed is 16777216", problemIn(new byte[(16 << 20) + 1]));
+    }
+
+    @Test
+    void malformedXmlIsReportedWhereItBreaks() throws IOException {
+        String complaint = "file.xml:1:1: this is not XML, allowed is a document that begins with <scenario>";
+        assertEquals(complaint, problemIn(new byte[] {0, 1, 2, 3}));
+        assertEquals(complaint, problemIn("hello"));
+        assertEquals(
+                "file.xml:1:53: this is not well-formed XML, after \"...lns=\"urn:faultline:scenario:1\"><world></\", inside <world> of line 1",
+                problemIn(OPEN + "<world></robot></scenario>"));
+        assertEquals(
+                "file.xml: the bytes are not text in the encoding that the file names, allowed is UTF-8",
+                problemIn("<?xml version=\"1.0\" encoding=\"klingon\"?><scenario/>"));
+        assertEquals(
+                "file.xml:1:17: the bytes are not text in the encoding that the file names, allowed is UTF-8",
+                problemIn("<scenario name=\"\u00ff\"/>".getBytes(StandardCharsets.ISO_8859_1)));
+    }
+
+    @Test
+    void aWrongRootOrNamespaceIsReportedWithTheRightOne() throws IOException {
+        String allowed = ", allowed is <scenario xmlns=\"urn:faultline:scenario:1\">";
+        assertEquals("file.xml:1:12: the root element is <scenario xmlns=\"\">" + allowed, problemIn("<scenario/>"));
+        assertEquals(
+                "file.xml:1:42: the root element is <scene>" + allowed,
+                problemIn("<scene xmlns=\"urn:faultline:scenario:1\"/>"));
+        assertEquals(
+                "file.xml:1:31: the root element is <svg xmlns=\"urn:x\">" + allowed,
+                problemIn("<svg xmlns=\"urn:x\" width=\"1\"/>"));
+    }
+
+    @Test
+    void noEntityIsReadOrExpanded() throws IOException {
+        assertEquals(
+                "file.xml:2:10: the file has a DOCTYPE, allowed is none",
+                problemIn(
+                        """
+                <?xml version="1.0"?>
+                <!DOCTYPE scenario [<!ENTITY secret SYSTEM "file:///etc/passwd">]>
+                <scenario>&secret;</scenario>
+                """));
+        assertEquals(
+                "file.xml:1:10: the file has a DOCTYPE, allowed is none",
+                problemIn(
+                        """
+                <!DOCTYPE a [<!ENTITY a "aaaaaaaa"><!ENTITY b "&a;&a;&a;&a;"><!ENTITY c "&b;&b;&b;&b;">]><a>&c;</a>
+                """));
+        assertEquals(
+                "file.xml:1:10: the file has a DOCTYPE, allowed is none",
+                problemIn("<!DOCTYPE scenario SYSTEM \"http://localhost:1/scenario.dtd\"><scenario/>"));
+    }
+
+    @Test
+    void deepNestingEndsAtOnce() throws IOException {
+        assertEquals(
+                "file.xml:1:101: the elements are nested too deep, allowed is 20",
+                problemIn(OPEN + "<a>".repeat(1_000_000)));
+    }
+
+    @Test
+    void megabytesOfAttributesComeToOneLine() throws IOException {
+        String points = OPEN + "<world width=\"6\" height=\"4\"><wall id=\"w\" x=\"0\" y=\"0\" points=\""
+                + "1,1 ".repeat(3_000_000) + "\"/></world><robot x=\"1\" y=\"1\"/></scenario>";
+        assertEquals(
+                "points of <wall> holds more points than are left of the 100000 obstacles and points that a file may hold",
+                problemIn(points).split(": ", 2)[1]);
+        String id = OPEN + "<world width=\"6\" height=\"4\"><circle radius=\"1\" x=\"3\" y=\"3\" id=\""
+                + "i".repeat(12_000_000) + "\"/></world><robot x=\"1\" y=\"1\"/></scenario>";
+        assertEquals(
+                "id of <circle> is \"" + "i".repeat(60)
+                        + "...\", allowed is 1 to 100 characters, none of them a comma, a double quote or a "
+                        + "control character",
+                problemIn(id).split(": ", 2)[1]);
+        String number = OPEN + "<world width=\"6\" height=\"" + "4".repeat(12_000_000)
+                + "\"/><robot x=\"1\" y=\"1\"/></scenario>";
+        assertEquals(
+                "height of <world> is \"" + "4".repeat(60)
+                        + "...\", allowed is a number from 0.000001 to 100000 metres",
+                problemIn(number).split(": ", 2)[1]);
+    }
+
+    @Test
+    void hundredsOfThousandsOfElementsComeToOneLine() throws IOException {
+        assertEquals(
+                "the file has too many elements, allowed is 300000",
+                problemIn(OPEN + "<world width=\"6\" height=\"4\">" + "<b/>".repeat(400_000))
+                        .split(": ", 2)[1]);
+        StringBuilder circles = new StringBuilder(OPEN + "<world width=\"6\" height=\"4\">");
+        for (int i = 0; i <= ScenarioLimits.MAX_PARTS; i++) {
+            circles.append("<circle id=\"c").append(i).append("\" x=\"3\" y=\"3\" radius=\"0.1\"/>");
+        }
+        assertEquals(
+                "<world> holds too much, allowed is 100000 obstacles and points together",
+                problemIn(circles + "</world><robot x=\"1\" y=\"1\"/></scenario>")
+                        .split(": ", 2)[1]);
+    }
+
+    @Test
+    void nothingOfAnotherNamespaceHasAnyEffect() throws IOException {
+        assertEquals(
+                "file.xml:1:154: <world> may not hold <xi:include xmlns=\"http://www.w3.org/2001/XInclude\">, allowed is rectangle, circle, "
+                        + "ellipse, polygon, wall",
+                problemIn(OPEN
+                        + "<world width=\"6\" height=\"4\"><xi:include xmlns:xi=\"http://www.w3.org/2001/XInclude\""
+                        + " href=\"file:///etc/passwd\"/></world><robot x=\"1\" y=\"1\"/></scenario>"));
+        assertEquals(
+                "file.xml:1:164: <robot> has no attribute \"xsi:type\", allowed is x, y, heading, length, width, track, speed, turnRate, "
+                        + "defaultSensors",
+                problemIn(OPEN + "<world width=\"6\" height=\"4\"/><robot x=\"1\" y=\"1\" xsi:type=\"motor\" "
+                        + "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\"/></scenario>"));
+    }
+}

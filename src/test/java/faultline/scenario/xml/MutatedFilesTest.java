@@ -1,0 +1,110 @@
+package faultline.scenario.xml;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.scenario.Scenario;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Files damaged at random: each is refused in lines of the promised form, or is a good scenario that runs and reads
+ * back equal.
+ */
+class MutatedFilesTest {
+
+    private static final List<String> PIECES = List.of(
+            "\"",
+            "<",
+            ">",
+            "/",
+            "&",
+            "&#0;",
+            "]]>",
+            "<!--",
+            "-->",
+            "\0",
+            "\n",
+            "é",
+            "-",
+            "e9",
+            ".",
+            "1e308",
+            "NaN",
+            "id",
+            " x=\"1\"",
+            "<robot x=\"1\" y=\"1\"/>",
+            "<world/>",
+            "<?x?>",
+            "xmlns=\"a\"",
+            "'",
+            " ");
+
+    private final Random random = new Random(7);
+
+    @Test
+    void damagedBytesAreRefusedOrRun() {
+        int refused = 0;
+        for (int i = 0; i < 3000; i++) {
+            refused += isRefused(damaged()) ? 1 : 0;
+        }
+        assertTrue(refused > 2000 && refused < 3000, refused + " were refused");
+    }
+
+    @Test
+    void linesTakenOutDoubledOrSwappedAreRefusedOrRun() {
+        List<String> lines = SampleScenario.PLAIN.lines().toList();
+        int refused = 0;
+        for (int i = 0; i < 1000; i++) {
+            int from = random.nextInt(lines.size());
+            String moved = lines.get(random.nextInt(lines.size()));
+            String text = lines.stream()
+                    .map(line -> line.equals(lines.get(from)) ? moved : line)
+                    .collect(Collectors.joining("\n"));
+            refused += isRefused(text) ? 1 : 0;
+        }
+        assertTrue(refused > 500 && refused < 1000, refused + " were refused");
+    }
+
+    private String damaged() {
+        StringBuilder text = new StringBuilder(SampleScenario.PLAIN);
+        int changes = 1 + random.nextInt(3);
+        for (int i = 0; i < changes; i++) {
+            int at = random.nextInt(text.length() - 5);
+            text.replace(
+                    at,
+                    at + random.nextInt(4),
+                    random.nextInt(4) == 0 ? "" : PIECES.get(random.nextInt(PIECES.size())));
+        }
+        return text.toString();
+    }
+
+    private static boolean isRefused(String text) {
+        List<String> complaints = SampleScenario.problems(text);
+        complaints.forEach(line -> assertTrue(line.matches("room\\.xml:(\\d+:\\d+:)? [^\\p{Cc}]{5,}"), line));
+        assertFalse(complaints.stream().anyMatch(line -> line.contains("not as the schema")), complaints + "\n" + text);
+        if (complaints.isEmpty()) {
+            assertRuns(text);
+        }
+        return !complaints.isEmpty();
+    }
+
+    private static void assertRuns(String text) {
+        try {
+            Scenario scenario = Scenario.of(ScenarioReader.read("room.xml", text.getBytes(StandardCharsets.UTF_8)));
+            assertEquals(scenario, SampleScenario.read(ScenarioWriter.toText(scenario.content(), XmlComments.NONE)));
+            try (Simulation simulation = new Simulation(scenario.setup(), ControllerMode.DIRECT)) {
+                simulation.tick();
+                simulation.tick();
+            }
+        } catch (ScenarioException e) {
+            throw new AssertionError(text, e);
+        }
+    }
+}

@@ -1,0 +1,60 @@
+package faultline.scenario.xml;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.scenario.Scenario;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ObstacleXmlTest {
+
+    private static final List<Obstacle> TWO_OBSTACLES = List.of(
+            new Obstacle("desk", new ObstacleShape.Rectangle(1, 0.5), new Pose(2, 1, 0.1)),
+            new Obstacle(
+                    "visitor",
+                    new ObstacleShape.Circle(0.15),
+                    new Pose(1, 3, 0),
+                    Optional.of(new WaypointPath(0.2, true, List.of(new Vector2(1, 3), new Vector2(5, 3))))));
+
+    @Test
+    void whatIsWrittenReadsBackEqual() throws ScenarioException {
+        assertEquals(TWO_OBSTACLES, ObstacleXml.parse(ObstacleXml.format(TWO_OBSTACLES)));
+    }
+
+    @Test
+    void theTextIsWhatAFileHolds() {
+        assertEquals(
+                "<circle id=\"pole\" x=\"1\" y=\"2\" heading=\"0\" radius=\"0.1\"/>\n",
+                ObstacleXml.format(List.of(new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1, 2, 0)))));
+    }
+
+    @Test
+    void aWholeScenarioGivesItsObstacles() throws Exception {
+        Scenario office = Scenario.loadShipped("office.xml");
+        assertEquals(
+                office.setup().world().obstacles(),
+                ObstacleXml.parse(new String(office.toBytes(), StandardCharsets.UTF_8)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "some words",
+                "<circle id=\"pole\" x=\"1\" y=\"2\" radius=\"-1\"/>",
+                "</world>",
+                "<!DOCTYPE x><circle/>"
+            })
+    void textWithoutValidObstaclesIsRefused(String text) {
+        assertThrows(ScenarioException.class, () -> ObstacleXml.parse(text));
+    }
+}

@@ -1,0 +1,247 @@
+package faultline.scenario.xml;
+
+import faultline.control.ControllerSpec;
+import faultline.control.TimingRule;
+import faultline.control.WallSide;
+import faultline.engine.ControllerFactory;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.engine.metrics.Expectation;
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
+import faultline.scenario.Scenario;
+import faultline.sensor.Fault;
+import faultline.sensor.FaultKind;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
+import faultline.world.WorldSpec;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+
+/**
+ * Makes random scenarios with everything in them that a file can hold, and with numbers and names that are hard on
+ * writers.
+ */
+final class RandomScenarios {
+
+    private static final double[] EDGE_VALUES = {
+        0.1 + 0.2,
+        1.0 / 3,
+        1e-6,
+        2.2250738585072014E-308,
+        1e-300,
+        Double.MIN_VALUE,
+        5e-5,
+        12345.678901234567,
+        1e5 - 1e-11
+    };
+    private static final String[] NAMES = {
+        "a", "<&>'", "ø ż 漢", "two words", "x--y", "]]>", "&amp;", "#1;", "😀", " edge "
+    };
+
+    private final Random random;
+
+    RandomScenarios(long seed) {
+        random = new Random(seed);
+    }
+
+    Scenario next() {
+        RobotSpec robot = robot();
+        List<Obstacle> obstacles = list(random.nextInt(6), i -> obstacle(name() + i, i < 3));
+        WorldSpec world = new WorldSpec(size(), size(), false, 3 + random.nextInt(3), obstacles);
+        List<TimedCommand> timeline = new ArrayList<>();
+        IntStream.range(0, random.nextInt(12)).forEach(i -> timeline.addAll(commands(robot, obstacles)));
+        SimulationSetup setup = new SimulationSetup(
+                world,
+                robot,
+                new Pose(-50_000 - random.nextInt(1000), coordinate(), angle()),
+                controller(),
+                timeline,
+                1e-5 + random.nextDouble() / 2,
+                random.nextLong(),
+                edgeValue(0, 1e7));
+        return new Scenario(
+                name() + "\" \n" + name(), name(), random.nextBoolean(), setup, expectation(setup.controller()));
+    }
+
+    private RobotSpec robot() {
+        double length = 0.1 + random.nextDouble();
+        double width = 0.1 + random.nextDouble();
+        List<SensorSpec> sensors =
+                new ArrayList<>(random.nextBoolean() ? RobotSpec.standardSensors(length, width) : List.of());
+        sensors.replaceAll(sensor -> random.nextInt(4) == 0 ? sensor(sensor.id()) : sensor);
+        IntStream.range(0, 1 + random.nextInt(3)).forEach(i -> sensors.add(sensor(name() + i)));
+        MotorSpec motor = new MotorSpec(edgeValue(0, 1000), positive(10), positive(100));
+        return new RobotSpec(
+                length,
+                width,
+                Math.max(0.1, size()),
+                positive(1000),
+                Degrees.toRadians(0.001 + 1000 * random.nextDouble()),
+                motor,
+                sensors);
+    }
+
+    private SensorSpec sensor(String id) {
+        double cone = random.nextInt(10) == 0 ? Math.nextDown(StrictMath.PI) : 1e-9 + 3 * random.nextDouble();
+        return new SensorSpec(id, point(), angle(), size(), cone, random.nextBoolean(), edgeValue(0, 100));
+    }
+
+    private Obstacle obstacle(String id, boolean mayMove) {
+        Optional<WaypointPath> motion =
+                mayMove && random.nextBoolean() ? Optional.of(motion(points(1))) : Optional.empty();
+        ObstacleShape shape = shape();
+        boolean flat = !(shape instanceof ObstacleShape.Circle || shape instanceof ObstacleShape.Ellipse);
+        double specular =
+                flat && random.nextBoolean() ? Math.nextUp(Obstacle.MATT * random.nextDouble()) : Obstacle.MATT;
+        return new Obstacle(id, shape, new Pose(coordinate(), coordinate(), angle()), motion, specular);
+    }
+
+    /** Where the last way-point leads back to the first, not quicker than a file may have it. */
+    private WaypointPath motion(List<Vector2> points) {
+        boolean loop = points.get(0).distanceTo(points.get(points.size() - 1)) > 10 && random.nextBoolean();
+        return new WaypointPath(edgeValue(0, 1000), loop, points);
+    }
+
+    private ObstacleShape shape() {
+        return switch (random.nextInt(5)) {
+            case 0 -> new ObstacleShape.Rectangle(extent(), extent());
+            case 1 -> new ObstacleShape.Circle(extent());
+            case 2 -> new ObstacleShape.Ellipse(extent(), extent());
+            case 3 -> new ObstacleShape.Polygon(points(3));
+            default -> new ObstacleShape.Wall(points(2));
+        };
+    }
+
+    private List<TimedCommand> commands(RobotSpec robot, List<Obstacle> obstacles) {
+        String sensor =
+                robot.sensors().get(random.nextInt(robot.sensors().size())).id();
+        double at = edgeValue(0, 1e6);
+        return switch (random.nextInt(9)) {
+            case 0 -> List.of(new TimedCommand(at, new Command.SwitchSensor(sensor, random.nextBoolean())));
+            case 1 -> List.of(new TimedCommand(at, new Command.ConfigureSensor(sensor(sensor))));
+            case 2 -> List.of(new TimedCommand(at, new Command.InjectFault(sensor, fault())));
+            case 3 -> List.of(new TimedCommand(at, new Command.ClearFault(sensor, fault())));
+            case 4 -> List.of(new TimedCommand(at, new Command.ClearFaults(sensor)));
+            case 5 -> temporaryFault(sensor, at, fault());
+            case 6 -> List.of(new TimedCommand(at, new Command.SetPlatform(size(), size(), positive(1000))));
+            case 7 -> List.of(new TimedCommand(at, new Command.PlaceObstacle(obstacle(name(), true))));
+            default ->
+                obstacles.isEmpty()
+                        ? List.of()
+                        : obstacleCommands(
+                                at,
+                                obstacles.get(random.nextInt(obstacles.size())).id());
+        };
+    }
+
+    /**
+     * A fault and its mending, side by side; now and then the mending is not later, so that it may not be joined to the
+     * fault.
+     */
+    private List<TimedCommand> temporaryFault(String sensor, double at, Fault fault) {
+        double until = random.nextInt(3) == 0 ? at : at + random.nextDouble();
+        return List.of(
+                new TimedCommand(at, new Command.InjectFault(sensor, fault)),
+                new TimedCommand(until, new Command.ClearFault(sensor, fault)));
+    }
+
+    private List<TimedCommand> obstacleCommands(double at, String id) {
+        Command command = random.nextBoolean()
+                ? new Command.RemoveObstacle(id)
+                : new Command.MoveObstacle(id, new Pose(coordinate(), coordinate(), angle()));
+        return List.of(new TimedCommand(at, command));
+    }
+
+    private Fault fault() {
+        FaultKind kind = FaultKind.values()[random.nextInt(FaultKind.values().length)];
+        return kind.createFault(kind.minValue() + (kind.maxValue() - kind.minValue()) * random.nextDouble());
+    }
+
+    private ControllerSpec controller() {
+        return switch (random.nextInt(3)) {
+            case 0 -> new ControllerSpec.None();
+            case 1 -> new ControllerSpec.Drive(edgeValue(-1e4, 1e4), edgeValue(-1e4, 1e4));
+            default ->
+                new ControllerSpec.WallFollowing(
+                        size(),
+                        random.nextBoolean() ? WallSide.LEFT : WallSide.RIGHT,
+                        edgeValue(0, 10),
+                        random.nextBoolean() ? TimingRule.EQUAL_READINGS : TimingRule.RANGE);
+        };
+    }
+
+    private Expectation expectation(ControllerSpec controller) {
+        return new Expectation(
+                random.nextBoolean() ? Optional.of(random.nextBoolean()) : Optional.empty(),
+                random.nextBoolean() ? OptionalDouble.of(random.nextDouble()) : OptionalDouble.empty(),
+                random.nextBoolean() ? OptionalDouble.of(size()) : OptionalDouble.empty(),
+                random.nextBoolean() ? List.of(ControllerFactory.initialState(controller)) : List.of(),
+                random.nextBoolean() ? Optional.of(ControllerFactory.initialState(controller)) : Optional.empty());
+    }
+
+    private List<Vector2> points(int least) {
+        return list(least + random.nextInt(4), i -> point());
+    }
+
+    private <T> List<T> list(int size, IntFunction<T> maker) {
+        return IntStream.range(0, size).mapToObj(maker).toList();
+    }
+
+    private Vector2 point() {
+        return new Vector2(coordinate(), coordinate());
+    }
+
+    private double size() {
+        return edgeValue(1e-6, 1e5);
+    }
+
+    /** Of an obstacle: too small to reach the robot. */
+    private double extent() {
+        return edgeValue(1e-6, 1000);
+    }
+
+    private double positive(double most) {
+        return edgeValue(Double.MIN_VALUE, most);
+    }
+
+    /** Never far to the left, where the robot starts. */
+    private double coordinate() {
+        return random.nextInt(8) == 0 ? -0.0 : edgeValue(-100, 1000);
+    }
+
+    private double angle() {
+        return switch (random.nextInt(6)) {
+            case 0 -> -0.0;
+            case 1 -> StrictMath.PI;
+            case 2 -> Degrees.toRadians(random.nextInt(720) - 360);
+            default -> random.nextGaussian() * 10;
+        };
+    }
+
+    /** An awkward number, or any, or a round one, within bounds. */
+    private double edgeValue(double least, double most) {
+        double value =
+                switch (random.nextInt(3)) {
+                    case 0 -> EDGE_VALUES[random.nextInt(EDGE_VALUES.length)];
+                    case 1 -> least + (most - least) * random.nextDouble();
+                    default -> random.nextInt(1000) / 100.0;
+                };
+        return Math.max(least, Math.min(most, value));
+    }
+
+    private String name() {
+        return NAMES[random.nextInt(NAMES.length)];
+    }
+}

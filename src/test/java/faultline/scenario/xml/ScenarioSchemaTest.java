@@ -1,0 +1,175 @@
+package faultline.scenario.xml;
+
+import static java.util.Map.entry;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.scenario.Scenario;
+import faultline.sensor.FaultKind;
+import java.io.StringReader;
+import java.math.BigDecimal;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javax.xml.parsers.DocumentBuilderFactory;
+import javax.xml.transform.stream.StreamSource;
+import org.junit.jupiter.api.Test;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
+import org.xml.sax.SAXException;
+
+/** The schema, the reader and the documents tell the same. */
+class ScenarioSchemaTest {
+
+    private static final Path SCHEMA = Path.of("src/main/resources/faultline/scenario/xml/scenario-1.xsd");
+
+    @Test
+    void theCopyInTheDocumentsIsTheSchemaOfTheProgram() throws Exception {
+        assertEquals(Files.readString(SCHEMA), Files.readString(Path.of("docs/scenario-1.xsd")));
+    }
+
+    @Test
+    void theSchemaKnowsTheKindsOfFaultThatTheProgramKnows() throws Exception {
+        Element type = elements("simpleType")
+                .filter(element -> element.getAttribute("name").equals("faultKind"))
+                .findFirst()
+                .orElseThrow();
+        NodeList kinds = type.getElementsByTagName("xs:enumeration");
+        assertEquals(
+                Arrays.stream(FaultKind.values()).map(FaultKind::fileName).toList(),
+                IntStream.range(0, kinds.getLength())
+                        .mapToObj(i -> ((Element) kinds.item(i)).getAttribute("value"))
+                        .toList());
+    }
+
+    @Test
+    void theRangesOfTheReaderAreThoseOfTheSchema() throws Exception {
+        Map<String, NumberRange> ranges = Map.ofEntries(
+                entry("size", NumberRange.SIZE),
+                entry("coordinate", NumberRange.COORDINATE),
+                entry("noise", NumberRange.NOISE),
+                entry("incidence", NumberRange.INCIDENCE_ANGLE),
+                entry("angle", NumberRange.ANGLE),
+                entry("cone", NumberRange.CONE),
+                entry("turnRate", NumberRange.TURN_RATE),
+                entry("speed", NumberRange.SPEED),
+                entry("positiveSpeed", NumberRange.POSITIVE_SPEED),
+                entry("time", NumberRange.TIME),
+                entry("tick", NumberRange.TICK),
+                entry("timeConstant", NumberRange.TIME_CONSTANT),
+                entry("voltage", NumberRange.VOLTAGE),
+                entry("positiveVoltage", NumberRange.POSITIVE_VOLTAGE),
+                entry("share", NumberRange.FRACTION));
+        List<Element> types = elements("simpleType")
+                .filter(type -> type.getElementsByTagName("xs:restriction").item(0) instanceof Element base
+                        && List.of("xs:double", "xs:decimal").contains(base.getAttribute("base")))
+                .toList();
+        assertEquals(
+                ranges.keySet(),
+                types.stream().map(type -> type.getAttribute("name")).collect(Collectors.toSet()));
+        for (Element type : types) {
+            NumberRange range = ranges.get(type.getAttribute("name"));
+            assertEquals(
+                    range.min(),
+                    facet(type, range.minInclusive() ? "minInclusive" : "minExclusive"),
+                    type.getAttribute("name"));
+            assertEquals(
+                    range.max(),
+                    facet(type, range.maxInclusive() ? "maxInclusive" : "maxExclusive"),
+                    type.getAttribute("name"));
+        }
+    }
+
+    private static BigDecimal facet(Element type, String name) {
+        return new BigDecimal(((Element) type.getElementsByTagName("xs:" + name).item(0)).getAttribute("value"));
+    }
+
+    @Test
+    void givingADefaultValueOfTheSchemaChangesNothing() throws Exception {
+        Scenario plain = SampleScenario.read(SampleScenario.PLAIN);
+        int given = 0;
+        for (Element attribute : elements("attribute")
+                .filter(element -> element.hasAttribute("default"))
+                .toList()) {
+            String type = ((Element) attribute.getParentNode()).getAttribute("name");
+            String element = type.equals("placed") ? "circle" : type;
+            String changed = withAttribute(element, attribute.getAttribute("name"), attribute.getAttribute("default"));
+            if (!changed.equals(SampleScenario.PLAIN)) {
+                assertEquals(plain, SampleScenario.read(changed), element + " " + attribute.getAttribute("name"));
+                given++;
+            }
+        }
+        assertTrue(given >= 18, "only " + given + " defaults were given");
+    }
+
+    /**
+     * The plain file with an attribute put into every element of a name that has it not; only the probe among the
+     * sensors.
+     */
+    private static String withAttribute(String element, String name, String value) {
+        String start = element.equals("sensor") ? "<sensor id=\"probe\"" : "<" + element + " ";
+        return SampleScenario.PLAIN
+                .lines()
+                .map(line -> line.contains(start) && !line.contains(" " + name + "=\"")
+                        ? line.replace(start, start.stripTrailing() + " " + name + "=\"" + value + "\" ")
+                        : line)
+                .collect(Collectors.joining("\n", "", "\n"));
+    }
+
+    @Test
+    void everySchemaErrorIsReportedInTheProgramsOwnWords() throws Exception {
+        List<String> values = List.of(
+                "", "x", "-1", "0", "1e3", "1e9", "-1e9", "NaN", "INF", "true", "1,1 2,2", "none", "180", "1e-9", "0.5",
+                "left");
+        int refused = 0;
+        for (String text : mutations(values)) {
+            boolean valid = isValid(text);
+            List<String> complaints = SampleScenario.problems(text);
+            assertFalse(!valid && complaints.isEmpty(), "only the schema minds: " + text);
+            assertFalse(
+                    complaints.stream().anyMatch(line -> line.contains("not as the schema")), complaints + "\n" + text);
+            refused += valid ? 0 : 1;
+        }
+        assertTrue(refused > 500, "only " + refused + " were refused");
+    }
+
+    /** The plain file with each of its attributes given each of the values in turn, left out, and misspelt. */
+    private static List<String> mutations(List<String> values) {
+        List<String> all = new ArrayList<>();
+        java.util.regex.Matcher attribute =
+                java.util.regex.Pattern.compile(" (\\w+)=\"([^\"]*)\"").matcher(SampleScenario.PLAIN);
+        while (attribute.find()) {
+            if (!attribute.group(1).equals("xmlns")) {
+                String before = SampleScenario.PLAIN.substring(0, attribute.start());
+                String after = SampleScenario.PLAIN.substring(attribute.end());
+                values.forEach(value -> all.add(before + " " + attribute.group(1) + "=\"" + value + "\"" + after));
+                all.add(before + after);
+                all.add(before + " " + attribute.group(1) + "x=\"" + attribute.group(2) + "\"" + after);
+            }
+        }
+        return all;
+    }
+
+    private static boolean isValid(String text) throws Exception {
+        try {
+            ScenarioSchema.get().newValidator().validate(new StreamSource(new StringReader(text)));
+            return true;
+        } catch (SAXException e) {
+            return false;
+        }
+    }
+
+    private static java.util.stream.Stream<Element> elements(String name) throws Exception {
+        Document document =
+                DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(SCHEMA.toFile());
+        NodeList found = document.getElementsByTagName("xs:" + name);
+        return IntStream.range(0, found.getLength()).mapToObj(i -> (Element) found.item(i));
+    }
+}

@@ -1,0 +1,105 @@
+package faultline.scenario.xml;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import faultline.engine.SimulationSetup;
+import faultline.scenario.Scenario;
+import faultline.world.WorldSpec;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Files that are written, and what reading them gives. */
+class ScenarioWriterTest {
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void whateverAScenarioHoldsReadsBackEqual() throws ScenarioException {
+        for (int seed = 0; seed < 500; seed++) {
+            Scenario scenario = new RandomScenarios(seed).next();
+            assertEquals(
+                    scenario,
+                    SampleScenario.read(ScenarioWriter.toText(scenario.content(), XmlComments.NONE)),
+                    "seed " + seed);
+        }
+    }
+
+    @Test
+    void aWrittenFileIsIndentedAndInAStableOrder() throws ScenarioException {
+        Scenario scenario = SampleScenario.read(
+                """
+                <scenario xmlns="urn:faultline:scenario:1" name="A &lt; B"><robot y="2" x="1"><sensor cone="30" id="left"/></robot>
+                <world height="4" width="6"><wall id="w" points="3,1 3,2" y="0" x="0"/></world><expect collision="true" states="FOLLOW SEARCH"/>
+                <timeline><fault at="1" until="2.5" sensor="left" kind="off"/></timeline></scenario>
+                """);
+        assertEquals(
+                """
+                <?xml version="1.0" encoding="UTF-8"?>
+                <scenario xmlns="urn:faultline:scenario:1" name="A &lt; B" duration="120" tick="0.01" seed="1">
+                  <world width="6" height="4" enclosed="true" maxMoving="3">
+                    <wall id="w" x="0" y="0" heading="0" points="3,1 3,2"/>
+                  </world>
+                  <robot x="1" y="2" heading="0" length="0.25" width="0.2" track="0.18" speed="0.3" turnRate="60" defaultSensors="true">
+                    <motor timeConstant="0.05" speedConstant="0.1" maxVoltage="6"/>
+                    <sensor id="left" x="0" y="0.1" bearing="90" range="0.8" cone="30" on="true" noise="0"/>
+                  </robot>
+                  <controller type="wall-follower" distance="0.25" hand="left" period="0" timing="equal-readings"/>
+                  <timeline>
+                    <fault at="1" sensor="left" kind="off" until="2.5"/>
+                  </timeline>
+                  <expect collision="true" states="FOLLOW SEARCH"/>
+                </scenario>
+                """,
+                ScenarioWriter.toText(scenario.content(), XmlComments.NONE));
+    }
+
+    @Test
+    void savingLeavesTheFileAndNothingElse() throws Exception {
+        Scenario scenario = SampleScenario.read(SampleScenario.PLAIN);
+        Path file = folder.resolve("room.xml");
+        Files.writeString(file, "what was there before");
+        scenario.save(file);
+        assertEquals(scenario, Scenario.load(file));
+        assertEquals(List.of(file), filesInFolder());
+    }
+
+    @Test
+    void aScenarioThatNoFileMayHoldIsNotSavedAndTheOldFileStays() throws Exception {
+        Scenario plain = SampleScenario.read(SampleScenario.PLAIN);
+        SimulationSetup setup = plain.setup();
+        WorldSpec vast = new WorldSpec(1e6, 1, true, 3, List.of());
+        Scenario bad = plain.withSetup(
+                new SimulationSetup(vast, setup.robot(), setup.start(), setup.controller(), List.of(), 0.01, 1, 1));
+        Path file = folder.resolve("room.xml");
+        Files.writeString(file, "what was there before");
+        IOException refusal = assertThrows(IOException.class, () -> bad.save(file));
+        assertEquals(
+                "the scenario cannot be saved: width of <world> is \"1000000\", allowed is a number "
+                        + "from 0.000001 to 100000 metres",
+                refusal.getMessage());
+        assertEquals("what was there before", Files.readString(file));
+    }
+
+    @Test
+    void aMissingFolderIsReportedInOneLine() throws ScenarioException {
+        Scenario scenario = SampleScenario.read(SampleScenario.PLAIN);
+        Path file = folder.resolve("none").resolve("room.xml");
+        IOException refusal = assertThrows(IOException.class, () -> scenario.save(file));
+        assertEquals(file + ": the file cannot be written there", refusal.getMessage());
+        assertFalse(Files.exists(file));
+    }
+
+    private List<Path> filesInFolder() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.toList();
+        }
+    }
+}

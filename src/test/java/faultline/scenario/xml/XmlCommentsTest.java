@@ -1,0 +1,147 @@
+package faultline.scenario.xml;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.scenario.Scenario;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Comments that a person has written into a file, and what a save makes of them. */
+class XmlCommentsTest {
+
+    private static final String COMMENTED =
+            """
+            <?xml version="1.0" encoding="UTF-8"?>
+            <!-- Ours.
+                 All of it. -->
+            <scenario xmlns="urn:faultline:scenario:1" name="Room">
+              <world width="6" height="4" enclosed="true">
+                <!-- a --><!-- <b> & c -->
+                <circle id="a/b" x="1" y="1" radius="0.1"/>
+                <!-- the desk -->
+                <rectangle id="a" x="4" y="3" width="1" height="0.5"/> <!-- beside it -->
+              </world>
+              <robot x="3" y="2"/>
+              <!-- none yet -->
+              <expect/>
+            </scenario>
+            <!-- the end -->
+            """;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void eachStaysWhereItStood() throws ScenarioException {
+        assertEquals(
+                """
+                <?xml version="1.0" encoding="UTF-8"?>
+                <!-- Ours.
+                     All of it. -->
+                <scenario>
+                  <world>
+                    <!-- a -->
+                    <!-- <b> & c -->
+                    <circle/>
+                    <!-- the desk -->
+                    <rectangle/>
+                    <!-- beside it -->
+                  </world>
+                  <robot>
+                    <motor/>
+                  </robot>
+                  <controller/>
+                  <!-- none yet -->
+                </scenario>
+                <!-- the end -->
+                """,
+                rewritten(COMMENTED, SampleScenario.read(COMMENTED)));
+    }
+
+    @Test
+    void whatStoodBeforeAnElementThatIsGoneStandsAtTheEndOfItsParent() throws ScenarioException {
+        String text = rewritten(COMMENTED, without("circle"));
+        assertTrue(
+                text.contains(
+                        """
+                  <world>
+                    <!-- the desk -->
+                    <rectangle/>
+                    <!-- a -->
+                    <!-- <b> & c -->
+                    <!-- beside it -->
+                  </world>
+                """),
+                text);
+        String none = rewritten(COMMENTED, without("circle|rectangle"));
+        assertTrue(
+                none.contains(
+                        """
+                  <world>
+                    <!-- a -->
+                    <!-- <b> & c -->
+                    <!-- the desk -->
+                    <!-- beside it -->
+                  </world>
+                """),
+                none);
+    }
+
+    private static Scenario without(String element) throws ScenarioException {
+        return SampleScenario.read(COMMENTED.replaceAll("<(" + element + ") [^>]*/>", ""));
+    }
+
+    /** As it is written, without the attributes. */
+    private static String rewritten(String file, Scenario scenario) {
+        return ScenarioWriter.toText(scenario.content(), readComments(file))
+                .replaceAll("(<\\w+)( [\\w]+=\"[^\"]*\")+", "$1");
+    }
+
+    @Test
+    void aFileThatIsReadAndWrittenAgainIsTheSameWhereverTheyStand() throws ScenarioException {
+        for (int seed = 0; seed < 300; seed++) {
+            Random random = new Random(seed);
+            String plain =
+                    ScenarioWriter.toText(new RandomScenarios(seed).next().content(), XmlComments.NONE);
+            String commented = plain.lines()
+                    .map(line -> line + "\n" + comments(random, line))
+                    .collect(Collectors.joining());
+            assertEquals(
+                    commented,
+                    ScenarioWriter.toText(SampleScenario.read(commented).content(), readComments(commented)),
+                    "seed " + seed);
+        }
+    }
+
+    /** None, or some on lines of their own as deep as what may follow a line. */
+    private static String comments(Random random, String line) {
+        boolean begins = line.startsWith("<scenario")
+                || line.matches(" *<\\w.*") && !line.endsWith("/>") && !line.contains("</");
+        int depth = line.length() - line.stripLeading().length() + (begins ? 2 : 0);
+        return (" ".repeat(depth) + "<!--" + random.nextInt(100) + " é & <x/> ]]>-->\n")
+                .repeat(Math.max(0, random.nextInt(6) - 3));
+    }
+
+    @Test
+    void aFileThatCannotBeReadHasNone() {
+        assertEquals(List.of(), XmlComments.read(folder.resolve("none.xml")).comments());
+        assertEquals(
+                List.of(),
+                XmlComments.read("<scenario><!-- a -->".getBytes(StandardCharsets.UTF_8))
+                        .comments());
+        assertEquals(
+                List.of(),
+                XmlComments.read("<!DOCTYPE scenario><!-- a --><scenario/>".getBytes(StandardCharsets.UTF_8))
+                        .comments());
+    }
+
+    private static XmlComments readComments(String file) {
+        return XmlComments.read(file.getBytes(StandardCharsets.UTF_8));
+    }
+}
