@@ -4,6 +4,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
@@ -82,7 +83,7 @@ public record RandomRoom(WorldSpec world, Pose start) {
                         id,
                         new ObstacleShape.Rectangle(width, depth),
                         new Pose(at.x(), at.y(), heading),
-                        java.util.Optional.empty()),
+                        WaypointPath.NONE),
                 outline(at, heading, width, depth),
                 0,
                 wall);
@@ -111,8 +112,7 @@ public record RandomRoom(WorldSpec world, Pose start) {
                     .plus(plan.along(wall).perpendicular().times(radius));
         }
         return new RoomPlan.Item(
-                new Obstacle(
-                        id, new ObstacleShape.Circle(radius), new Pose(at.x(), at.y(), 0), java.util.Optional.empty()),
+                new Obstacle(id, new ObstacleShape.Circle(radius), new Pose(at.x(), at.y(), 0), WaypointPath.NONE),
                 List.of(at),
                 radius,
                 wall);

@@ -5,8 +5,9 @@ import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
 import faultline.geometry.Pose;
-import faultline.robot.DifferentialDrive;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.CommandResult;
@@ -145,25 +146,14 @@ public final class Simulation implements AutoCloseable {
         return world.robot();
     }
 
-    /** Returns the speed of the left wheels, metres per second. */
-    public double leftSpeed() {
-        return world.leftSpeed();
+    /** Returns the robot's wheel speeds. */
+    public WheelSpeeds wheelSpeeds() {
+        return world.wheelSpeeds();
     }
 
-    /** Returns the speed of the right wheels, metres per second. */
-    public double rightSpeed() {
-        return world.rightSpeed();
-    }
-
-    /** Returns the robot's linear velocity, metres per second, positive forwards. */
-    public double v() {
-        return DifferentialDrive.linearVelocity(world.leftSpeed(), world.rightSpeed());
-    }
-
-    /** Returns the robot's angular velocity, radians per second, positive to the left. */
-    public double omega() {
-        return DifferentialDrive.angularVelocity(
-                world.leftSpeed(), world.rightSpeed(), world.robot().track());
+    /** Returns the robot's velocity. */
+    public Velocity velocity() {
+        return world.wheelSpeeds().toVelocity(world.robot().track());
     }
 
     /**

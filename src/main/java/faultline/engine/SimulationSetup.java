@@ -78,33 +78,38 @@ public record SimulationSetup(
         return tickAt(duration);
     }
 
-    /**
-     * This setup with another seed.
-     *
-     * @param newSeed the seed
-     * @return the same setup otherwise
-     */
+    /** Returns this setup with another world. */
+    public SimulationSetup withWorld(WorldSpec newWorld) {
+        return new SimulationSetup(newWorld, robot, start, controller, timeline, dt, seed, duration);
+    }
+
+    /** Returns this setup with another robot. */
+    public SimulationSetup withRobot(RobotSpec newRobot) {
+        return new SimulationSetup(world, newRobot, start, controller, timeline, dt, seed, duration);
+    }
+
+    /** Returns this setup with the robot at another pose at time 0. */
+    public SimulationSetup withStart(Pose newStart) {
+        return new SimulationSetup(world, robot, newStart, controller, timeline, dt, seed, duration);
+    }
+
+    /** Returns this setup with another controller. */
+    public SimulationSetup withController(ControllerSpec newController) {
+        return new SimulationSetup(world, robot, start, newController, timeline, dt, seed, duration);
+    }
+
+    /** Returns this setup with another timeline. */
+    public SimulationSetup withTimeline(List<TimedCommand> newTimeline) {
+        return new SimulationSetup(world, robot, start, controller, newTimeline, dt, seed, duration);
+    }
+
+    /** Returns this setup with another seed. */
     public SimulationSetup withSeed(long newSeed) {
         return new SimulationSetup(world, robot, start, controller, timeline, dt, newSeed, duration);
     }
 
-    /**
-     * This setup with the robot elsewhere at time 0.
-     *
-     * @param pose where
-     * @return the same setup otherwise
-     */
-    public SimulationSetup withStart(Pose pose) {
-        return new SimulationSetup(world, robot, pose, controller, timeline, dt, seed, duration);
-    }
-
-    /**
-     * This setup with another duration.
-     *
-     * @param seconds not negative
-     * @return the same setup otherwise
-     */
-    public SimulationSetup withDuration(double seconds) {
-        return new SimulationSetup(world, robot, start, controller, timeline, dt, seed, seconds);
+    /** Returns this setup with another duration, seconds. */
+    public SimulationSetup withDuration(double newDuration) {
+        return new SimulationSetup(world, robot, start, controller, timeline, dt, seed, newDuration);
     }
 }

@@ -15,8 +15,8 @@ final class TrajectoryRecorder {
         hash.add(pose.x());
         hash.add(pose.y());
         hash.add(pose.heading());
-        hash.add(world.leftSpeed());
-        hash.add(world.rightSpeed());
+        hash.add(world.wheelSpeeds().left());
+        hash.add(world.wheelSpeeds().right());
         for (int i = 0; i < world.robot().sensors().size(); i++) {
             hash.add(world.reportedReading(i));
         }

@@ -1,18 +1,13 @@
 package faultline.geometry;
 
-/** Angles in radians, brought into one turn. */
+/** Normalises angles in radians to one turn. */
 public final class Angles {
 
     private static final double TWO_PI = 2 * StrictMath.PI;
 
     private Angles() {}
 
-    /**
-     * The same direction in one turn.
-     *
-     * @param angle radians, finite
-     * @return radians in (-pi, pi]
-     */
+    /** Returns the equivalent of a finite angle in (-pi, pi], radians. */
     public static double normalize(double angle) {
         if (angle > -StrictMath.PI && angle <= StrictMath.PI) {
             return angle;
@@ -21,13 +16,7 @@ public final class Angles {
         return rest <= -StrictMath.PI ? rest + TWO_PI : rest;
     }
 
-    /**
-     * The shortest turn from one direction to another.
-     *
-     * @param from radians
-     * @param to radians
-     * @return radians in (-pi, pi], positive counter-clockwise
-     */
+    /** Returns the smallest turn from one direction to another in (-pi, pi], radians, positive counter-clockwise. */
     public static double difference(double from, double to) {
         return normalize(to - from);
     }

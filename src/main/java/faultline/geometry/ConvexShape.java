@@ -1,39 +1,20 @@
 package faultline.geometry;
 
 /**
- * A closed convex piece that outlines are made of: a segment, a disc or a filled ellipse, placed in the world. Whatever
- * the robot senses or strikes is the nearest point of one of these.
+ * A closed convex part of an obstacle's geometry in the world: a segment, a disc or a filled ellipse. Sensor readings
+ * and contacts are computed from its nearest point.
  */
 public sealed interface ConvexShape permits Segment, Disc, Ellipse {
 
-    /**
-     * The point of this figure nearest to another point.
-     *
-     * @param point any point
-     * @return the nearest point; {@code point} itself where this figure contains it
-     */
+    /** Returns the nearest point of this shape to a point: the point itself if this shape contains it. */
     Vector2 nearestTo(Vector2 point);
 
-    /**
-     * A point that, with {@link #boundingRadius()}, encloses the figure.
-     *
-     * @return the centre of the enclosing circle
-     */
+    /** Returns the centre of a circle that encloses this shape; its radius is {@link #boundingRadius()}. */
     Vector2 centre();
 
-    /**
-     * The radius of the enclosing circle about {@link #centre()}.
-     *
-     * @return metres, not negative
-     */
+    /** Returns the radius of a circle about {@link #centre()} that encloses this shape, metres, not negative. */
     double boundingRadius();
 
-    /**
-     * This figure moved without turning.
-     *
-     * @param dx metres
-     * @param dy metres
-     * @return the moved figure
-     */
+    /** Returns this shape translated by (dx, dy), metres. */
     ConvexShape translated(double dx, double dy);
 }

@@ -5,8 +5,8 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 
 /**
- * Degrees, as files and windows show them, and radians, as the code has them. Both ways are correctly rounded, and the
- * text of an angle reads back to the same bits: a saved run replays exactly.
+ * Converts between degrees, used in files and windows, and radians, used in the code. Both conversions are correctly
+ * rounded, and the text of an angle reads back to the same bits, so that a saved run replays exactly.
  */
 public final class Degrees {
 
@@ -16,22 +16,12 @@ public final class Degrees {
 
     private Degrees() {}
 
-    /**
-     * An angle in radians.
-     *
-     * @param degrees finite
-     * @return the nearest number of radians
-     */
+    /** Returns the number of radians nearest to a finite number of degrees. */
     public static double toRadians(double degrees) {
         return toRadians(new BigDecimal(Double.toString(degrees)));
     }
 
-    /**
-     * An angle in radians.
-     *
-     * @param degrees in any number of digits
-     * @return the nearest number of radians
-     */
+    /** Returns the number of radians nearest to a decimal number of degrees. */
     public static double toRadians(BigDecimal degrees) {
         return degrees.multiply(PI)
                 .divide(HALF_TURN, new MathContext(50, RoundingMode.HALF_EVEN))
@@ -39,10 +29,8 @@ public final class Degrees {
     }
 
     /**
-     * The shortest decimal text that {@link #toRadians(BigDecimal)} reads back to the same bits.
-     *
-     * @param radians finite
-     * @return degrees, with a point and without exponent
+     * Returns the shortest decimal text, in degrees and without exponent, that {@link #toRadians(BigDecimal)} converts
+     * back to the same finite number of radians.
      */
     public static String toText(double radians) {
         BigDecimal exact =

@@ -9,6 +9,13 @@ package faultline.geometry;
  */
 public record Disc(double cx, double cy, double radius) implements ConvexShape {
 
+    public Disc {
+        if (!(radius >= 0 && Double.isFinite(cx) && Double.isFinite(cy) && Double.isFinite(radius))) {
+            throw new IllegalArgumentException("a disc needs a finite centre and a radius that is not negative: " + cx
+                    + ", " + cy + ", " + radius);
+        }
+    }
+
     @Override
     public Vector2 nearestTo(Vector2 point) {
         double dx = point.x() - cx;
@@ -33,5 +40,10 @@ public record Disc(double cx, double cy, double radius) implements ConvexShape {
     @Override
     public Disc translated(double dx, double dy) {
         return new Disc(cx + dx, cy + dy, radius);
+    }
+
+    /** Returns this disc as an ellipse with two equal half axes. */
+    public Ellipse toEllipse() {
+        return new Ellipse(new RigidMotion(1, 0, cx, cy), radius, radius);
     }
 }

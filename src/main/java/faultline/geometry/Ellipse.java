@@ -3,76 +3,55 @@ package faultline.geometry;
 /**
  * A filled ellipse.
  *
- * @param cx the centre's x, metres
- * @param cy the centre's y, metres
- * @param rx the half axis along the heading, metres, positive
- * @param ry the half axis across the heading, metres, positive
- * @param cos the cosine of the heading
- * @param sin the sine of the heading
+ * @param frame the frame whose origin is the centre and whose axes carry the half axes
+ * @param rx the half axis along the frame's x axis, metres, positive
+ * @param ry the half axis along the frame's y axis, metres, positive
  */
-public record Ellipse(double cx, double cy, double rx, double ry, double cos, double sin) implements ConvexShape {
+public record Ellipse(RigidMotion frame, double rx, double ry) implements ConvexShape {
 
-    /**
-     * The ellipse at a pose.
-     *
-     * @param pose its centre and the direction of the first half axis
-     * @param rx the half axis along the heading, metres, positive
-     * @param ry the half axis across the heading, metres, positive
-     * @return the placed ellipse
-     */
+    public Ellipse {
+        if (!(rx > 0 && ry > 0 && Double.isFinite(rx) && Double.isFinite(ry))) {
+            throw new IllegalArgumentException("the half axes of an ellipse must be positive: " + rx + ", " + ry);
+        }
+    }
+
+    /** Returns the ellipse with its centre and first half axis at a pose. */
     public static Ellipse at(Pose pose, double rx, double ry) {
-        return new Ellipse(pose.x(), pose.y(), rx, ry, StrictMath.cos(pose.heading()), StrictMath.sin(pose.heading()));
-    }
-
-    /**
-     * A point of the world in the ellipse's own frame.
-     *
-     * @param point metres, in the world
-     * @return metres along the first and the second half axis
-     */
-    public Vector2 toLocal(Vector2 point) {
-        double dx = point.x() - cx;
-        double dy = point.y() - cy;
-        return new Vector2(cos * dx + sin * dy, cos * dy - sin * dx);
-    }
-
-    /**
-     * A point of the ellipse's own frame in the world.
-     *
-     * @param local metres along the half axes
-     * @return metres, in the world
-     */
-    public Vector2 toWorld(Vector2 local) {
-        return new Vector2(cx + cos * local.x() - sin * local.y(), cy + sin * local.x() + cos * local.y());
+        return new Ellipse(RigidMotion.of(pose), rx, ry);
     }
 
     @Override
     public Vector2 nearestTo(Vector2 point) {
-        Vector2 local = toLocal(point);
+        Vector2 local = frame.toLocal(point);
         double u = local.x() / rx;
         double v = local.y() / ry;
         if (u * u + v * v <= 1) {
             return point;
         }
-        return toWorld(EllipseClosestPoint.compute(rx, ry, local));
+        return frame.toParent(EllipseClosestPoint.compute(rx, ry, local));
     }
 
     /**
-     * The point of the ellipse farthest in a direction.
+     * Returns the point of the ellipse farthest in a direction.
      *
-     * @param direction any vector but zero
-     * @return the supporting point, in the world
+     * @param direction any vector except zero
      */
     public Vector2 supportPoint(Vector2 direction) {
-        double u = rx * (cos * direction.x() + sin * direction.y());
-        double v = ry * (cos * direction.y() - sin * direction.x());
+        double u = rx * (frame.cos() * direction.x() + frame.sin() * direction.y());
+        double v = ry * (frame.cos() * direction.y() - frame.sin() * direction.x());
         double length = Math.sqrt(u * u + v * v);
-        return toWorld(new Vector2(rx * u / length, ry * v / length));
+        return frame.toParent(new Vector2(rx * u / length, ry * v / length));
+    }
+
+    /** Returns a point of the parent frame in coordinates in which this ellipse is the unit circle. */
+    Vector2 toUnitCircle(Vector2 point) {
+        Vector2 local = frame.toLocal(point);
+        return new Vector2(local.x() / rx, local.y() / ry);
     }
 
     @Override
     public Vector2 centre() {
-        return new Vector2(cx, cy);
+        return frame.position();
     }
 
     @Override
@@ -82,6 +61,6 @@ public record Ellipse(double cx, double cy, double rx, double ry, double cos, do
 
     @Override
     public Ellipse translated(double dx, double dy) {
-        return new Ellipse(cx + dx, cy + dy, rx, ry, cos, sin);
+        return new Ellipse(frame.translated(dx, dy), rx, ry);
     }
 }

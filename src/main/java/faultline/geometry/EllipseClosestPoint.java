@@ -1,12 +1,12 @@
 package faultline.geometry;
 
 /**
- * The nearest point of an ellipse to a point outside it, in the ellipse's own frame.
+ * The closest point of an ellipse to a point outside it, in the ellipse's own frame.
  *
- * <p>With the point folded into the first quadrant, the foot is (rx^2 u / (t + rx^2), ry^2 v / (t + ry^2)) where t is
- * the one root in t &gt; -min(rx, ry)^2 of the strictly falling F(t) = (rx u / (t + rx^2))^2 + (ry v / (t + ry^2))^2 -
- * 1 (D. Eberly, "Distance from a point to an ellipse"). Bisection is finished by bracketing to neighbouring numbers, so
- * that the foot is as exact as its formula.
+ * <p>With the point (u, v) reflected into the first quadrant, the closest point is (rx^2 u / (t + rx^2), ry^2 v / (t +
+ * ry^2)), where t is the only root in t &gt; -min(rx, ry)^2 of the strictly decreasing F(t) = (rx u / (t + rx^2))^2 +
+ * (ry v / (t + ry^2))^2 - 1 (D. Eberly, "Distance from a point to an ellipse"). Newton's method with a bracket ends at
+ * neighbouring numbers, so that the result is as exact as the formula.
  */
 final class EllipseClosestPoint {
 
@@ -15,29 +15,33 @@ final class EllipseClosestPoint {
     private EllipseClosestPoint() {}
 
     /**
-     * The foot of a point outside the ellipse or on it.
+     * Returns the closest point of an ellipse to a point outside it or on it.
      *
      * @param rx the half axis along x, metres, positive
      * @param ry the half axis along y, metres, positive
      * @param p the point in the ellipse's frame
-     * @return the nearest point of the ellipse
      */
     static Vector2 compute(double rx, double ry, Vector2 p) {
-        double u = Math.abs(p.x());
-        double v = Math.abs(p.y());
+        double root = root(rx, ry, p.x(), p.y());
+        return new Vector2(coordinate(rx, root, p.x()), coordinate(ry, root, p.y()));
+    }
+
+    /** Returns one coordinate of the closest point, from the half axis, the root t and the point's coordinate. */
+    static double coordinate(double r, double root, double p) {
+        return Math.copySign(r * r * Math.abs(p) / (root + r * r), p);
+    }
+
+    /** Returns the root t of F for a point (x, y) outside the ellipse or on it. */
+    static double root(double rx, double ry, double x, double y) {
         // Scaled by the smaller half axis, F is the same for every size of ellipse.
         double m = Math.min(rx, ry);
-        double root = root(rx / m, ry / m, u / m, v / m) * m * m;
-        double x = rx * rx * u / (root + rx * rx);
-        double y = ry * ry * v / (root + ry * ry);
-        return new Vector2(Math.copySign(x, p.x()), Math.copySign(y, p.y()));
+        return scaledRoot(rx / m, ry / m, Math.abs(x) / m, Math.abs(y) / m) * m * m;
     }
 
     /**
-     * The root t of F, which is not negative for a point outside: F(0) >= 0, and F falls. Newton from the left stays
-     * left of it.
+     * For a point outside, F(0) >= 0, and F decreases: the root is not negative, and Newton's steps from 0 stay below.
      */
-    private static double root(double a, double b, double u, double v) {
+    private static double scaledRoot(double a, double b, double u, double v) {
         double low = 0;
         double high = Math.sqrt(a * a * u * u + b * b * v * v);
         double t = 0;

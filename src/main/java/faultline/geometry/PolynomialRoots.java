@@ -3,28 +3,27 @@ package faultline.geometry;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The real roots of a polynomial in an interval, each found to the last bit between the roots of its derivative. */
+/** Finds the real roots of a polynomial in an interval, each to the last bit between the roots of its derivative. */
 final class PolynomialRoots {
 
     private PolynomialRoots() {}
 
     /**
-     * All roots in an interval at which the polynomial changes its sign.
+     * Returns all roots in an interval at which the polynomial changes its sign, in ascending order.
      *
-     * @param coefficients the constant first
+     * @param coefficients the constant term first
      * @param low the interval's lower end
      * @param high the interval's upper end
-     * @return the roots in rising order
      */
     static List<Double> between(double[] coefficients, double low, double high) {
         List<Double> roots = new ArrayList<>();
         if (coefficients.length < 2) {
             return roots;
         }
-        List<Double> borders = between(derivative(coefficients), low, high);
-        borders.add(high);
+        List<Double> bounds = between(derivative(coefficients), low, high);
+        bounds.add(high);
         double from = low;
-        for (double to : borders) {
+        for (double to : bounds) {
             addRoot(coefficients, from, to, roots);
             from = to;
         }
@@ -39,7 +38,7 @@ final class PolynomialRoots {
         return result;
     }
 
-    /** The polynomial is monotone between the borders: it has one root there or none. */
+    /** Adds the root, if any, between two bounds; the polynomial is monotone there. */
     private static void addRoot(double[] coefficients, double from, double to, List<Double> roots) {
         boolean rising = value(coefficients, from) < 0;
         if (rising == value(coefficients, to) < 0) {

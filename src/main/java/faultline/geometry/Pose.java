@@ -5,11 +5,11 @@ package faultline.geometry;
  *
  * @param x metres, to the right
  * @param y metres, up
- * @param heading radians, counter-clockwise from the x axis; any finite number, never normalised by itself
+ * @param heading radians, counter-clockwise from the x axis; any finite number, not normalised
  */
 public record Pose(double x, double y, double heading) {
 
-    /** At the origin, heading along the x axis. */
+    /** The origin, with heading along the x axis. */
     public static final Pose ORIGIN = new Pose(0, 0, 0);
 
     public Pose {
@@ -18,38 +18,23 @@ public record Pose(double x, double y, double heading) {
         }
     }
 
-    /**
-     * Where this pose stands.
-     *
-     * @return the position, metres
-     */
+    /** Returns the position, metres. */
     public Vector2 position() {
         return new Vector2(x, y);
     }
 
-    /**
-     * A point given in this pose's frame, in the frame that the pose is given in.
-     *
-     * @param local metres ahead (x) and to the left (y) of the pose
-     * @return the same point in the outer frame
-     */
-    public Vector2 toParent(Vector2 local) {
-        double cos = StrictMath.cos(heading);
-        double sin = StrictMath.sin(heading);
-        return new Vector2(x + cos * local.x() - sin * local.y(), y + sin * local.x() + cos * local.y());
+    /** Returns the pose at another position with the same heading. */
+    public Pose withPosition(Vector2 position) {
+        return new Pose(position.x(), position.y(), heading);
     }
 
-    /**
-     * A point of the outer frame, in this pose's frame.
-     *
-     * @param outer metres
-     * @return metres ahead (x) and to the left (y) of the pose
-     */
-    public Vector2 toLocal(Vector2 outer) {
-        double cos = StrictMath.cos(heading);
-        double sin = StrictMath.sin(heading);
-        double dx = outer.x() - x;
-        double dy = outer.y() - y;
-        return new Vector2(cos * dx + sin * dy, cos * dy - sin * dx);
+    /** Returns a point of this pose's frame, metres ahead (x) and to the left (y), in the parent frame. */
+    public Vector2 toParent(Vector2 local) {
+        return RigidMotion.of(this).toParent(local);
+    }
+
+    /** Returns a point of the parent frame in this pose's frame, metres ahead (x) and to the left (y). */
+    public Vector2 toLocal(Vector2 parent) {
+        return RigidMotion.of(this).toLocal(parent);
     }
 }

@@ -2,49 +2,96 @@ package faultline.geometry;
 
 import java.awt.geom.AffineTransform;
 
-/** Rigid motion in the plane as affine transforms: the paper's eq. (1), from our own sine and cosine. */
-public final class RigidMotion {
+/**
+ * A rigid motion of the plane, T(x, y) R(theta): a rotation about the origin followed by a translation. It also
+ * describes a frame: the motion maps coordinates in the frame to coordinates in the parent frame. Robot, obstacles,
+ * sensor mounts and cones are all placed by one, so that an angle's sine and cosine are computed once.
+ *
+ * @param cos the cosine of theta
+ * @param sin the sine of theta
+ * @param x the translation, metres
+ * @param y the translation, metres
+ */
+public record RigidMotion(double cos, double sin, double x, double y) {
 
-    private RigidMotion() {}
+    /** The motion that leaves every point unchanged. */
+    public static final RigidMotion IDENTITY = new RigidMotion(1, 0, 0, 0);
+
+    private static final double UNIT_TOLERANCE = 1e-9;
+
+    public RigidMotion {
+        requireUnit(cos, sin);
+        if (!(Double.isFinite(x) && Double.isFinite(y))) {
+            throw new IllegalArgumentException("the translation must be finite: " + x + ", " + y);
+        }
+    }
+
+    /** Throws an exception unless two numbers are a cosine and a sine of one angle, up to rounding. */
+    static void requireUnit(double cos, double sin) {
+        if (!(Math.abs(cos * cos + sin * sin - 1) <= UNIT_TOLERANCE)) {
+            throw new IllegalArgumentException("no cosine and sine of one angle: " + cos + ", " + sin);
+        }
+    }
+
+    /** Returns the motion that maps the frame of a pose to its parent frame. */
+    public static RigidMotion of(Pose pose) {
+        return new RigidMotion(StrictMath.cos(pose.heading()), StrictMath.sin(pose.heading()), pose.x(), pose.y());
+    }
+
+    /** Returns {@link #of} a pose as a new transform for {@link java.awt.geom}. */
+    public static AffineTransform poseTransform(Pose pose) {
+        RigidMotion motion = of(pose);
+        return new AffineTransform(motion.cos, motion.sin, -motion.sin, motion.cos, motion.x, motion.y);
+    }
 
     /**
-     * The rotation about a point, T(x_b, y_b) R(theta) T(-x_b, -y_b), eq. (1) of the paper.
+     * Returns the rotation about a point, T(x_b, y_b) R(theta) T(-x_b, -y_b): eq. (1) of the paper.
      *
-     * @param centre (x_b, y_b), metres
+     * @param centre (x_b, y_b), metres; it is mapped to itself
      * @param theta radians, counter-clockwise
-     * @return a new transform that leaves {@code centre} where it is
      */
-    public static AffineTransform rotationAbout(Vector2 centre, double theta) {
+    public static RigidMotion rotationAbout(Vector2 centre, double theta) {
         double cos = StrictMath.cos(theta);
         double sin = StrictMath.sin(theta);
         double xb = centre.x();
         double yb = centre.y();
         // eq. (1): the last column is [x_b (1 - cos) + y_b sin, y_b (1 - cos) - x_b sin]
-        return new AffineTransform(cos, sin, -sin, cos, xb * (1 - cos) + yb * sin, yb * (1 - cos) - xb * sin);
+        return new RigidMotion(cos, sin, xb * (1 - cos) + yb * sin, yb * (1 - cos) - xb * sin);
     }
 
-    /**
-     * The motion that carries the origin, heading 0, to a pose.
-     *
-     * @param pose the pose
-     * @return a new transform from the pose's frame to the outer frame
-     */
-    public static AffineTransform poseTransform(Pose pose) {
-        double cos = StrictMath.cos(pose.heading());
-        double sin = StrictMath.sin(pose.heading());
-        return new AffineTransform(cos, sin, -sin, cos, pose.x(), pose.y());
+    /** Returns the image of a point: local coordinates mapped to the parent frame. */
+    public Vector2 toParent(Vector2 local) {
+        return new Vector2(x + cos * local.x() - sin * local.y(), y + sin * local.x() + cos * local.y());
     }
 
-    /**
-     * A point carried by a transform.
-     *
-     * @param motion the transform
-     * @param point the point
-     * @return the image of the point
-     */
-    public static Vector2 apply(AffineTransform motion, Vector2 point) {
-        double x = motion.getScaleX() * point.x() + motion.getShearX() * point.y() + motion.getTranslateX();
-        double y = motion.getShearY() * point.x() + motion.getScaleY() * point.y() + motion.getTranslateY();
+    /** Returns the point whose image is the given one: coordinates of the parent frame mapped to local ones. */
+    public Vector2 toLocal(Vector2 parent) {
+        double dx = parent.x() - x;
+        double dy = parent.y() - y;
+        return new Vector2(cos * dx + sin * dy, cos * dy - sin * dx);
+    }
+
+    /** Returns the motion that applies {@code first} and then this one: the frame {@code first} in the parent frame. */
+    public RigidMotion after(RigidMotion first) {
+        return new RigidMotion(
+                cos * first.cos - sin * first.sin,
+                sin * first.cos + cos * first.sin,
+                x + cos * first.x - sin * first.y,
+                y + sin * first.x + cos * first.y);
+    }
+
+    /** Returns this motion followed by a translation. */
+    public RigidMotion translated(double dx, double dy) {
+        return new RigidMotion(cos, sin, x + dx, y + dy);
+    }
+
+    /** Returns the image of the origin. */
+    public Vector2 position() {
         return new Vector2(x, y);
+    }
+
+    /** Returns the image of the direction (1, 0), a unit vector. */
+    public Vector2 axis() {
+        return new Vector2(cos, sin);
     }
 }

@@ -1,79 +1,117 @@
 package faultline.geometry;
 
 /**
- * The distance from a sector's apex to the nearest point of a figure inside the sector: what an infrared cone sensor
- * reads. In closed form, up to the rounding of the last digits; only the foot on an ellipse is iterated, to the last
- * bit.
+ * The distance from a sector's apex to the nearest point of a shape inside the sector: the reading of an ideal infrared
+ * cone sensor. It is computed in closed form, up to rounding of the last digits; only the closest point of an ellipse
+ * is found by iteration, to the last bit.
  *
- * <p>All figures are convex, so seen from an apex outside them the distance along their near side falls to the foot of
- * the apex and rises after it. The nearest point in the cone is therefore the foot, or else lies on an edge of the
- * cone.
+ * <p>All shapes are convex. Seen from an apex outside a shape, the distance along its near side therefore decreases up
+ * to the point closest to the apex and increases beyond it, so the nearest point in the cone is that closest point or
+ * lies on an edge of the cone.
+ *
+ * <p>An instance is a sector that moves with a robot: plain numbers without checks, for the inner loop of a simulation.
+ * Instances belong to one thread.
  */
 public final class SectorDistance {
 
     private static final double NONE = Double.POSITIVE_INFINITY;
 
-    private SectorDistance() {}
+    private final double cosHalf;
+    private final double sinHalf;
+    private final double range;
+    // The apex, and the unit vectors along the left and the right edge.
+    private double x;
+    private double y;
+    private double leftX;
+    private double leftY;
+    private double rightX;
+    private double rightY;
 
-    /**
-     * The distance to a figure within a sector.
-     *
-     * @param sector the sector; its edges and its arc belong to it
-     * @param figure the figure; its inside belongs to it, so that an apex inside it is at distance 0
-     * @return metres in [0, range], or positive infinity where the sector holds no point of the figure
-     */
-    public static double nearest(Sector sector, ConvexShape figure) {
-        double distance;
-        if (figure instanceof Segment segment) {
-            distance = toSegment(sector, segment);
-        } else if (figure instanceof Disc disc) {
-            distance = toDisc(sector, disc);
-        } else {
-            distance = toEllipse(sector, (Ellipse) figure);
-        }
-        return distance <= sector.range() ? distance : NONE;
+    /** Creates a movable copy of a sector. */
+    public SectorDistance(Sector sector) {
+        cosHalf = sector.cosHalf();
+        sinHalf = sector.sinHalf();
+        range = sector.range();
+        moveTo(
+                sector.frame().x(),
+                sector.frame().y(),
+                sector.frame().cos(),
+                sector.frame().sin());
     }
 
     /**
-     * The segment is clipped to the cone's two half planes; the nearest point of what remains is the foot or an end.
+     * Returns the distance to a shape within a sector.
+     *
+     * @param sector the sector; its edges and its arc belong to it
+     * @param shape the shape; its inside belongs to it, so that an apex inside it is at distance 0
+     * @return metres in [0, range], or positive infinity if the sector holds no point of the shape
      */
-    private static double toSegment(Sector s, Segment segment) {
-        double px = segment.ax() - s.ax();
-        double py = segment.ay() - s.ay();
-        double dx = segment.bx() - segment.ax();
-        double dy = segment.by() - segment.ay();
+    public static double nearest(Sector sector, ConvexShape shape) {
+        return new SectorDistance(sector).nearest(shape);
+    }
+
+    /**
+     * Moves the sector.
+     *
+     * @param apexX metres
+     * @param apexY metres
+     * @param axisX the cosine of the axis' direction
+     * @param axisY the sine of the axis' direction
+     */
+    public void moveTo(double apexX, double apexY, double axisX, double axisY) {
+        x = apexX;
+        y = apexY;
+        leftX = axisX * cosHalf - axisY * sinHalf;
+        leftY = axisY * cosHalf + axisX * sinHalf;
+        rightX = axisX * cosHalf + axisY * sinHalf;
+        rightY = axisY * cosHalf - axisX * sinHalf;
+    }
+
+    /** Returns the distance to a shape as {@link #nearest(Sector, ConvexShape)} does. */
+    public double nearest(ConvexShape shape) {
+        if (shape instanceof Segment segment) {
+            return toSegment(segment.ax(), segment.ay(), segment.bx() - segment.ax(), segment.by() - segment.ay());
+        }
+        double distance = shape instanceof Disc disc ? toDisc(disc) : toEllipse((Ellipse) shape);
+        return distance <= range ? distance : NONE;
+    }
+
+    /**
+     * Returns the distance to the segment from (ax, ay) to (ax + dx, ay + dy). The segment is clipped to the cone's two
+     * half planes; the nearest point of the rest is the point closest to the apex or an end.
+     */
+    public double toSegment(double ax, double ay, double dx, double dy) {
+        double px = ax - x;
+        double py = ay - y;
         double dd = dx * dx + dy * dy;
         double foot = dd == 0 ? 0 : Math.max(0, Math.min(1, -(px * dx + py * dy) / dd));
         double fx = px + foot * dx;
         double fy = py + foot * dy;
         double nearest = fx * fx + fy * fy;
-        if (nearest > s.range() * s.range()) {
+        if (nearest > range * range) {
             return NONE;
         }
         if (nearest == 0) {
             return 0;
         }
-        // Signed distances of the ends from the edges' lines, positive inside the cone: p x L and R x p.
-        double lx = s.ux() * s.cosHalf() - s.uy() * s.sinHalf();
-        double ly = s.uy() * s.cosHalf() + s.ux() * s.sinHalf();
-        double rx = s.ux() * s.cosHalf() + s.uy() * s.sinHalf();
-        double ry = s.uy() * s.cosHalf() - s.ux() * s.sinHalf();
-        double leftStart = px * ly - py * lx;
-        double leftGain = dx * ly - dy * lx;
-        double rightStart = rx * py - ry * px;
-        double rightGain = rx * dy - ry * dx;
+        // Signed distances of the ends from the lines of the edges, positive inside the cone: p x L and R x p.
+        double leftStart = px * leftY - py * leftX;
+        double leftGain = dx * leftY - dy * leftX;
+        double rightStart = rightX * py - rightY * px;
+        double rightGain = rightX * dy - rightY * dx;
         double from = Math.max(clipFrom(leftStart, leftGain), clipFrom(rightStart, rightGain));
         double to = Math.min(clipTo(leftStart, leftGain), clipTo(rightStart, rightGain));
         if (!(from <= to)) {
             return NONE;
         }
-        double share = Math.max(from, Math.min(to, foot));
-        double qx = px + share * dx;
-        double qy = py + share * dy;
-        return Math.sqrt(qx * qx + qy * qy);
+        double fraction = Math.max(from, Math.min(to, foot));
+        double qx = px + fraction * dx;
+        double qy = py + fraction * dy;
+        double distance = Math.sqrt(qx * qx + qy * qy);
+        return distance <= range ? distance : NONE;
     }
 
-    /** Where, in [0, 1], start + share * gain becomes not negative; above 1 where it never does. */
+    /** Returns the fraction in [0, 1] from which start + fraction * gain is not negative; above 1 if it never is. */
     private static double clipFrom(double start, double gain) {
         if (start >= 0) {
             return 0;
@@ -81,7 +119,7 @@ public final class SectorDistance {
         return start + gain < 0 ? NONE : Math.min(1, start / -gain);
     }
 
-    /** Where, in [0, 1], start + share * gain stops being not negative; below 0 where it never is. */
+    /** Returns the fraction in [0, 1] up to which start + fraction * gain is not negative; below 0 if it never is. */
     private static double clipTo(double start, double gain) {
         if (start + gain >= 0) {
             return 1;
@@ -89,90 +127,74 @@ public final class SectorDistance {
         return start < 0 ? -NONE : Math.max(0, start / -gain);
     }
 
-    private static double toDisc(Sector s, Disc disc) {
-        double cx = disc.cx() - s.ax();
-        double cy = disc.cy() - s.ay();
+    private double toDisc(Disc disc) {
+        double cx = disc.cx() - x;
+        double cy = disc.cy() - y;
         double centre = Math.sqrt(cx * cx + cy * cy);
         double distance = centre - disc.radius();
         if (distance <= 0) {
             return 0;
         }
-        if (distance > s.range()) {
+        if (distance > range) {
             return NONE;
         }
-        if (containsDirection(s, cx, cy)) {
+        if (containsDirection(cx, cy)) {
             return distance;
         }
         double power = distance * (centre + disc.radius());
         return Math.min(
-                rayDistance(leftX(s) * cx + leftY(s) * cy, leftX(s) * cy - leftY(s) * cx, disc.radius(), power),
-                rayDistance(rightX(s) * cx + rightY(s) * cy, rightX(s) * cy - rightY(s) * cx, disc.radius(), power));
+                rayToCircle(leftX * cx + leftY * cy, leftX * cy - leftY * cx, disc.radius(), power),
+                rayToCircle(rightX * cx + rightY * cy, rightX * cy - rightY * cx, disc.radius(), power));
     }
 
     /**
-     * How far along a ray a circle begins.
+     * Returns the distance along a ray to a circle.
      *
      * @param along the centre's distance along the ray
      * @param aside the centre's distance from the ray's line
-     * @param power of the apex with regard to the circle: |centre|^2 - radius^2, positive
+     * @param power the power of the apex with respect to the circle: |centre|^2 - radius^2, positive
      */
-    private static double rayDistance(double along, double aside, double radius, double power) {
+    private static double rayToCircle(double along, double aside, double radius, double power) {
         double chord = (radius - aside) * (radius + aside);
         return along > 0 && chord >= 0 ? power / (along + Math.sqrt(chord)) : NONE;
     }
 
-    private static double toEllipse(Sector s, Ellipse oval) {
-        double dx = s.ax() - oval.cx();
-        double dy = s.ay() - oval.cy();
-        double limit = s.range() + oval.boundingRadius();
+    private double toEllipse(Ellipse ellipse) {
+        RigidMotion frame = ellipse.frame();
+        double dx = x - frame.x();
+        double dy = y - frame.y();
+        double limit = range + ellipse.boundingRadius();
         if (dx * dx + dy * dy > limit * limit) {
             return NONE;
         }
-        Vector2 apex = oval.toLocal(s.apex());
-        double u = apex.x() / oval.rx();
-        double v = apex.y() / oval.ry();
+        double localX = frame.cos() * dx + frame.sin() * dy;
+        double localY = frame.cos() * dy - frame.sin() * dx;
+        double u = localX / ellipse.rx();
+        double v = localY / ellipse.ry();
         if (u * u + v * v <= 1) {
             return 0;
         }
-        Vector2 foot = EllipseClosestPoint.compute(oval.rx(), oval.ry(), apex);
-        double fx = foot.x() - apex.x();
-        double fy = foot.y() - apex.y();
-        if (containsDirection(s, oval.cos() * fx - oval.sin() * fy, oval.sin() * fx + oval.cos() * fy)) {
+        double root = EllipseClosestPoint.root(ellipse.rx(), ellipse.ry(), localX, localY);
+        double fx = EllipseClosestPoint.coordinate(ellipse.rx(), root, localX) - localX;
+        double fy = EllipseClosestPoint.coordinate(ellipse.ry(), root, localY) - localY;
+        if (containsDirection(frame.cos() * fx - frame.sin() * fy, frame.sin() * fx + frame.cos() * fy)) {
             return Math.sqrt(fx * fx + fy * fy);
         }
-        return Math.min(rayDistance(oval, apex, leftX(s), leftY(s)), rayDistance(oval, apex, rightX(s), rightY(s)));
+        return Math.min(rayToEllipse(ellipse, u, v, leftX, leftY), rayToEllipse(ellipse, u, v, rightX, rightY));
     }
 
-    /** How far along a ray an ellipse begins: the axes are scaled until it is the unit circle. */
-    private static double rayDistance(Ellipse oval, Vector2 apex, double ex, double ey) {
-        double ax = apex.x() / oval.rx();
-        double ay = apex.y() / oval.ry();
-        double dx = (oval.cos() * ex + oval.sin() * ey) / oval.rx();
-        double dy = (oval.cos() * ey - oval.sin() * ex) / oval.ry();
-        double aside = ax * dy - ay * dx;
+    /** Returns the distance along a ray to an ellipse, in coordinates in which it is the unit circle: apex (u, v). */
+    private static double rayToEllipse(Ellipse ellipse, double u, double v, double edgeX, double edgeY) {
+        RigidMotion frame = ellipse.frame();
+        double dx = (frame.cos() * edgeX + frame.sin() * edgeY) / ellipse.rx();
+        double dy = (frame.cos() * edgeY - frame.sin() * edgeX) / ellipse.ry();
+        double aside = u * dy - v * dx;
         double chord = dx * dx + dy * dy - aside * aside;
-        double along = -(ax * dx + ay * dy);
-        return along > 0 && chord >= 0 ? (ax * ax + ay * ay - 1) / (along + Math.sqrt(chord)) : NONE;
+        double along = -(u * dx + v * dy);
+        return along > 0 && chord >= 0 ? (u * u + v * v - 1) / (along + Math.sqrt(chord)) : NONE;
     }
 
-    /** Whether a direction lies in the cone. */
-    private static boolean containsDirection(Sector s, double x, double y) {
-        return x * leftY(s) - y * leftX(s) >= 0 && rightX(s) * y - rightY(s) * x >= 0;
-    }
-
-    private static double leftX(Sector s) {
-        return s.ux() * s.cosHalf() - s.uy() * s.sinHalf();
-    }
-
-    private static double leftY(Sector s) {
-        return s.uy() * s.cosHalf() + s.ux() * s.sinHalf();
-    }
-
-    private static double rightX(Sector s) {
-        return s.ux() * s.cosHalf() + s.uy() * s.sinHalf();
-    }
-
-    private static double rightY(Sector s) {
-        return s.uy() * s.cosHalf() - s.ux() * s.sinHalf();
+    private boolean containsDirection(double dx, double dy) {
+        return dx * leftY - dy * leftX >= 0 && rightX * dy - rightY * dx >= 0;
     }
 }

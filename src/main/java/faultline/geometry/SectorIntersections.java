@@ -4,42 +4,30 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Where a sector's outline (two edges and an arc) meets the outline of a figure: the intersection points that the paper
- * circles. They are for the eye only; no reading is taken from them.
+ * The points where a sector's outline (two edges and an arc) meets the outline of a shape, as circled in the paper's
+ * figures. They are only drawn; no reading depends on them.
  */
 public final class SectorIntersections {
 
     private SectorIntersections() {}
 
     /**
-     * The points where the outlines cross. Where they merely touch, or run along each other, points may be left out.
-     *
-     * @param sector the sector
-     * @param figure the figure
-     * @return left edge first, then right edge, then arc; empty where the outlines are apart
+     * Returns the points where the outlines cross: those of the left edge, the right edge and the arc, in this order.
+     * Points where the outlines only touch, or coincide, may be missing.
      */
-    public static List<Vector2> points(Sector sector, ConvexShape figure) {
+    public static List<Vector2> points(Sector sector, ConvexShape shape) {
         List<Vector2> hits = new ArrayList<>();
-        addEdgePoints(sector, sector.leftEdge(), figure, hits);
-        addEdgePoints(sector, sector.rightEdge(), figure, hits);
-        if (figure instanceof Segment segment) {
+        if (shape instanceof Segment segment) {
+            edgeWithSegment(sector, sector.leftEdge(), segment, hits);
+            edgeWithSegment(sector, sector.rightEdge(), segment, hits);
             arcWithSegment(sector, segment, hits);
-        } else if (figure instanceof Disc disc) {
-            arcWithEllipse(sector, new Ellipse(disc.cx(), disc.cy(), disc.radius(), disc.radius(), 1, 0), hits);
-        } else {
-            arcWithEllipse(sector, (Ellipse) figure, hits);
+        } else if (!(shape instanceof Disc disc && disc.radius() == 0)) {
+            Ellipse ellipse = shape instanceof Disc disc ? disc.toEllipse() : (Ellipse) shape;
+            edgeWithEllipse(sector, sector.leftEdge(), ellipse, hits);
+            edgeWithEllipse(sector, sector.rightEdge(), ellipse, hits);
+            arcWithEllipse(sector, ellipse, hits);
         }
         return hits;
-    }
-
-    private static void addEdgePoints(Sector sector, Vector2 edge, ConvexShape figure, List<Vector2> hits) {
-        if (figure instanceof Segment segment) {
-            edgeWithSegment(sector, edge, segment, hits);
-        } else if (figure instanceof Disc disc) {
-            edgeWithEllipse(sector, edge, new Ellipse(disc.cx(), disc.cy(), disc.radius(), disc.radius(), 1, 0), hits);
-        } else {
-            edgeWithEllipse(sector, edge, (Ellipse) figure, hits);
-        }
     }
 
     private static void edgeWithSegment(Sector sector, Vector2 edge, Segment segment, List<Vector2> hits) {
@@ -49,20 +37,19 @@ public final class SectorIntersections {
         if (across == 0) {
             return;
         }
-        // The point is taken along the segment and then measured along the edge, so that it lies on both even where
-        // they are all but
-        // parallel.
-        double share = start.cross(edge) / across;
-        Vector2 point = segment.pointAt(share);
+        // The point is computed on the segment and then measured along the edge, so that it lies on both even if they
+        // are nearly parallel.
+        double fraction = start.cross(edge) / across;
+        Vector2 point = segment.pointAt(fraction);
         double distance = point.minus(sector.apex()).dot(edge);
-        if (share >= 0 && share <= 1 && distance >= 0 && distance <= sector.range()) {
+        if (fraction >= 0 && fraction <= 1 && distance >= 0 && distance <= sector.range()) {
             hits.add(point);
         }
     }
 
-    private static void edgeWithEllipse(Sector sector, Vector2 edge, Ellipse oval, List<Vector2> hits) {
-        Vector2 apex = scaled(oval, oval.toLocal(sector.apex()));
-        Vector2 step = scaled(oval, oval.toLocal(sector.apex().plus(edge))).minus(apex);
+    private static void edgeWithEllipse(Sector sector, Vector2 edge, Ellipse ellipse, List<Vector2> hits) {
+        Vector2 apex = ellipse.toUnitCircle(sector.apex());
+        Vector2 step = ellipse.toUnitCircle(sector.apex().plus(edge)).minus(apex);
         double a = step.dot(step);
         double b = apex.dot(step);
         double aside = apex.cross(step);
@@ -72,10 +59,6 @@ public final class SectorIntersections {
                 hits.add(sector.apex().plus(edge.times(distance)));
             }
         }
-    }
-
-    private static Vector2 scaled(Ellipse oval, Vector2 local) {
-        return new Vector2(local.x() / oval.rx(), local.y() / oval.ry());
     }
 
     private static void arcWithSegment(Sector sector, Segment segment, List<Vector2> hits) {
@@ -88,9 +71,9 @@ public final class SectorIntersections {
         double b = start.dot(along);
         double aside = start.cross(along);
         double root = Math.sqrt(a * sector.range() * sector.range() - aside * aside);
-        for (double share : new double[] {(-b - root) / a, (-b + root) / a}) {
-            Vector2 direction = start.plus(along.times(share));
-            if (share >= 0 && share <= 1 && containsDirection(sector, direction)) {
+        for (double fraction : new double[] {(-b - root) / a, (-b + root) / a}) {
+            Vector2 direction = start.plus(along.times(fraction));
+            if (fraction >= 0 && fraction <= 1 && containsDirection(sector, direction)) {
                 hits.add(sector.apex().plus(direction));
             }
         }
@@ -101,18 +84,15 @@ public final class SectorIntersections {
     }
 
     /**
-     * With z = tan(angle / 2), where the angle is from the axis, the arc's point is apex + range ((1 - z^2) axis + 2 z
-     * aside) / (1 + z^2), and the ellipse's equation becomes a quartic in z; |z| stays below tan 45 degrees.
+     * With z = tan(angle / 2), the angle measured from the axis, a point of the arc is apex + range ((1 - z^2) axis + 2
+     * z aside) / (1 + z^2), and the ellipse's equation becomes a quartic in z; |z| is below tan 45 degrees.
      */
-    private static void arcWithEllipse(Sector sector, Ellipse oval, List<Vector2> hits) {
-        Vector2 apex = scaled(oval, oval.toLocal(sector.apex()));
-        Vector2 axis = scaled(
-                        oval, oval.toLocal(sector.apex().plus(sector.axis().times(sector.range()))))
+    private static void arcWithEllipse(Sector sector, Ellipse ellipse, List<Vector2> hits) {
+        Vector2 apex = ellipse.toUnitCircle(sector.apex());
+        Vector2 axis = ellipse.toUnitCircle(sector.apex().plus(sector.axis().times(sector.range())))
                 .minus(apex);
-        Vector2 aside = scaled(
-                        oval,
-                        oval.toLocal(
-                                sector.apex().plus(sector.axis().perpendicular().times(sector.range()))))
+        Vector2 aside = ellipse.toUnitCircle(
+                        sector.apex().plus(sector.axis().perpendicular().times(sector.range())))
                 .minus(apex);
         double[] x = {apex.x() + axis.x(), 2 * aside.x(), apex.x() - axis.x()};
         double[] y = {apex.y() + axis.y(), 2 * aside.y(), apex.y() - axis.y()};

@@ -1,7 +1,7 @@
 package faultline.geometry;
 
 /**
- * A straight piece of wall without thickness; its ends belong to it and may coincide.
+ * A straight wall without thickness. Its ends belong to it and may coincide.
  *
  * @param ax the first end's x, metres
  * @param ay the first end's y, metres
@@ -10,51 +10,36 @@ package faultline.geometry;
  */
 public record Segment(double ax, double ay, double bx, double by) implements ConvexShape {
 
-    /**
-     * The segment between two points.
-     *
-     * @param a the first end
-     * @param b the second end
-     */
+    public Segment {
+        if (!(Double.isFinite(ax) && Double.isFinite(ay) && Double.isFinite(bx) && Double.isFinite(by))) {
+            throw new IllegalArgumentException(
+                    "the ends of a segment must be finite: " + ax + ", " + ay + ", " + bx + ", " + by);
+        }
+    }
+
+    /** Creates the segment between two points. */
     public Segment(Vector2 a, Vector2 b) {
         this(a.x(), a.y(), b.x(), b.y());
     }
 
-    /**
-     * The first end.
-     *
-     * @return metres
-     */
+    /** Returns the first end. */
     public Vector2 a() {
         return new Vector2(ax, ay);
     }
 
-    /**
-     * The second end.
-     *
-     * @return metres
-     */
+    /** Returns the second end. */
     public Vector2 b() {
         return new Vector2(bx, by);
     }
 
-    /**
-     * The length.
-     *
-     * @return metres, 0 where the ends coincide
-     */
+    /** Returns the length, metres, 0 if the ends coincide. */
     public double length() {
         return a().distanceTo(b());
     }
 
-    /**
-     * The point at a share of the way from the first end to the second.
-     *
-     * @param share 0 at the first end, 1 at the second
-     * @return the point
-     */
-    public Vector2 pointAt(double share) {
-        return share == 1 ? b() : new Vector2(ax + share * (bx - ax), ay + share * (by - ay));
+    /** Returns the point at a fraction of the segment, 0 for the first end and 1 for the second. */
+    public Vector2 pointAt(double fraction) {
+        return fraction == 1 ? b() : new Vector2(ax + fraction * (bx - ax), ay + fraction * (by - ay));
     }
 
     @Override
@@ -65,8 +50,8 @@ public record Segment(double ax, double ay, double bx, double by) implements Con
         if (dd == 0) {
             return a();
         }
-        double share = ((point.x() - ax) * dx + (point.y() - ay) * dy) / dd;
-        return pointAt(Math.max(0, Math.min(1, share)));
+        double fraction = ((point.x() - ax) * dx + (point.y() - ay) * dy) / dd;
+        return pointAt(Math.max(0, Math.min(1, fraction)));
     }
 
     @Override

@@ -6,43 +6,42 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * What a cone sensor reads of a glossy flat surface, and what is circled there: its light comes back only from where it
- * meets the surface at no more than some angle of incidence, measured from the surface's normal. Those points are the
- * segment's stretch about the foot of the apex.
+ * The reading of a cone sensor from a specular flat surface, and its intersection points. Such a surface reflects light
+ * back only where the angle of incidence, measured from its normal, is at most some limit: on the part of the segment
+ * about the foot of the apex.
  */
 public final class SpecularDistance {
 
     private SpecularDistance() {}
 
     /**
-     * The distance to the nearest point of a segment within a sector that sends light back.
+     * Returns the distance to the nearest point of a segment within a sector that reflects light back.
      *
      * @param sector the sector
      * @param segment the surface
-     * @param incidence the greatest angle of incidence that it sends light back from, radians in (0, pi / 2)
-     * @return metres in [0, range], or positive infinity where no such point lies in the sector
+     * @param incidence the greatest angle of incidence that reflects light back, radians in (0, pi / 2)
+     * @return metres in [0, range], or positive infinity if no such point lies in the sector
      */
     public static double nearest(Sector sector, Segment segment, double incidence) {
         return reflectingPart(sector.apex(), segment, incidence)
-                .map(stretch -> SectorDistance.nearest(sector, stretch))
+                .map(part -> SectorDistance.nearest(sector, part))
                 .orElse(Double.POSITIVE_INFINITY);
     }
 
     /**
-     * The points where a sector's outline meets the part of a segment that sends light back, and where that part ends
-     * inside the sector because the light comes in too flat beyond. Like {@link SectorIntersections#points} for the eye
-     * only.
+     * Returns the points where a sector's outline meets the reflecting part of a segment, and the ends of that part
+     * that lie inside the sector. They are only drawn, like {@link SectorIntersections#points}. Empty if nothing is
+     * reflected, or if the whole surface lies inside the sector and reflects.
      *
      * @param sector the sector
      * @param segment the surface
-     * @param incidence the greatest angle of incidence that it sends light back from, radians in (0, pi / 2)
-     * @return empty where nothing comes back, or where the whole of the surface lies inside the sector and answers
+     * @param incidence the greatest angle of incidence that reflects light back, radians in (0, pi / 2)
      */
     public static List<Vector2> intersections(Sector sector, Segment segment, double incidence) {
         List<Vector2> hits = new ArrayList<>();
-        reflectingPart(sector.apex(), segment, incidence).ifPresent(stretch -> {
-            hits.addAll(SectorIntersections.points(sector, stretch));
-            Stream.of(stretch.a(), stretch.b())
+        reflectingPart(sector.apex(), segment, incidence).ifPresent(part -> {
+            hits.addAll(SectorIntersections.points(sector, part));
+            Stream.of(part.a(), part.b())
                     .filter(end -> !end.equals(segment.a()) && !end.equals(segment.b()))
                     .filter(end -> SectorDistance.nearest(sector, new Segment(end, end)) <= sector.range())
                     .forEach(hits::add);
@@ -50,7 +49,6 @@ public final class SpecularDistance {
         return hits;
     }
 
-    /** The stretch that sends light back to an apex. */
     private static Optional<Segment> reflectingPart(Vector2 apex, Segment segment, double incidence) {
         double length = segment.length();
         if (length == 0) {

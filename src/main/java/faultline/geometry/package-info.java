@@ -1,6 +1,6 @@
 /**
- * The ground floor: vectors, poses, rigid motion, sectors, and exact distances between plane figures. Everything here
- * is an immutable value or a pure function in metres and radians, safe on any thread, and knows nothing of robots or
- * time. Transcendental functions are {@link java.lang.StrictMath}'s, so that every machine computes the same bits.
+ * The lowest layer: vectors, poses, rigid motions, sectors, and exact distances between plane shapes. Everything here
+ * is an immutable value or a pure function in metres and radians, safe on any thread, and depends on no other package.
+ * Transcendental functions are those of {@link java.lang.StrictMath}, so that every machine computes the same bits.
  */
 package faultline.geometry;

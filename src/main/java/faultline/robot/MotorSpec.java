@@ -3,8 +3,8 @@ package faultline.robot;
 /**
  * A first-order motor with its wheel.
  *
- * @param timeConstant tau, seconds, 0 for a motor that follows at once
- * @param speedConstant metres per second at the wheel's rim per volt, positive
+ * @param timeConstant tau, seconds, 0 for a motor without lag
+ * @param speedConstant the wheel's rim speed per volt, metres per second, positive
  * @param maxVoltage the saturation of the supply, volts, positive
  */
 public record MotorSpec(double timeConstant, double speedConstant, double maxVoltage) {
@@ -20,49 +20,39 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
             throw new IllegalArgumentException("the motor's speed constant must be positive: " + speedConstant);
         }
         if (!(maxVoltage > 0 && Double.isFinite(maxVoltage))) {
-            throw new IllegalArgumentException("the motor's greatest voltage must be positive: " + maxVoltage);
+            throw new IllegalArgumentException("the motor's maximum voltage must be positive: " + maxVoltage);
         }
     }
 
-    /**
-     * The fastest that the wheel can run.
-     *
-     * @return metres per second
-     */
+    /** Returns the maximum wheel speed, metres per second. */
     public double maxSpeed() {
         return speedConstant * maxVoltage;
     }
 
-    /**
-     * The voltage that holds a wheel speed.
-     *
-     * @param speed metres per second
-     * @return volts, not limited
-     */
+    /** Returns the voltage, not limited, that holds a wheel speed given in metres per second. */
     public double voltageFor(double speed) {
         return speed / speedConstant;
     }
 
-    /**
-     * The share of a speed error that is left after one tick, exp(-dt / tau).
-     *
-     * @param dt the tick, seconds
-     * @return in [0, 1)
-     */
+    /** Returns the fraction in [0, 1) of a speed error that remains after a tick of dt seconds: exp(-dt / tau). */
     public double decay(double dt) {
         return timeConstant == 0 ? 0 : StrictMath.exp(-dt / timeConstant);
     }
 
     /**
-     * The wheel speed one tick on: the exact solution of tau dv/dt = speedConstant u - v for a constant voltage.
+     * Returns the wheel speed after a tick: the exact solution of tau dv/dt = speedConstant u - v for constant voltage.
      *
-     * @param speed the wheel speed now, metres per second
+     * @param speed the wheel speed before the tick, metres per second
      * @param volts the voltage during the tick, limited to the supply
      * @param decay from {@link #decay}
-     * @return metres per second
      */
     public double step(double speed, double volts, double decay) {
         double target = speedConstant * Math.max(-maxVoltage, Math.min(maxVoltage, volts));
         return target + (speed - target) * decay;
+    }
+
+    /** Returns the speeds of both sides' wheels after a tick, each as {@link #step(double, double, double)} does. */
+    public WheelSpeeds step(WheelSpeeds speeds, double leftVolts, double rightVolts, double decay) {
+        return new WheelSpeeds(step(speeds.left(), leftVolts, decay), step(speeds.right(), rightVolts, decay));
     }
 }

@@ -3,21 +3,22 @@ package faultline.robot;
 import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
 import faultline.sensor.SensorSpec;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
 /**
- * The four-wheel differential-drive robot as it is built and set. Its body is a rectangle about its centre, which is
- * also its centre of rotation; its frame has x ahead and y to the left.
+ * The construction and settings of the four-wheel differential-drive robot. Its body is a rectangle about its centre,
+ * which is also its centre of rotation; its frame has x ahead and y to the left.
  *
  * @param length of the platform, along x, metres, positive
  * @param width of the platform, along y, metres, positive
- * @param track width between the left and the right wheels, metres, positive
+ * @param track the distance between the left and the right wheels, metres, positive
  * @param speed the linear velocity that the controller drives at, metres per second, positive
- * @param turnRate the rate that the controller spins at, radians per second, positive
- * @param motor either side's motor
+ * @param turnRate the angular velocity that the controller turns on the spot at, radians per second, positive
+ * @param motor the motor of either side
  * @param sensors in the order of the trace's columns; ids are unique
  */
 public record RobotSpec(
@@ -29,7 +30,7 @@ public record RobotSpec(
         MotorSpec motor,
         List<SensorSpec> sensors) {
 
-    /** The robot that is used where a file gives no values. */
+    /** The robot of a scenario that gives no values. */
     public static final RobotSpec DEFAULT =
             new RobotSpec(0.25, 0.20, 0.18, 0.3, Degrees.toRadians(60), MotorSpec.DEFAULT, standardSensors(0.25, 0.20));
 
@@ -43,7 +44,7 @@ public record RobotSpec(
         Set<String> ids = new HashSet<>();
         for (SensorSpec sensor : sensors) {
             if (!ids.add(sensor.id())) {
-                throw new IllegalArgumentException("two sensors are called " + sensor.id());
+                throw new IllegalArgumentException("two sensors have the id " + sensor.id());
             }
         }
     }
@@ -55,11 +56,11 @@ public record RobotSpec(
     }
 
     /**
-     * The eight standard sensors, symmetric about the robot's axis: at the corners and the middles of the sides.
+     * Returns the eight standard sensors, symmetric about the robot's axis, at the corners and the middles of the
+     * sides: front, front-left, left, rear-left, rear, rear-right, right, front-right.
      *
      * @param length of the platform, metres
      * @param width of the platform, metres
-     * @return front, front-left, left, rear-left, rear, rear-right, right, front-right
      */
     public static List<SensorSpec> standardSensors(double length, double width) {
         double x = length / 2;
@@ -86,12 +87,7 @@ public record RobotSpec(
                 0);
     }
 
-    /**
-     * The place of a sensor in the list.
-     *
-     * @param id the sensor's id
-     * @return its index, or -1 where there is none of that id
-     */
+    /** Returns the index of the sensor with an id, or -1 if there is none. */
     public int indexOf(String id) {
         for (int i = 0; i < sensors.size(); i++) {
             if (sensors.get(i).id().equals(id)) {
@@ -101,51 +97,53 @@ public record RobotSpec(
         return -1;
     }
 
-    /**
-     * The sensor of an id.
-     *
-     * @param id the sensor's id
-     * @return the sensor, empty where there is none of that id
-     */
+    /** Returns the sensor with an id. */
     public Optional<SensorSpec> sensor(String id) {
         int index = indexOf(id);
         return index < 0 ? Optional.empty() : Optional.of(sensors.get(index));
     }
 
     /**
-     * This robot with one sensor exchanged for another of the same id.
+     * Returns this robot with one sensor replaced by another with the same id.
      *
-     * @param sensor the new sensor
-     * @return the same robot otherwise
-     * @throws IllegalArgumentException if no sensor has its id
+     * @throws IllegalArgumentException if no sensor has that id
      */
     public RobotSpec withSensor(SensorSpec sensor) {
         int index = indexOf(sensor.id());
         if (index < 0) {
             throw new IllegalArgumentException("the robot has no sensor " + sensor.id());
         }
-        List<SensorSpec> changed = new java.util.ArrayList<>(sensors);
+        List<SensorSpec> changed = new ArrayList<>(sensors);
         changed.set(index, sensor);
-        return new RobotSpec(length, width, track, speed, turnRate, motor, changed);
+        return withSensors(changed);
     }
 
-    /**
-     * This robot with another platform and speed.
-     *
-     * @param newLength metres
-     * @param newWidth metres
-     * @param newSpeed metres per second
-     * @return the same robot otherwise; the sensors keep their seats
-     */
+    /** Returns this robot with other sensors. */
+    public RobotSpec withSensors(List<SensorSpec> newSensors) {
+        return new RobotSpec(length, width, track, speed, turnRate, motor, newSensors);
+    }
+
+    /** Returns this robot with another platform and linear velocity; the sensors keep their mounting positions. */
     public RobotSpec withPlatform(double newLength, double newWidth, double newSpeed) {
         return new RobotSpec(newLength, newWidth, track, newSpeed, turnRate, motor, sensors);
     }
 
-    /**
-     * The radius of the circle about the centre that the platform turns within.
-     *
-     * @return metres
-     */
+    /** Returns this robot with another linear velocity, metres per second. */
+    public RobotSpec withSpeed(double newSpeed) {
+        return withPlatform(length, width, newSpeed);
+    }
+
+    /** Returns this robot with another turn rate, radians per second. */
+    public RobotSpec withTurnRate(double newTurnRate) {
+        return new RobotSpec(length, width, track, speed, newTurnRate, motor, sensors);
+    }
+
+    /** Returns this robot with another motor. */
+    public RobotSpec withMotor(MotorSpec newMotor) {
+        return new RobotSpec(length, width, track, speed, turnRate, newMotor, sensors);
+    }
+
+    /** Returns the radius of the circle about the centre that encloses the platform, metres. */
     public double boundingRadius() {
         return Math.sqrt(length * length + width * width) / 2;
     }

@@ -1,5 +1,5 @@
 /**
- * The robot's body and drive: what it is built of, how voltages become wheel speeds, and how wheel speeds move its
- * pose. Immutable values and pure functions on any thread; nothing here knows of obstacles.
+ * The robot's body and drive: its construction, how voltages become wheel speeds, and how wheel speeds change its pose.
+ * Immutable values and pure functions on any thread. Nothing here depends on obstacles.
  */
 package faultline.robot;

@@ -24,15 +24,7 @@ public final class JournalScenario {
         SimulationSetup setup = journal.setup();
         List<TimedCommand> timeline = new ArrayList<>(setup.timeline());
         journal.entries().forEach(entry -> timeline.add(new TimedCommand(entry.tick() * setup.dt(), entry.command())));
-        SimulationSetup replay = new SimulationSetup(
-                setup.world(),
-                setup.robot(),
-                setup.start(),
-                setup.controller(),
-                timeline,
-                setup.dt(),
-                setup.seed(),
-                journal.ticks() * setup.dt());
+        SimulationSetup replay = setup.withTimeline(timeline).withDuration(journal.ticks() * setup.dt());
         return new Scenario(base.name(), base.description(), true, replay, Expectation.NONE);
     }
 }

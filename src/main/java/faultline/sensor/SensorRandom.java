@@ -1,9 +1,9 @@
 package faultline.sensor;
 
 /**
- * The random numbers of one sensor in one tick. They follow from (seed, sensor id, tick) alone, by SplitMix64 (Steele,
- * Lea and Flood 2014), so that no draw depends on how many others were made before it: switching a sensor, stepping
- * back or replaying changes nobody's noise.
+ * The random numbers of one sensor in one tick. They depend only on (seed, sensor id, tick), by SplitMix64 (Steele, Lea
+ * and Flood 2014), and not on the number of earlier draws: switching a sensor, stepping back or replaying does not
+ * change the noise of any sensor.
  */
 public final class SensorRandom {
 
@@ -15,13 +15,7 @@ public final class SensorRandom {
         this.state = state;
     }
 
-    /**
-     * The stream of a sensor, to be asked for each tick's dice.
-     *
-     * @param seed the run's seed
-     * @param sensorId the sensor
-     * @return a number to give to {@link #forTick}
-     */
+    /** Returns the key of a sensor's random numbers, for {@link #forTick}, from the run's seed and the sensor's id. */
     public static long streamKey(long seed, String sensorId) {
         long hash = mix(seed + GAMMA);
         for (int i = 0; i < sensorId.length(); i++) {
@@ -30,32 +24,18 @@ public final class SensorRandom {
         return hash;
     }
 
-    /**
-     * The dice of one tick.
-     *
-     * @param stream from {@link #streamKey}
-     * @param tick the tick
-     * @return fresh dice, the same for the same arguments
-     */
-    public static SensorRandom forTick(long stream, long tick) {
-        return new SensorRandom(mix(stream ^ mix(tick * GAMMA + 1)));
+    /** Returns the random numbers of one tick, the same for the same key and tick. */
+    public static SensorRandom forTick(long streamKey, long tick) {
+        return new SensorRandom(mix(streamKey ^ mix(tick * GAMMA + 1)));
     }
 
-    /**
-     * The next uniform number.
-     *
-     * @return in [0, 1), a multiple of 2^-53
-     */
+    /** Returns the next uniform number in [0, 1), a multiple of 2^-53. */
     public double nextDouble() {
         state += GAMMA;
         return (mix(state) >>> 11) * 0x1.0p-53;
     }
 
-    /**
-     * The next standard normal number, by the Box-Muller formula.
-     *
-     * @return finite; mean 0, standard deviation 1
-     */
+    /** Returns the next standard normal number, always finite, by the Box-Muller formula. */
     public double nextGaussian() {
         double radius = StrictMath.sqrt(-2 * StrictMath.log(1 - nextDouble()));
         return radius * StrictMath.cos(2 * StrictMath.PI * nextDouble());

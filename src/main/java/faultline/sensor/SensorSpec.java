@@ -4,14 +4,14 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
 
 /**
- * How one infrared cone sensor is mounted and set.
+ * The mounting and settings of one infrared cone sensor, within {@link SensorLimits}.
  *
  * @param id the sensor's name, unique on the robot
  * @param mountPosition the apex of its cone in the robot's frame, metres ahead (x) and to the left (y) of the robot's
  *     centre
  * @param bearing the direction of its axis in the robot's frame, radians, counter-clockwise from straight ahead
- * @param range the farthest distance that it sees, metres, positive
- * @param cone its field of view, the full angle of the cone, radians in (0, pi)
+ * @param range the greatest distance that it measures, metres
+ * @param cone its field of view, the full angle of the cone, radians
  * @param on whether it is switched on
  * @param noise the standard deviation of its Gaussian noise, metres, 0 for none
  */
@@ -26,75 +26,51 @@ public record SensorSpec(
 
     public SensorSpec {
         require(!id.isEmpty(), "a sensor needs an id");
-        require(mountPosition.isFinite() && Double.isFinite(bearing), id + ": seat and bearing must be finite");
-        require(range > 0 && Double.isFinite(range), id + ": range must be positive: " + range);
-        require(cone > 0 && cone < StrictMath.PI, id + ": cone must be more than 0 and less than pi: " + cone);
-        require(noise >= 0 && Double.isFinite(noise), id + ": noise must not be negative: " + noise);
+        require(
+                mountPosition.isFinite() && Double.isFinite(bearing),
+                id + ": mounting position and bearing must be finite");
+        requireWithin(id, "range", range, SensorLimits.MIN_RANGE, SensorLimits.MAX_RANGE);
+        require(cone > 0 && cone < SensorLimits.MAX_CONE, id + ": cone must be more than 0 and less than pi: " + cone);
+        requireWithin(id, "noise", noise, 0, SensorLimits.MAX_NOISE);
     }
 
-    private static void require(boolean condition, String complaint) {
+    private static void requireWithin(String id, String name, double value, double min, double max) {
+        require(value >= min && value <= max, id + ": " + name + " must be from " + min + " to " + max + ": " + value);
+    }
+
+    private static void require(boolean condition, String message) {
         if (!condition) {
-            throw new IllegalArgumentException(complaint);
+            throw new IllegalArgumentException(message);
         }
     }
 
-    /**
-     * This sensor switched.
-     *
-     * @param nowOn whether it is on
-     * @return the same sensor, switched
-     */
-    public SensorSpec withOn(boolean nowOn) {
-        return new SensorSpec(id, mountPosition, bearing, range, cone, nowOn, noise);
+    /** Returns this sensor switched on or off. */
+    public SensorSpec withOn(boolean newOn) {
+        return new SensorSpec(id, mountPosition, bearing, range, cone, newOn, noise);
     }
 
-    /**
-     * This sensor with another range.
-     *
-     * @param metres the new range, positive
-     * @return the same sensor otherwise
-     */
-    public SensorSpec withRange(double metres) {
-        return new SensorSpec(id, mountPosition, bearing, metres, cone, on, noise);
+    /** Returns this sensor with another range, metres. */
+    public SensorSpec withRange(double newRange) {
+        return new SensorSpec(id, mountPosition, bearing, newRange, cone, on, noise);
     }
 
-    /**
-     * This sensor with another field of view.
-     *
-     * @param radians the new full angle, in (0, pi)
-     * @return the same sensor otherwise
-     */
-    public SensorSpec withCone(double radians) {
-        return new SensorSpec(id, mountPosition, bearing, range, radians, on, noise);
+    /** Returns this sensor with another field of view, radians. */
+    public SensorSpec withCone(double newCone) {
+        return new SensorSpec(id, mountPosition, bearing, range, newCone, on, noise);
     }
 
-    /**
-     * This sensor mounted elsewhere.
-     *
-     * @param metres the new apex of its cone in the robot's frame
-     * @return the same sensor otherwise
-     */
-    public SensorSpec withMountPosition(Vector2 metres) {
-        return new SensorSpec(id, metres, bearing, range, cone, on, noise);
+    /** Returns this sensor at another mounting position in the robot's frame. */
+    public SensorSpec withMountPosition(Vector2 newPosition) {
+        return new SensorSpec(id, newPosition, bearing, range, cone, on, noise);
     }
 
-    /**
-     * This sensor looking elsewhere.
-     *
-     * @param radians the new direction of its axis, counter-clockwise from straight ahead
-     * @return the same sensor otherwise
-     */
-    public SensorSpec withBearing(double radians) {
-        return new SensorSpec(id, mountPosition, radians, range, cone, on, noise);
+    /** Returns this sensor with another bearing, radians. */
+    public SensorSpec withBearing(double newBearing) {
+        return new SensorSpec(id, mountPosition, newBearing, range, cone, on, noise);
     }
 
-    /**
-     * This sensor with other noise.
-     *
-     * @param metres the new standard deviation, not negative
-     * @return the same sensor otherwise
-     */
-    public SensorSpec withNoise(double metres) {
-        return new SensorSpec(id, mountPosition, bearing, range, cone, on, metres);
+    /** Returns this sensor with another standard deviation of its noise, metres. */
+    public SensorSpec withNoise(double newNoise) {
+        return new SensorSpec(id, mountPosition, bearing, range, cone, on, newNoise);
     }
 }

@@ -1,5 +1,5 @@
 /**
- * Infrared cone sensors: how one is mounted, what it truly sees, and how its faults distort what it reports. Immutable
- * values and pure functions on any thread; nothing here knows what carries the sensor or what is done with its reading.
+ * Infrared cone sensors: their mounting and settings, their readings, and the faults that change their readings.
+ * Immutable values and pure functions on any thread. Nothing here depends on what carries a sensor or uses its reading.
  */
 package faultline.sensor;

@@ -51,7 +51,7 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
                 .toList();
         MotorSpec motor =
                 new MotorSpec(tau, usual.motor().speedConstant(), usual.motor().maxVoltage());
-        return new RobotSpec(usual.length(), usual.width(), usual.track(), usual.speed(), rate, motor, sensors);
+        return usual.withTurnRate(rate).withMotor(motor).withSensors(sensors);
     }
 
     /** The file's robot and control before its long wall. */
@@ -66,8 +66,8 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
 
     private AlignmentTrial withControl(double distance, double period, TimingRule timing) {
         return new AlignmentTrial(
-                SetupVariations.with(
-                        setup, new WallFollowing(distance, controllerSpec(setup).side(), period, timing)),
+                setup.withController(
+                        new WallFollowing(distance, controllerSpec(setup).side(), period, timing)),
                 handOver);
     }
 
@@ -76,12 +76,12 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
     }
 
     AlignmentTrial withRobot(RobotSpec robot) {
-        return new AlignmentTrial(SetupVariations.with(setup, robot), handOver);
+        return new AlignmentTrial(setup.withRobot(robot), handOver);
     }
 
     /** The same robot, control and seed elsewhere. */
     AlignmentTrial withSetup(SimulationSetup place) {
-        SimulationSetup there = SetupVariations.with(SetupVariations.with(place, setup.robot()), setup.controller());
+        SimulationSetup there = place.withRobot(setup.robot()).withController(setup.controller());
         return new AlignmentTrial(there.withSeed(setup.seed()), handOver);
     }
 

@@ -49,8 +49,9 @@ final class CornerRun {
         for (SensorSpec sensor : robot.sensors()) {
             robot = robot.withSensor(sensor.withOn(sensors.includes(sensor.id())));
         }
-        return RunTrace.simulate(SetupVariations.with(
-                WallScenes.corner(BASE, Degrees.toRadians(degrees), WallFollowing.DEFAULT.distance(), 0), robot));
+        return RunTrace.simulate(
+                WallScenes.corner(BASE, Degrees.toRadians(degrees), WallFollowing.DEFAULT.distance(), 0)
+                        .withRobot(robot));
     }
 
     /**

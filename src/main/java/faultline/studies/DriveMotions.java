@@ -8,6 +8,8 @@ import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.TextStyle.Anchor;
 import faultline.robot.DifferentialDrive;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -24,10 +26,12 @@ final class DriveMotions implements Figure {
 
     /** One move: its name and the speeds of the left and the right wheels, metres per second. */
     private record DriveMotion(String name, double left, double right) {
+        Velocity velocity() {
+            return new WheelSpeeds(left, right).toVelocity(ROBOT.track());
+        }
+
         Pose poseAfter(double seconds) {
-            double omega = DifferentialDrive.angularVelocity(left, right, ROBOT.track());
-            return DifferentialDrive.advance(
-                    new Pose(0, 0, StrictMath.PI / 2), DifferentialDrive.linearVelocity(left, right), omega, seconds);
+            return DifferentialDrive.advance(new Pose(0, 0, StrictMath.PI / 2), velocity(), seconds);
         }
     }
 
@@ -51,7 +55,7 @@ final class DriveMotions implements Figure {
     }
 
     private static void draw(FigureCanvas sheet, DriveMotion move, double x, double y) {
-        double v = DifferentialDrive.linearVelocity(move.left(), move.right());
+        double v = move.velocity().linear();
         double low = v > 0 ? -0.15 : v < 0 ? -0.48 : -0.315;
         PlanView plan = sheet.addPlan(
                 new PixelRectangle(x, y + 26, COLUMN_WIDTH, 172), new Rectangle2D.Double(-0.35, low, 0.7, 0.63));
@@ -94,11 +98,10 @@ final class DriveMotions implements Figure {
     }
 
     private static List<String> captionLines(DriveMotion move) {
-        double omega = DifferentialDrive.angularVelocity(move.left(), move.right(), ROBOT.track());
         return List.of(
                 "left " + FigureNumbers.format(move.left(), 2) + ", right " + FigureNumbers.format(move.right(), 2)
                         + " m/s",
-                "v " + FigureNumbers.format(DifferentialDrive.linearVelocity(move.left(), move.right()), 2)
-                        + " m/s, \u03c9 " + FigureNumbers.format(omega, 2) + " rad/s");
+                "v " + FigureNumbers.format(move.velocity().linear(), 2) + " m/s, \u03c9 "
+                        + FigureNumbers.format(move.velocity().angular(), 2) + " rad/s");
     }
 }

@@ -127,21 +127,14 @@ final class EquationFour {
     private static RobotSpec withMountPosition(double ahead, double aside) {
         RobotSpec robot = AlignmentTrial.robot(RANGE, CONE, RATE, TAU);
         SensorSpec left = robot.sensor("left").orElseThrow();
-        return robot.withSensor(new SensorSpec(
-                left.id(), new Vector2(ahead, aside), left.bearing(), left.range(), left.cone(), true, 0));
+        return robot.withSensor(
+                left.withMountPosition(new Vector2(ahead, aside)).withOn(true).withNoise(0));
     }
 
     private static RobotSpec withNoise(double deviation) {
         RobotSpec robot = AlignmentTrial.robot(RANGE, CONE, RATE, TAU);
         for (SensorSpec sensor : robot.sensors()) {
-            robot = robot.withSensor(new SensorSpec(
-                    sensor.id(),
-                    sensor.mountPosition(),
-                    sensor.bearing(),
-                    sensor.range(),
-                    sensor.cone(),
-                    true,
-                    deviation));
+            robot = robot.withSensor(sensor.withOn(true).withNoise(deviation));
         }
         return robot;
     }

@@ -58,23 +58,8 @@ final class NoiseWhileFollowing implements Figure {
         SimulationSetup setup = StudyScenarios.load(SCENARIO).setup();
         RobotSpec robot = setup.robot();
         for (SensorSpec sensor : robot.sensors()) {
-            robot = robot.withSensor(new SensorSpec(
-                    sensor.id(),
-                    sensor.mountPosition(),
-                    sensor.bearing(),
-                    sensor.range(),
-                    sensor.cone(),
-                    sensor.on(),
-                    deviation));
+            robot = robot.withSensor(sensor.withNoise(deviation));
         }
-        return new SimulationSetup(
-                setup.world(),
-                robot,
-                setup.start(),
-                setup.controller(),
-                setup.timeline(),
-                setup.dt(),
-                setup.seed(),
-                setup.duration());
+        return setup.withRobot(robot);
     }
 }

@@ -61,15 +61,7 @@ final class OtherSensorFaults implements Figure {
     }
 
     private static SimulationSetup withFault(SimulationSetup setup, double at, Command fault) {
-        return new SimulationSetup(
-                setup.world(),
-                setup.robot(),
-                setup.start(),
-                setup.controller(),
-                List.of(new SimulationSetup.TimedCommand(at, fault)),
-                setup.dt(),
-                setup.seed(),
-                setup.duration());
+        return setup.withTimeline(List.of(new SimulationSetup.TimedCommand(at, fault)));
     }
 
     private static double alignmentStart(SimulationSetup setup) {

@@ -64,8 +64,7 @@ final class SpecularMap implements Figure {
     private static int outcome(double slant, double specular) {
         Obstacle wall = SetupVariations.findObstacle(BASE, "wall");
         Pose start = new Pose(BASE.start().x(), BASE.start().y(), StrictMath.PI / 2 + Degrees.toRadians(slant));
-        Obstacle glossy =
-                new Obstacle(wall.id(), wall.shape(), wall.pose(), wall.motion(), Degrees.toRadians(specular));
+        Obstacle glossy = wall.withSpecularAngle(Degrees.toRadians(specular));
         RunTrace journey = RunTrace.simulate(SetupVariations.with(BASE, glossy).withStart(start));
         if (journey.result().collision().isPresent()) {
             return 2;

@@ -81,8 +81,8 @@ final class StepResponse implements Figure {
     private static List<Double> displacedErrors(double away) {
         SimulationSetup.TimedCommand jump = BASE.timeline().get(0);
         Command move = new Command.MoveObstacle("wall", new Pose(0, away, 0));
-        RunTrace journey = RunTrace.simulate(
-                SetupVariations.with(BASE, List.of(new SimulationSetup.TimedCommand(jump.time(), move))));
+        RunTrace journey =
+                RunTrace.simulate(BASE.withTimeline(List.of(new SimulationSetup.TimedCommand(jump.time(), move))));
         int from = (int) Math.round(jump.time() / TICK);
         double line = AlignmentTrial.WALL_Y + away - RobotSpec.DEFAULT.width() / 2 - WallFollowing.DEFAULT.distance();
         return journey.poses().subList(from, journey.poses().size()).stream()

@@ -72,6 +72,6 @@ final class ThinObjects implements Figure {
         for (SensorSpec sensor : robot.sensors()) {
             robot = robot.withSensor(sensor.withCone(Degrees.toRadians(cone)));
         }
-        return HeadlessRun.run(SetupVariations.with(varied, robot), ControllerMode.DIRECT, List.of());
+        return HeadlessRun.run(varied.withRobot(robot), ControllerMode.DIRECT, List.of());
     }
 }

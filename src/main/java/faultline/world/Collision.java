@@ -2,17 +2,19 @@ package faultline.world;
 
 import faultline.geometry.Vector2;
 import faultline.sensor.Fault;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 
 /**
  * The robot's first contact with an obstacle.
  *
- * @param point the contact point, metres; the middle where a side lies flush along an obstacle
+ * @param point the contact point, metres; the middle of the contact if a side lies flush along an obstacle
  * @param time seconds, exact within the tick
  * @param tick the tick in which it happened
  * @param obstacle the id of the obstacle, or {@link WorldSpec#ENCLOSURE}
- * @param faults the faults active then, by sensor id, sorted; sensors without faults are left out
+ * @param faults the faults active then, by sensor id, sorted; sensors without faults are omitted
  * @param switchedOff the ids of the sensors that were switched off then, in the robot's order
  */
 public record Collision(
@@ -24,7 +26,7 @@ public record Collision(
         List<String> switchedOff) {
 
     public Collision {
-        faults = java.util.Collections.unmodifiableMap(new java.util.TreeMap<>(faults));
+        faults = Collections.unmodifiableMap(new TreeMap<>(faults));
         switchedOff = List.copyOf(switchedOff);
     }
 }

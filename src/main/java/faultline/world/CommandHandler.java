@@ -126,7 +126,7 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
         if (!ObstacleSet.isClear(body.box(), ObstacleGeometry.of(obstacle))) {
             return refused(command, Reason.OVERLAPS_ROBOT, obstacle.id());
         }
-        if (obstacle.motion().isPresent() && countOthersMoving(obstacle.id()) >= spec.maxMoving()) {
+        if (obstacle.isMoving() && countOthersMoving(obstacle.id()) >= spec.maxMoving()) {
             return refused(command, Reason.TOO_MANY_MOVING, Integer.toString(spec.maxMoving()));
         }
         Command inverse = obstacles
@@ -139,7 +139,7 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
 
     private long countOthersMoving(String id) {
         return obstacles.obstacles().stream()
-                .filter(other -> other.motion().isPresent() && !other.id().equals(id))
+                .filter(other -> other.isMoving() && !other.id().equals(id))
                 .count();
     }
 

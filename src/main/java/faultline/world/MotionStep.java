@@ -3,6 +3,8 @@ package faultline.world;
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -74,7 +76,7 @@ final class MotionStep {
     }
 
     private double staticContactTime(TimeOfImpact rolling, double dt) {
-        if (body.v() == 0 && body.omega() == 0) {
+        if (body.wheelSpeeds().equals(WheelSpeeds.ZERO)) {
             return NEVER;
         }
         Pose pose = body.pose();
@@ -123,8 +125,8 @@ final class MotionStep {
             TimeOfImpact sweep, Pose pose, int which, Vector2 place, Vector2 velocity, double time) {
         ObstacleGeometry outline =
                 obstacleSet.geometry(obstacleSet.movingIndices().get(which));
-        double dx = place.x() - outline.pose().x();
-        double dy = place.y() - outline.pose().y();
+        double dx = place.x() - outline.frame().x();
+        double dy = place.y() - outline.frame().y();
         double stop = NEVER;
         for (ConvexShape part : outline.parts()) {
             stop = Math.min(
@@ -180,7 +182,7 @@ final class MotionStep {
             return false;
         }
         Vector2 way = target.position().minus(from);
-        TimeOfImpact still = new TimeOfImpact(body.spec().length(), body.spec().width(), 0, 0);
+        TimeOfImpact still = new TimeOfImpact(body.spec().length(), body.spec().width(), Velocity.ZERO);
         double stop = 1;
         for (ConvexShape part : outline.parts()) {
             stop = Math.min(stop, still.firstContactTime(body.pose(), part, way, stop));

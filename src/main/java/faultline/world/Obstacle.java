@@ -2,21 +2,20 @@ package faultline.world;
 
 import faultline.geometry.Pose;
 import java.util.Objects;
-import java.util.Optional;
 
 /**
- * An obstacle as it stands at one moment.
+ * An obstacle at one moment.
  *
  * @param id unique in its world
  * @param shape in its own frame
  * @param pose of that frame in the world
- * @param motion its way-points, empty for a static obstacle
- * @param specularAngle the greatest angle of incidence that its surface sends light back from, radians from the normal,
- *     in (0, pi / 2]; {@link #MATT} for all
+ * @param motion its path, {@link WaypointPath#NONE} for a static obstacle
+ * @param specularAngle the greatest angle of incidence at which its surface reflects light back to a sensor, radians
+ *     from the normal, in (0, pi / 2]; {@link #MATT} for all angles
  */
-public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<WaypointPath> motion, double specularAngle) {
+public record Obstacle(String id, ObstacleShape shape, Pose pose, WaypointPath motion, double specularAngle) {
 
-    /** A surface that is seen at any angle. */
+    /** The specular angle of a matt surface, which is sensed at any angle. */
     public static final double MATT = StrictMath.PI / 2;
 
     public Obstacle {
@@ -30,80 +29,53 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, Optional<Waypo
             throw new IllegalArgumentException(
                     "specular must be more than 0 and at most a right angle: " + specularAngle);
         }
-        if (specularAngle < MATT && (shape instanceof ObstacleShape.Circle || shape instanceof ObstacleShape.Ellipse)) {
+        if (specularAngle < MATT && !shape.isFlat()) {
             throw new IllegalArgumentException("only flat surfaces can be specular: " + id);
         }
     }
 
-    /**
-     * An obstacle with a matt surface.
-     *
-     * @param id unique in its world
-     * @param shape in its own frame
-     * @param pose of that frame in the world
-     * @param motion its way-points, empty for a static obstacle
-     */
-    public Obstacle(String id, ObstacleShape shape, Pose pose, Optional<WaypointPath> motion) {
+    /** Creates an obstacle with a matt surface. */
+    public Obstacle(String id, ObstacleShape shape, Pose pose, WaypointPath motion) {
         this(id, shape, pose, motion, MATT);
     }
 
-    /**
-     * A static obstacle with a matt surface.
-     *
-     * @param id unique in its world
-     * @param shape in its own frame
-     * @param pose of that frame in the world
-     */
+    /** Creates a static obstacle with a matt surface. */
     public Obstacle(String id, ObstacleShape shape, Pose pose) {
-        this(id, shape, pose, Optional.empty());
+        this(id, shape, pose, WaypointPath.NONE);
     }
 
-    /**
-     * Whether its surface sends light back only where it is met steeply.
-     *
-     * @return false for a matt surface
-     */
+    /** Returns whether this obstacle follows way-points, though perhaps at speed 0. */
+    public boolean isMoving() {
+        return !motion.waypoints().isEmpty();
+    }
+
+    /** Returns whether its surface reflects light back only at small angles of incidence. */
     public boolean isSpecular() {
         return specularAngle < MATT;
     }
 
-    /**
-     * This obstacle of another shape.
-     *
-     * @param changed the new shape
-     * @return the same obstacle otherwise
-     */
-    public Obstacle withShape(ObstacleShape changed) {
-        return new Obstacle(id, changed, pose, motion, specularAngle);
+    /** Returns this obstacle with another shape. */
+    public Obstacle withShape(ObstacleShape newShape) {
+        return new Obstacle(id, newShape, pose, motion, specularAngle);
     }
 
-    /**
-     * This obstacle on another way.
-     *
-     * @param way its way-points, empty to stand still
-     * @return the same obstacle otherwise
-     */
-    public Obstacle withMotion(Optional<WaypointPath> way) {
-        return new Obstacle(id, shape, pose, way, specularAngle);
+    /** Returns this obstacle with another path. */
+    public Obstacle withMotion(WaypointPath newMotion) {
+        return new Obstacle(id, shape, pose, newMotion, specularAngle);
     }
 
-    /**
-     * This obstacle under another name.
-     *
-     * @param other unique in its world
-     * @return the same obstacle otherwise
-     */
-    public Obstacle withId(String other) {
-        return new Obstacle(other, shape, pose, motion, specularAngle);
+    /** Returns this obstacle with another id. */
+    public Obstacle withId(String newId) {
+        return new Obstacle(newId, shape, pose, motion, specularAngle);
     }
 
-    /**
-     * This obstacle somewhere else.
-     *
-     * @param elsewhere the new pose
-     * @return the same obstacle otherwise
-     */
-    public Obstacle withPose(Pose elsewhere) {
-        return new Obstacle(id, shape, elsewhere, motion, specularAngle);
+    /** Returns this obstacle at another pose. */
+    public Obstacle withPose(Pose newPose) {
+        return new Obstacle(id, shape, newPose, motion, specularAngle);
+    }
+
+    /** Returns this obstacle with another specular angle, radians. */
+    public Obstacle withSpecularAngle(double newAngle) {
+        return new Obstacle(id, shape, pose, motion, newAngle);
     }
 }

@@ -32,10 +32,11 @@ public final class ObstacleSet {
     private void append(Obstacle obstacle) {
         obstacles.add(obstacle);
         geometries.add(ObstacleGeometry.of(obstacle));
-        obstacle.motion().ifPresent(motion -> {
+        if (obstacle.isMoving()) {
             movingIndices.add(obstacles.size() - 1);
-            followers.add(new WaypointFollower(motion, obstacle.pose().position()));
-        });
+            followers.add(
+                    new WaypointFollower(obstacle.motion(), obstacle.pose().position()));
+        }
     }
 
     private void rebuildIndex() {
@@ -50,7 +51,7 @@ public final class ObstacleSet {
             enclosureSides().forEach(side -> all.add(side, ENCLOSURE_OWNER));
         }
         for (int i = 0; i < obstacles.size(); i++) {
-            if (obstacles.get(i).motion().isEmpty()) {
+            if (!obstacles.get(i).isMoving()) {
                 for (ConvexShape part : geometries.get(i).parts()) {
                     all.add(part, i);
                 }
@@ -131,9 +132,8 @@ public final class ObstacleSet {
     void updatePosition(int which) {
         int owner = movingIndices.get(which);
         Obstacle obstacle = obstacles.get(owner);
-        Vector2 place = followers.get(which).position();
-        Obstacle moved =
-                obstacle.withPose(new Pose(place.x(), place.y(), obstacle.pose().heading()));
+        Obstacle moved = obstacle.withPose(
+                obstacle.pose().withPosition(followers.get(which).position()));
         obstacles.set(owner, moved);
         geometries.set(owner, ObstacleGeometry.of(moved));
     }
@@ -210,7 +210,7 @@ public final class ObstacleSet {
                 return false;
             }
         }
-        return !outline.contains(new Vector2(body.cx(), body.cy()));
+        return !outline.contains(body.frame().position());
     }
 
     /** The id of something that a body is not clear of, or an empty text. */

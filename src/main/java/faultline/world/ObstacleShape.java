@@ -4,10 +4,36 @@ import faultline.geometry.Vector2;
 import java.util.List;
 
 /**
- * The shape of an obstacle in its own frame, before its pose is applied. All but the wall are solid: their inside
- * belongs to them.
+ * The shape of an obstacle in its own frame. All shapes except the wall are solid. Code that depends on the kind of
+ * shape implements {@link Visitor}, so that a new shape does not compile until it is handled everywhere.
  */
 public sealed interface ObstacleShape {
+
+    /** Calls the method of a visitor for this kind of shape and returns its result. */
+    <R> R accept(Visitor<R> visitor);
+
+    /** Returns whether a point of the obstacle's frame is inside; a point on the outline may give either result. */
+    boolean contains(Vector2 local);
+
+    /** Returns whether every surface is flat, so that it can be specular. */
+    boolean isFlat();
+
+    /**
+     * An operation with one method for each kind of shape.
+     *
+     * @param <R> the result type
+     */
+    interface Visitor<R> {
+        R visit(Rectangle shape);
+
+        R visit(Circle shape);
+
+        R visit(Ellipse shape);
+
+        R visit(Polygon shape);
+
+        R visit(Wall shape);
+    }
 
     /**
      * A rectangle about the origin.
@@ -20,6 +46,28 @@ public sealed interface ObstacleShape {
             requirePositive("width", width);
             requirePositive("height", height);
         }
+
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+
+        @Override
+        public boolean contains(Vector2 local) {
+            return Math.abs(local.x()) <= width / 2 && Math.abs(local.y()) <= height / 2;
+        }
+
+        @Override
+        public boolean isFlat() {
+            return true;
+        }
+
+        /** Returns the corners, counter-clockwise from the first quadrant. */
+        public List<Vector2> corners() {
+            double x = width / 2;
+            double y = height / 2;
+            return List.of(new Vector2(x, y), new Vector2(-x, y), new Vector2(-x, -y), new Vector2(x, -y));
+        }
     }
 
     /**
@@ -30,6 +78,21 @@ public sealed interface ObstacleShape {
     record Circle(double radius) implements ObstacleShape {
         public Circle {
             requirePositive("radius", radius);
+        }
+
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+
+        @Override
+        public boolean contains(Vector2 local) {
+            return local.length() <= radius;
+        }
+
+        @Override
+        public boolean isFlat() {
+            return false;
         }
     }
 
@@ -44,16 +107,55 @@ public sealed interface ObstacleShape {
             requirePositive("rx", rx);
             requirePositive("ry", ry);
         }
+
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+
+        @Override
+        public boolean contains(Vector2 local) {
+            return new Vector2(local.x() / rx, local.y() / ry).length() <= 1;
+        }
+
+        @Override
+        public boolean isFlat() {
+            return false;
+        }
     }
 
     /**
      * A closed polygon, convex or not; a point is inside by the even-odd rule.
      *
-     * @param points at least three, in order; the last is joined to the first
+     * @param points at least three, in order; the last is connected to the first
      */
     record Polygon(List<Vector2> points) implements ObstacleShape {
         public Polygon {
             points = requirePoints("polygon", points, 3);
+        }
+
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+
+        @Override
+        public boolean contains(Vector2 p) {
+            boolean inside = false;
+            Vector2 a = points.get(points.size() - 1);
+            for (Vector2 b : points) {
+                if (a.y() > p.y() != b.y() > p.y()
+                        && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+                    inside = !inside;
+                }
+                a = b;
+            }
+            return inside;
+        }
+
+        @Override
+        public boolean isFlat() {
+            return true;
         }
     }
 
@@ -66,6 +168,21 @@ public sealed interface ObstacleShape {
         public Wall {
             points = requirePoints("wall", points, 2);
         }
+
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+
+        @Override
+        public boolean contains(Vector2 local) {
+            return false;
+        }
+
+        @Override
+        public boolean isFlat() {
+            return true;
+        }
     }
 
     private static void requirePositive(String name, double value) {
@@ -74,9 +191,9 @@ public sealed interface ObstacleShape {
         }
     }
 
-    private static List<Vector2> requirePoints(String name, List<Vector2> points, int least) {
-        if (points.size() < least) {
-            throw new IllegalArgumentException("a " + name + " needs at least " + least + " points: " + points.size());
+    private static List<Vector2> requirePoints(String name, List<Vector2> points, int min) {
+        if (points.size() < min) {
+            throw new IllegalArgumentException("a " + name + " needs at least " + min + " points: " + points.size());
         }
         if (!points.stream().allMatch(Vector2::isFinite)) {
             throw new IllegalArgumentException("the points of a " + name + " must be finite: " + points);

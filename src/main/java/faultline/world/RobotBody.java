@@ -9,6 +9,8 @@ import faultline.geometry.Separation;
 import faultline.geometry.Vector2;
 import faultline.robot.DifferentialDrive;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -20,8 +22,7 @@ final class RobotBody {
 
     private RobotSpec spec;
     private Pose pose;
-    private double leftSpeed;
-    private double rightSpeed;
+    private WheelSpeeds wheelSpeeds = WheelSpeeds.ZERO;
 
     RobotBody(RobotSpec spec, Pose pose) {
         this.spec = spec;
@@ -40,37 +41,27 @@ final class RobotBody {
         return pose;
     }
 
-    double leftSpeed() {
-        return leftSpeed;
+    WheelSpeeds wheelSpeeds() {
+        return wheelSpeeds;
     }
 
-    double rightSpeed() {
-        return rightSpeed;
-    }
-
-    double v() {
-        return DifferentialDrive.linearVelocity(leftSpeed, rightSpeed);
-    }
-
-    double omega() {
-        return DifferentialDrive.angularVelocity(leftSpeed, rightSpeed, spec.track());
+    Velocity velocity() {
+        return wheelSpeeds.toVelocity(spec.track());
     }
 
     /** Voltage to wheel speed, once a tick: the new speeds hold for the whole tick. */
     void driveMotors(double leftVolts, double rightVolts, double decay) {
-        leftSpeed = spec.motor().step(leftSpeed, leftVolts, decay);
-        rightSpeed = spec.motor().step(rightSpeed, rightVolts, decay);
+        wheelSpeeds = spec.motor().step(wheelSpeeds, leftVolts, rightVolts, decay);
     }
 
     /** Rolls on at the present wheel speeds. */
     void advance(double time) {
-        pose = DifferentialDrive.advance(pose, v(), omega(), time);
+        pose = DifferentialDrive.advance(pose, velocity(), time);
     }
 
     /** Stands still, at once and for good. */
     void stop() {
-        leftSpeed = 0;
-        rightSpeed = 0;
+        wheelSpeeds = WheelSpeeds.ZERO;
     }
 
     OrientedBox box() {
@@ -79,12 +70,12 @@ final class RobotBody {
 
     /** How far any point of the body can come from its centre's present place in a time, metres. */
     double reachableRadius(double time) {
-        return spec.boundingRadius() + Math.abs(v()) * time;
+        return spec.boundingRadius() + Math.abs(velocity().linear()) * time;
     }
 
     /** A sweep of the body at its present wheel speeds. */
     TimeOfImpact timeOfImpact() {
-        return new TimeOfImpact(spec.length(), spec.width(), v(), omega());
+        return new TimeOfImpact(spec.length(), spec.width(), velocity());
     }
 
     /** Where the body touches a figure: the ends of the common piece if a side lies flush, else one point. */

@@ -2,6 +2,7 @@ package faultline.world;
 
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Pose;
+import faultline.geometry.RigidMotion;
 import faultline.geometry.Sector;
 import faultline.geometry.SectorDistance;
 import faultline.geometry.SectorIntersections;
@@ -41,7 +42,7 @@ final class SensorArray {
         private final long streamKey;
         private final List<Fault> faults = new ArrayList<>();
         private SensorSpec spec;
-        private Vector2 axis;
+        private RigidMotion frame;
         private double cosHalf;
         private double sinHalf;
         private boolean outsideBody;
@@ -53,23 +54,16 @@ final class SensorArray {
 
         void configure(SensorSpec newSpec, RobotSpec robot) {
             spec = newSpec;
-            axis = Vector2.direction(spec.bearing());
+            frame = RigidMotion.of(
+                    new Pose(spec.mountPosition().x(), spec.mountPosition().y(), spec.bearing()));
             cosHalf = StrictMath.cos(spec.cone() / 2);
             sinHalf = StrictMath.sin(spec.cone() / 2);
             outsideBody = Math.abs(spec.mountPosition().x()) > robot.length() / 2
                     || Math.abs(spec.mountPosition().y()) > robot.width() / 2;
         }
 
-        Sector sector(Pose pose, double cos, double sin) {
-            Vector2 seat = spec.mountPosition();
-            return new Sector(
-                    pose.x() + cos * seat.x() - sin * seat.y(),
-                    pose.y() + sin * seat.x() + cos * seat.y(),
-                    cos * axis.x() - sin * axis.y(),
-                    sin * axis.x() + cos * axis.y(),
-                    cosHalf,
-                    sinHalf,
-                    spec.range());
+        Sector sector(RigidMotion robot) {
+            return new Sector(robot.after(frame), cosHalf, sinHalf, spec.range());
         }
     }
 
@@ -102,13 +96,12 @@ final class SensorArray {
 
     /** Senses, then lets the faults act: step 6 of a tick. */
     void sense(ObstacleSet field, Pose pose, long tick) {
-        double cos = StrictMath.cos(pose.heading());
-        double sin = StrictMath.sin(pose.heading());
+        RigidMotion robot = RigidMotion.of(pose);
         candidates.clear();
         field.findNear(pose.x(), pose.y(), sensingRadius * (1 + 1e-12), candidates);
         for (int i = 0; i < truth.length; i++) {
             MountedSensor mount = mountedSensors.get(i);
-            truth[i] = measure(field, mount, mount.sector(pose, cos, sin));
+            truth[i] = measure(field, mount, mount.sector(robot));
             reported[i] = report(mount, truth[i], tick);
         }
     }
@@ -161,14 +154,13 @@ final class SensorArray {
      * All sensors as values, with the points where their cones' outlines meet what they can see of obstacles' outlines.
      */
     List<SensorSnapshot> snapshots(ObstacleSet field, Pose pose) {
-        double cos = StrictMath.cos(pose.heading());
-        double sin = StrictMath.sin(pose.heading());
+        RigidMotion robot = RigidMotion.of(pose);
         candidates.clear();
         field.findNear(pose.x(), pose.y(), sensingRadius, candidates);
         List<SensorSnapshot> snapshots = new ArrayList<>();
         for (int i = 0; i < truth.length; i++) {
             MountedSensor mount = mountedSensors.get(i);
-            Sector sector = mount.sector(pose, cos, sin);
+            Sector sector = mount.sector(robot);
             snapshots.add(new SensorSnapshot(
                     mount.spec,
                     sector,

@@ -10,12 +10,12 @@ import java.util.List;
 /**
  * One sensor at one moment.
  *
- * @param spec how it is mounted and set now
+ * @param spec its mounting and settings
  * @param sector its cone in the world
- * @param truth what is really there, whether it is on or not
- * @param reported what it gives the controller
- * @param intersections where the cone's outline meets obstacles' outlines, of glossy ones what sends its light back,
- *     metres; empty where it is off
+ * @param truth the reading without noise and faults, whether the sensor is on or not
+ * @param reported the reading that the controller gets
+ * @param intersections the points where the cone's outline meets obstacles' outlines, for specular ones their
+ *     reflecting part, metres; empty if the sensor is off
  * @param faults its active faults, oldest first
  */
 public record SensorSnapshot(

@@ -3,25 +3,26 @@ package faultline.world;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import java.util.List;
 import java.util.Optional;
 
 /**
- * The whole world at the end of one tick; immutable, so that any thread may keep it.
+ * The whole world at the end of one tick. Immutable and safe on any thread.
  *
- * @param tick how many ticks have passed
+ * @param tick the number of ticks that have passed
  * @param time tick times dt, seconds
  * @param width the world's, metres
  * @param height the world's, metres
- * @param enclosed whether a wall runs round it
- * @param robot as it is built and set now
+ * @param enclosed whether a wall encloses the world
+ * @param robot its current construction and settings
  * @param pose the robot's
- * @param leftSpeed of the left wheels, metres per second
- * @param rightSpeed of the right wheels, metres per second
+ * @param wheelSpeeds the robot's
  * @param sensors in the robot's order
- * @param obstacles as they stand now, in drawing order
- * @param contacts where the robot touches obstacles, metres; empty before a collision
- * @param collision the first contact, empty before it
+ * @param obstacles in drawing order
+ * @param contacts the points where the robot touches obstacles, metres; empty before a collision
+ * @param collisions the robot's first contact; empty before it, and never more than one
  */
 public record Snapshot(
         long tick,
@@ -31,34 +32,26 @@ public record Snapshot(
         boolean enclosed,
         RobotSpec robot,
         Pose pose,
-        double leftSpeed,
-        double rightSpeed,
+        WheelSpeeds wheelSpeeds,
         List<SensorSnapshot> sensors,
         List<Obstacle> obstacles,
         List<Vector2> contacts,
-        Optional<Collision> collision) {
+        List<Collision> collisions) {
 
     public Snapshot {
         sensors = List.copyOf(sensors);
         obstacles = List.copyOf(obstacles);
         contacts = List.copyOf(contacts);
+        collisions = List.copyOf(collisions);
     }
 
-    /**
-     * The robot's linear velocity.
-     *
-     * @return metres per second
-     */
-    public double v() {
-        return (rightSpeed + leftSpeed) / 2;
+    /** Returns the robot's first contact. */
+    public Optional<Collision> collision() {
+        return collisions.stream().findFirst();
     }
 
-    /**
-     * The robot's angular velocity.
-     *
-     * @return radians per second, positive to the left
-     */
-    public double omega() {
-        return (rightSpeed - leftSpeed) / robot.track();
+    /** Returns the robot's velocity. */
+    public Velocity velocity() {
+        return wheelSpeeds.toVelocity(robot.track());
     }
 }

@@ -7,6 +7,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Separation;
 import faultline.geometry.Vector2;
 import faultline.robot.DifferentialDrive;
+import faultline.robot.Velocity;
 
 /**
  * The first contact of the robot's body, which moves along an exact arc, with a figure that moves straight:
@@ -32,22 +33,19 @@ final class TimeOfImpact {
 
     private final double length;
     private final double width;
-    private final double v;
-    private final double omega;
+    private final Velocity velocity;
 
     /**
      * Sweeps of a body at constant velocities.
      *
      * @param length of the body, metres
      * @param width of the body, metres
-     * @param v linear velocity, metres per second
-     * @param omega angular velocity, radians per second
+     * @param velocity of the body
      */
-    TimeOfImpact(double length, double width, double v, double omega) {
+    TimeOfImpact(double length, double width, Velocity velocity) {
         this.length = length;
         this.width = width;
-        this.v = v;
-        this.omega = omega;
+        this.velocity = velocity;
     }
 
     /**
@@ -55,25 +53,25 @@ final class TimeOfImpact {
      *
      * @param start the body's pose at time 0
      * @param figure the figure at time 0, clear of the body or touching it
-     * @param velocity the figure's, metres per second
+     * @param shapeVelocity the figure's, metres per second
      * @param time how long both move, seconds
      * @return seconds in [0, time], or positive infinity where they do not meet
      */
-    double firstContactTime(Pose start, ConvexShape figure, Vector2 velocity, double time) {
+    double firstContactTime(Pose start, ConvexShape figure, Vector2 shapeVelocity, double time) {
         double now = 0;
         for (int step = 0; step < MAX_STEPS; step++) {
             Pose pose = poseAfter(start, now);
             OrientedBox box = new OrientedBox(pose, length, width);
-            ConvexShape there = now == 0 ? figure : figure.translated(velocity.x() * now, velocity.y() * now);
+            ConvexShape there = now == 0 ? figure : figure.translated(shapeVelocity.x() * now, shapeVelocity.y() * now);
             Separation gap = BoxDistance.between(box, there);
             if (gap.distance() == 0) {
                 return now;
             }
             Vector2 normal = gap.onShape().minus(gap.onBox()).times(1 / gap.distance());
-            if (gap.distance() <= TOUCH_DISTANCE && closingSpeed(pose, gap.onBox(), normal, velocity) > 0) {
+            if (gap.distance() <= TOUCH_DISTANCE && closingSpeed(pose, gap.onBox(), normal, shapeVelocity) > 0) {
                 return now;
             }
-            now += safeTime(pose, box, gap, normal, velocity);
+            now += safeTime(pose, box, gap, normal, shapeVelocity);
             if (now >= time) {
                 return Double.POSITIVE_INFINITY;
             }
@@ -83,19 +81,19 @@ final class TimeOfImpact {
 
     /** The body's pose after a time from another. */
     Pose poseAfter(Pose start, double time) {
-        return time == 0 ? start : DifferentialDrive.advance(start, v, omega, time);
+        return time == 0 ? start : DifferentialDrive.advance(start, velocity, time);
     }
 
     /** The velocity at which a point of the body and the figure come together along the normal. */
-    private double closingSpeed(Pose pose, Vector2 point, Vector2 normal, Vector2 velocity) {
-        return velocityAt(pose, point).minus(velocity).dot(normal);
+    private double closingSpeed(Pose pose, Vector2 point, Vector2 normal, Vector2 shapeVelocity) {
+        return velocityAt(pose, point).minus(shapeVelocity).dot(normal);
     }
 
     private Vector2 velocityAt(Pose pose, Vector2 point) {
         Vector2 arm = point.minus(pose.position());
         return Vector2.direction(pose.heading())
-                .times(v)
-                .plus(arm.perpendicular().times(omega));
+                .times(velocity.linear())
+                .plus(arm.perpendicular().times(velocity.angular()));
     }
 
     /**
@@ -103,18 +101,18 @@ final class TimeOfImpact {
      * left over. The direction of a short gap is known only to the rounding of its two ends, which tilts the line: a
      * corner far along it gets that much less room, but never less than the gap.
      */
-    private double safeTime(Pose pose, OrientedBox box, Separation gap, Vector2 normal, Vector2 velocity) {
+    private double safeTime(Pose pose, OrientedBox box, Separation gap, Vector2 normal, Vector2 shapeVelocity) {
         double least = Double.POSITIVE_INFINITY;
         double tilt = MAX_ROUNDINGS
-                * Math.ulp(Math.abs(box.cx()) + Math.abs(box.cy()) + box.boundingRadius())
+                * Math.ulp(Math.abs(box.frame().x()) + Math.abs(box.frame().y()) + box.boundingRadius())
                 / gap.distance();
         for (int i = 0; i < 4; i++) {
             Vector2 corner = box.corner(i);
             Vector2 room = gap.onShape().minus(corner);
             double slack = Math.max(room.dot(normal) - tilt * room.length(), gap.distance()) - TOUCH_DISTANCE / 2;
             Vector2 w = velocityAt(pose, corner);
-            double rate = w.minus(velocity).dot(normal);
-            double bend = w.length() * Math.abs(omega);
+            double rate = w.minus(shapeVelocity).dot(normal);
+            double bend = w.length() * Math.abs(velocity.angular());
             least = Math.min(least, crossingTime(Math.max(slack, TOUCH_DISTANCE / 8), rate, bend));
         }
         return least;

@@ -4,32 +4,36 @@ import faultline.geometry.Vector2;
 import java.util.List;
 
 /**
- * How an obstacle moves: from where it stands to the first way-point, then from each to the next, at constant speed and
- * without turning.
+ * The motion of an obstacle: from its pose to the first way-point, then from each way-point to the next, at constant
+ * speed and without rotation.
  *
  * @param speed metres per second, not negative
- * @param loop whether the last way-point is followed by the first again, or the obstacle stays there
- * @param waypoints the way-points of the shape's origin, in the world, at least one
+ * @param loop whether the first way-point follows the last again; if not, the obstacle stops at the last
+ * @param waypoints the positions of the shape's origin, in the world; empty only in {@link #NONE}
  */
 public record WaypointPath(double speed, boolean loop, List<Vector2> waypoints) {
+
+    /** The path of a static obstacle. */
+    public static final WaypointPath NONE = new WaypointPath(0, false, List.of());
 
     public WaypointPath {
         if (!(speed >= 0 && Double.isFinite(speed))) {
             throw new IllegalArgumentException("an obstacle's speed must not be negative: " + speed);
         }
         waypoints = List.copyOf(waypoints);
-        if (waypoints.isEmpty() || !waypoints.stream().allMatch(Vector2::isFinite)) {
+        boolean none = waypoints.isEmpty() && speed == 0 && !loop;
+        if (!none && (waypoints.isEmpty() || !waypoints.stream().allMatch(Vector2::isFinite))) {
             throw new IllegalArgumentException("a motion needs way-points, all finite: " + waypoints);
         }
     }
 
-    /**
-     * The same way at another speed.
-     *
-     * @param other metres per second, not negative
-     * @return the same motion otherwise
-     */
-    public WaypointPath withSpeed(double other) {
-        return new WaypointPath(other, loop, waypoints);
+    /** Returns this path at another speed, metres per second. */
+    public WaypointPath withSpeed(double newSpeed) {
+        return new WaypointPath(newSpeed, loop, waypoints);
+    }
+
+    /** Returns this path with other way-points. */
+    public WaypointPath withWaypoints(List<Vector2> newWaypoints) {
+        return new WaypointPath(speed, loop, newWaypoints);
     }
 }

@@ -3,6 +3,7 @@ package faultline.world;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
+import faultline.robot.WheelSpeeds;
 import faultline.sensor.Fault;
 import java.util.ArrayList;
 import java.util.List;
@@ -23,7 +24,7 @@ public final class World {
     private final double decay;
     private long tick;
     private boolean sensed;
-    private Optional<Collision> collision = Optional.empty();
+    private final List<Collision> collisions = new ArrayList<>();
     private List<Vector2> contacts = List.of();
 
     /**
@@ -66,7 +67,7 @@ public final class World {
      * @param rightVolts on the right motors
      */
     public void move(double leftVolts, double rightVolts) {
-        if (collision.isEmpty()) {
+        if (collisions.isEmpty()) {
             body.driveMotors(leftVolts, rightVolts, decay);
         }
         motionStep.move(dt);
@@ -75,12 +76,11 @@ public final class World {
     }
 
     private void recordCollision(MotionStep.Contact contact, long at, double time) {
-        if (collision.isPresent()) {
+        if (!collisions.isEmpty()) {
             return;
         }
         contacts = contact.points();
-        collision =
-                Optional.of(new Collision(mean(contacts), time, at, contact.obstacle(), activeFaults(), switchedOff()));
+        collisions.add(new Collision(mean(contacts), time, at, contact.obstacle(), activeFaults(), switchedOff()));
     }
 
     private static Vector2 mean(List<Vector2> points) {
@@ -137,22 +137,9 @@ public final class World {
         return body.pose();
     }
 
-    /**
-     * The speed of the left wheels.
-     *
-     * @return metres per second
-     */
-    public double leftSpeed() {
-        return body.leftSpeed();
-    }
-
-    /**
-     * The speed of the right wheels.
-     *
-     * @return metres per second
-     */
-    public double rightSpeed() {
-        return body.rightSpeed();
+    /** Returns the robot's wheel speeds. */
+    public WheelSpeeds wheelSpeeds() {
+        return body.wheelSpeeds();
     }
 
     /**
@@ -190,7 +177,7 @@ public final class World {
      * @return empty before it
      */
     public Optional<Collision> collision() {
-        return collision;
+        return collisions.stream().findFirst();
     }
 
     /**
@@ -207,11 +194,10 @@ public final class World {
                 spec.enclosed(),
                 body.spec(),
                 body.pose(),
-                body.leftSpeed(),
-                body.rightSpeed(),
+                body.wheelSpeeds(),
                 sensors.snapshots(obstacleSet, body.pose()),
                 obstacleSet.obstacles(),
                 contacts,
-                collision);
+                collisions);
     }
 }

@@ -5,20 +5,20 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The world as a scenario describes it, before anything moves. The origin is its lower left corner.
+ * The world of a scenario at the start. The origin is its lower left corner.
  *
  * @param width along x, metres, positive
  * @param height along y, metres, positive
- * @param enclosed whether a wall without thickness runs round it, from (0, 0) to (width, height)
- * @param maxMoving how many obstacles may have a motion, not negative
+ * @param enclosed whether a wall without thickness encloses it, from (0, 0) to (width, height)
+ * @param maxMoving the maximum number of moving obstacles, not negative
  * @param obstacles in drawing order; ids are unique
  */
 public record WorldSpec(double width, double height, boolean enclosed, int maxMoving, List<Obstacle> obstacles) {
 
-    /** How many obstacles may move where a file does not say, as in the paper. */
+    /** The maximum number of moving obstacles of a scenario that gives none, as in the paper. */
     public static final int DEFAULT_MAX_MOVING = 3;
 
-    /** The id that contacts with the enclosing wall are reported under; no obstacle may have it. */
+    /** The id of the enclosing wall in collisions; no obstacle may have it. */
     public static final String ENCLOSURE = "enclosure";
 
     public WorldSpec {
@@ -30,14 +30,17 @@ public record WorldSpec(double width, double height, boolean enclosed, int maxMo
         ids.add(ENCLOSURE);
         for (Obstacle obstacle : obstacles) {
             if (!ids.add(obstacle.id())) {
-                throw new IllegalArgumentException("two obstacles are called " + obstacle.id());
+                throw new IllegalArgumentException("two obstacles have the id " + obstacle.id());
             }
         }
-        long moving = obstacles.stream()
-                .filter(obstacle -> obstacle.motion().isPresent())
-                .count();
+        long moving = obstacles.stream().filter(Obstacle::isMoving).count();
         if (moving > maxMoving) {
             throw new IllegalArgumentException(moving + " obstacles move, at most " + maxMoving + " may");
         }
+    }
+
+    /** Returns this world with other obstacles. */
+    public WorldSpec withObstacles(List<Obstacle> newObstacles) {
+        return new WorldSpec(width, height, enclosed, maxMoving, newObstacles);
     }
 }

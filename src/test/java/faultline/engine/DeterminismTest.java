@@ -158,7 +158,11 @@ class DeterminismTest {
                 simulation.tick();
                 Pose pose = simulation.pose();
                 for (double value : new double[] {
-                    pose.x(), pose.y(), pose.heading(), simulation.leftSpeed(), simulation.rightSpeed()
+                    pose.x(),
+                    pose.y(),
+                    pose.heading(),
+                    simulation.wheelSpeeds().left(),
+                    simulation.wheelSpeeds().right()
                 }) {
                     bits.add(Double.doubleToRawLongBits(value));
                 }
@@ -198,8 +202,7 @@ class DeterminismTest {
                 3,
                 List.of(
                         new Obstacle("desk", new ObstacleShape.Rectangle(0.6, 0.4), new Pose(2, 1.5, 0.4)),
-                        new Obstacle(
-                                "visitor", new ObstacleShape.Circle(0.15), new Pose(2.5, 2.2, 0), Optional.of(walk))));
+                        new Obstacle("visitor", new ObstacleShape.Circle(0.15), new Pose(2.5, 2.2, 0), walk)));
         List<SimulationSetup.TimedCommand> timeline = List.of(
                 new SimulationSetup.TimedCommand(5, new Command.InjectFault("left", new Fault.Dropout(0.1))),
                 new SimulationSetup.TimedCommand(10, new Command.ClearFaults("left")),

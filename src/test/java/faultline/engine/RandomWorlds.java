@@ -16,7 +16,6 @@ import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.SplittableRandom;
 
 /** Random worlds of all shapes, with a robot that drives blindly; the same on every run. */
@@ -71,7 +70,7 @@ final class RandomWorlds {
 
     private Obstacle randomObstacle(String id, boolean moving) {
         Pose pose = new Pose(random.nextDouble(WIDTH), random.nextDouble(HEIGHT), random.nextDouble(-10, 10));
-        Optional<WaypointPath> motion = moving ? Optional.of(randomMotion()) : Optional.empty();
+        WaypointPath motion = moving ? randomMotion() : WaypointPath.NONE;
         return new Obstacle(id, randomShape(), pose, motion);
     }
 
@@ -112,11 +111,9 @@ final class RandomWorlds {
                 new Segment(WIDTH, HEIGHT, 0, HEIGHT),
                 new Segment(0, HEIGHT, 0, 0)));
         for (Obstacle obstacle : setup.world().obstacles()) {
-            Vector2 place = obstacle.motion()
-                    .map(motion -> positionAt(motion, obstacle.pose().position(), time))
-                    .orElse(obstacle.pose().position());
-            figures.addAll(ObstacleGeometry.of(obstacle.withPose(
-                            new Pose(place.x(), place.y(), obstacle.pose().heading())))
+            Vector2 start = obstacle.pose().position();
+            Vector2 place = obstacle.isMoving() ? positionAt(obstacle.motion(), start, time) : start;
+            figures.addAll(ObstacleGeometry.of(obstacle.withPose(obstacle.pose().withPosition(place)))
                     .parts());
         }
         return figures;

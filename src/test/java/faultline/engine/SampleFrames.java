@@ -6,6 +6,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
+import faultline.robot.WheelSpeeds;
 import faultline.sensor.Fault;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
@@ -49,19 +50,23 @@ public final class SampleFrames {
             List<Vector2> contacts,
             Optional<Collision> collision) {
         Snapshot world = new Snapshot(
-                1, 0.01, 6, 4, true, robotWith(sensors), robot, 0, 0, sensors, obstacles, contacts, collision);
+                1,
+                0.01,
+                6,
+                4,
+                true,
+                robotWith(sensors),
+                robot,
+                WheelSpeeds.ZERO,
+                sensors,
+                obstacles,
+                contacts,
+                collision.stream().toList());
         return new Frame(world, Telemetry.ofState("FOLLOW"), 0, 0, path, 0);
     }
 
     private static RobotSpec robotWith(List<SensorSnapshot> sensors) {
-        return new RobotSpec(
-                SENSORLESS.length(),
-                SENSORLESS.width(),
-                SENSORLESS.track(),
-                SENSORLESS.speed(),
-                SENSORLESS.turnRate(),
-                SENSORLESS.motor(),
-                sensors.stream().map(SensorSnapshot::spec).toList());
+        return SENSORLESS.withSensors(sensors.stream().map(SensorSnapshot::spec).toList());
     }
 
     /** A path through points. */
@@ -124,10 +129,10 @@ public final class SampleFrames {
                         "visitor",
                         new ObstacleShape.Circle(0.3),
                         new Pose(4.6, 2.9, 0),
-                        Optional.of(new WaypointPath(
+                        new WaypointPath(
                                 0.2,
                                 true,
-                                List.of(new Vector2(3.9, 2.4), new Vector2(5.5, 2.4), new Vector2(5.5, 3.5))))));
+                                List.of(new Vector2(3.9, 2.4), new Vector2(5.5, 2.4), new Vector2(5.5, 3.5)))));
         Collision collision = new Collision(
                 new Vector2(2.42, 1.245),
                 12.48,

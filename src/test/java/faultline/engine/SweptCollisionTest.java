@@ -12,6 +12,8 @@ import faultline.geometry.Vector2;
 import faultline.robot.DifferentialDrive;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -85,18 +87,17 @@ class SweptCollisionTest {
     }
 
     /** One tick's motion of the robot if nothing were in its way. */
-    private record Arc(Pose start, double startTime, double v, double omega, double dt) {
+    private record Arc(Pose start, double startTime, Velocity velocity, double dt) {
 
         static Arc next(SimulationSetup setup, Simulation before) {
             ControllerSpec.Drive drive = (ControllerSpec.Drive) setup.controller();
             double decay = setup.robot().motor().decay(setup.dt());
-            double left = setup.robot().motor().step(before.leftSpeed(), drive.leftVolts(), decay);
-            double right = setup.robot().motor().step(before.rightSpeed(), drive.rightVolts(), decay);
+            double left = setup.robot().motor().step(before.wheelSpeeds().left(), drive.leftVolts(), decay);
+            double right = setup.robot().motor().step(before.wheelSpeeds().right(), drive.rightVolts(), decay);
             return new Arc(
                     before.pose(),
                     before.time(),
-                    DifferentialDrive.linearVelocity(left, right),
-                    DifferentialDrive.angularVelocity(left, right, SENSORLESS.track()),
+                    new WheelSpeeds(left, right).toVelocity(SENSORLESS.track()),
                     setup.dt());
         }
 
@@ -124,7 +125,7 @@ class SweptCollisionTest {
         }
 
         private Pose poseAt(double time) {
-            return DifferentialDrive.advance(start, v, omega, time);
+            return DifferentialDrive.advance(start, velocity, time);
         }
 
         private OrientedBox boxAt(double time) {
@@ -143,10 +144,10 @@ class SweptCollisionTest {
         /** No point of the body or an obstacle is faster than this, so that a distance cannot fall faster. */
         private double maxApproachSpeed(SimulationSetup setup) {
             double mover = setup.world().obstacles().stream()
-                    .mapToDouble(o -> o.motion().map(m -> m.speed()).orElse(0.0))
+                    .mapToDouble(o -> o.motion().speed())
                     .max()
                     .orElse(0);
-            return Math.abs(v) + Math.abs(omega) * SENSORLESS.boundingRadius() + mover;
+            return Math.abs(velocity.linear()) + Math.abs(velocity.angular()) * SENSORLESS.boundingRadius() + mover;
         }
 
         private double firstContact(SimulationSetup setup, int which, double from, double to) {

@@ -47,10 +47,10 @@ public final class BoxDistanceOracle {
 
     /** How far a point lies outside a box, metres, 0 inside. */
     public static double outside(OrientedBox box, Vector2 point) {
-        double dx = point.x() - box.cx();
-        double dy = point.y() - box.cy();
-        double ahead = Math.abs(box.cos() * dx + box.sin() * dy) - box.halfLength();
-        double aside = Math.abs(box.cos() * dy - box.sin() * dx) - box.halfWidth();
+        double dx = point.x() - box.frame().x();
+        double dy = point.y() - box.frame().y();
+        double ahead = Math.abs(box.frame().cos() * dx + box.frame().sin() * dy) - box.halfLength();
+        double aside = Math.abs(box.frame().cos() * dy - box.frame().sin() * dx) - box.halfWidth();
         return Math.hypot(Math.max(0, ahead), Math.max(0, aside));
     }
 
@@ -64,7 +64,7 @@ public final class BoxDistanceOracle {
                     segment.pointAt(minimizer(share -> point.distanceTo(segment.pointAt(share)), 0, 1)));
         }
         if (figure instanceof Ellipse oval) {
-            Vector2 local = oval.toLocal(point);
+            Vector2 local = oval.frame().toLocal(point);
             double level = Math.hypot(local.x() / oval.rx(), local.y() / oval.ry());
             return Math.max(0, (level - 1) * Math.min(oval.rx(), oval.ry()));
         }
@@ -73,8 +73,9 @@ public final class BoxDistanceOracle {
 
     private static Vector2 minimizerAcross(OrientedBox box, Ellipse oval, double u) {
         double end = Math.sqrt((1 - u) * (1 + u));
-        double v = minimizer(at -> outside(box, oval.toWorld(new Vector2(oval.rx() * u, oval.ry() * at))), -end, end);
-        return oval.toWorld(new Vector2(oval.rx() * u, oval.ry() * v));
+        double v = minimizer(
+                at -> outside(box, oval.frame().toParent(new Vector2(oval.rx() * u, oval.ry() * at))), -end, end);
+        return oval.frame().toParent(new Vector2(oval.rx() * u, oval.ry() * v));
     }
 
     /** Where a convex function is least. */

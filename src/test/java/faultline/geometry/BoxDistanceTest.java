@@ -45,7 +45,7 @@ class BoxDistanceTest {
         for (int i = 0; i < CASES; i++) {
             OrientedBox box = randomBox();
             Vector2 corner = box.corner(random.nextInt(4));
-            Vector2 ahead = new Vector2(box.cos(), box.sin()).times(random.nextDouble(-1, 1));
+            Vector2 ahead = new Vector2(box.frame().cos(), box.frame().sin()).times(random.nextDouble(-1, 1));
             assertMatchesOracle(box, new Segment(corner, corner.plus(ahead)));
             assertMatchesOracle(
                     box,
@@ -56,10 +56,22 @@ class BoxDistanceTest {
             assertMatchesOracle(box, new Disc(corner.x() + 0.5 * ahead.x(), corner.y() + 0.5 * ahead.y(), 0.0005));
             assertMatchesOracle(
                     box,
-                    new Ellipse(corner.x() + ahead.x(), corner.y() + ahead.y(), 0.5, 0.0005, box.cos(), box.sin()));
+                    new Ellipse(
+                            box.frame()
+                                    .translated(
+                                            corner.x() + ahead.x() - box.frame().x(),
+                                            corner.y() + ahead.y() - box.frame().y()),
+                            0.5,
+                            0.0005));
             assertMatchesOracle(
                     box,
-                    new Ellipse(corner.x() + ahead.x(), corner.y() + ahead.y(), 0.0005, 0.5, box.cos(), box.sin()));
+                    new Ellipse(
+                            box.frame()
+                                    .translated(
+                                            corner.x() + ahead.x() - box.frame().x(),
+                                            corner.y() + ahead.y() - box.frame().y()),
+                            0.0005,
+                            0.5));
         }
     }
 

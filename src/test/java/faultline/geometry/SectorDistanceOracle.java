@@ -82,21 +82,13 @@ public final class SectorDistanceOracle {
             return figure.centre().distanceTo(point);
         }
         Ellipse oval = asEllipse(figure);
-        Vector2 local = oval.toLocal(point);
+        Vector2 local = oval.frame().toLocal(point);
         double level = Math.hypot(local.x() / oval.rx(), local.y() / oval.ry());
         return (level - 1) * Math.min(oval.rx(), oval.ry());
     }
 
     private static Ellipse asEllipse(ConvexShape figure) {
-        return figure instanceof Ellipse oval
-                ? oval
-                : new Ellipse(
-                        figure.centre().x(),
-                        figure.centre().y(),
-                        figure.boundingRadius(),
-                        figure.boundingRadius(),
-                        1,
-                        0);
+        return figure instanceof Ellipse oval ? oval : ((Disc) figure).toEllipse();
     }
 
     private double nearest() {
@@ -192,9 +184,10 @@ public final class SectorDistanceOracle {
     private double firstHit(double share) {
         Vector2 ray = right.times(1 - share).plus(left.times(share));
         Ellipse oval = asEllipse(figure);
-        Vector2 from = oval.toLocal(apex);
-        Vector2 along =
-                new Vector2(oval.cos() * ray.x() + oval.sin() * ray.y(), oval.cos() * ray.y() - oval.sin() * ray.x());
+        Vector2 from = oval.frame().toLocal(apex);
+        Vector2 along = new Vector2(
+                oval.frame().cos() * ray.x() + oval.frame().sin() * ray.y(),
+                oval.frame().cos() * ray.y() - oval.frame().sin() * ray.x());
         Vector2 o = new Vector2(from.x() / oval.rx(), from.y() / oval.ry());
         Vector2 w = new Vector2(along.x() / oval.rx(), along.y() / oval.ry());
         double miss = o.cross(w);

@@ -60,7 +60,9 @@ class SectorDistanceOracleTest {
                         new Pose(figure.centre().x(), figure.centre().y(), 0),
                         figure.boundingRadius(),
                         figure.boundingRadius());
-        return i -> oval.toWorld(new Vector2(
-                oval.rx() * Math.cos(2 * Math.PI * i / SAMPLES), oval.ry() * Math.sin(2 * Math.PI * i / SAMPLES)));
+        return i -> oval.frame()
+                .toParent(new Vector2(
+                        oval.rx() * Math.cos(2 * Math.PI * i / SAMPLES),
+                        oval.ry() * Math.sin(2 * Math.PI * i / SAMPLES)));
     }
 }

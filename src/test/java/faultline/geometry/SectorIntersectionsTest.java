@@ -58,7 +58,7 @@ class SectorIntersectionsTest {
 
     @Test
     void aWallAcrossTheConeIsCircledOnBothEdges() {
-        Sector sector = new Sector(0, 0, 1, 0, 0.8, 0.6, 5);
+        Sector sector = new Sector(RigidMotion.IDENTITY, 0.8, 0.6, 5);
         List<Vector2> hits = SectorIntersections.points(sector, new Segment(2, -9, 2, 9));
         assertEquals(2, hits.size());
         assertTrue(hits.stream().anyMatch(hit -> hit.distanceTo(new Vector2(2, 1.5)) < 1e-15));
@@ -67,7 +67,7 @@ class SectorIntersectionsTest {
 
     @Test
     void whatLiesWhollyInsideTheConeHasNoCircles() {
-        Sector sector = new Sector(0, 0, 1, 0, 0.8, 0.6, 5);
+        Sector sector = new Sector(RigidMotion.IDENTITY, 0.8, 0.6, 5);
         assertEquals(List.of(), SectorIntersections.points(sector, new Disc(3, 0, 0.1)));
     }
 
@@ -88,7 +88,7 @@ class SectorIntersectionsTest {
     /** How far a point lies off a figure's outline; for an ellipse to first order, level over gradient. */
     private static double offFigure(ConvexShape figure, Vector2 point) {
         if (figure instanceof Ellipse oval) {
-            Vector2 local = oval.toLocal(point);
+            Vector2 local = oval.frame().toLocal(point);
             Vector2 slope = new Vector2(local.x() / oval.rx() / oval.rx(), local.y() / oval.ry() / oval.ry());
             return Math.abs(slope.dot(local) - 1) / (2 * slope.length());
         }
@@ -151,7 +151,7 @@ class SectorIntersectionsTest {
             return segment.b().minus(segment.a()).cross(point.minus(segment.a())) > 0;
         }
         if (figure instanceof Ellipse oval) {
-            Vector2 local = oval.toLocal(point);
+            Vector2 local = oval.frame().toLocal(point);
             return Math.hypot(local.x() / oval.rx(), local.y() / oval.ry()) < 1;
         }
         return point.distanceTo(figure.centre()) < figure.boundingRadius();

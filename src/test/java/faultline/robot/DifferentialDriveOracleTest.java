@@ -20,7 +20,7 @@ class DifferentialDriveOracleTest {
             double v = random.nextDouble(-2, 2);
             double omega = random.nextDouble(-4, 4);
             double dt = random.nextDouble(0, 1);
-            assertNear(rungeKutta(from, v, omega, dt), DifferentialDrive.advance(from, v, omega, dt), 1e-9);
+            assertNear(rungeKutta(from, v, omega, dt), advance(from, v, omega, dt), 1e-9);
         }
     }
 
@@ -28,42 +28,51 @@ class DifferentialDriveOracleTest {
     void theTaylorLimitJoinsTheClosedFormWithoutAStep() {
         Pose from = new Pose(1, 2, 0.3);
         for (double omega = 1e-14; omega < 1e-2; omega *= 1.1) {
-            assertNear(rungeKutta(from, 1, omega, 1), DifferentialDrive.advance(from, 1, omega, 1), 1e-13);
-            assertNear(rungeKutta(from, 1, -omega, 1), DifferentialDrive.advance(from, 1, -omega, 1), 1e-13);
+            assertNear(rungeKutta(from, 1, omega, 1), advance(from, 1, omega, 1), 1e-13);
+            assertNear(rungeKutta(from, 1, -omega, 1), advance(from, 1, -omega, 1), 1e-13);
         }
     }
 
     @Test
     void equalAndOppositeWheelsTurnOnTheSpot() {
-        double v = DifferentialDrive.linearVelocity(-0.3, 0.3);
-        double omega = DifferentialDrive.angularVelocity(-0.3, 0.3, 0.2);
-        assertNear(new Pose(1, 2, 0.5 + 3), DifferentialDrive.advance(new Pose(1, 2, 0.5), v, omega, 1), 1e-15);
+        Velocity velocity = new WheelSpeeds(-0.3, 0.3).toVelocity(0.2);
+        assertNear(new Pose(1, 2, 0.5 + 3), DifferentialDrive.advance(new Pose(1, 2, 0.5), velocity, 1), 1e-15);
     }
 
     @Test
     void equalWheelsDriveStraight() {
-        assertEquals(new Pose(0.5, 0, 0), DifferentialDrive.advance(Pose.ORIGIN, 0.5, 0, 1));
+        assertEquals(new Pose(0.5, 0, 0), advance(Pose.ORIGIN, 0.5, 0, 1));
     }
 
     @Test
     void theSlowerSideIsTheInsideOfTheTurn() {
         double track = 0.2;
-        double v = DifferentialDrive.linearVelocity(0.1, 0.3);
-        double omega = DifferentialDrive.angularVelocity(0.1, 0.3, track);
+        Velocity velocity = new WheelSpeeds(0.1, 0.3).toVelocity(track);
         // Radius v / omega = 0.2: the left wheels run on a circle of 0.1, the right ones of 0.3, three times as fast.
-        assertEquals(0.2, v / omega, 1e-15);
-        Pose half = DifferentialDrive.advance(Pose.ORIGIN, v, omega, Math.PI / omega);
+        assertEquals(0.2, velocity.linear() / velocity.angular(), 1e-15);
+        Pose half = DifferentialDrive.advance(Pose.ORIGIN, velocity, Math.PI / velocity.angular());
         assertNear(new Pose(0, 0.4, Math.PI), half, 1e-15);
     }
 
     @Test
     void manyShortArcsMakeOneLongArc() {
-        Pose whole = DifferentialDrive.advance(Pose.ORIGIN, 0.3, 0.7, 2);
+        Pose whole = advance(Pose.ORIGIN, 0.3, 0.7, 2);
         Pose pieces = Pose.ORIGIN;
         for (int i = 0; i < 2000; i++) {
-            pieces = DifferentialDrive.advance(pieces, 0.3, 0.7, 0.001);
+            pieces = advance(pieces, 0.3, 0.7, 0.001);
         }
         assertNear(whole, pieces, 1e-12);
+    }
+
+    @Test
+    void theWheelSpeedsForAVelocityGiveThatVelocity() {
+        WheelSpeeds speeds = WheelSpeeds.of(new Velocity(0.3, 2), 0.2);
+        assertEquals(new WheelSpeeds(0.3 - 0.2, 0.3 + 0.2), speeds);
+        assertEquals(new Velocity(0.3, 2), speeds.toVelocity(0.2));
+    }
+
+    private static Pose advance(Pose from, double v, double omega, double dt) {
+        return DifferentialDrive.advance(from, new Velocity(v, omega), dt);
     }
 
     private static Pose rungeKutta(Pose from, double v, double omega, double dt) {

@@ -69,10 +69,10 @@ class ResultsClaimsTest {
                 AlignmentTrial.WALL_Y - away,
                 Math.PI / 2 + Degrees.toRadians(between(-75, 75)));
         double period = random.nextInt(1, 11) * AlignmentTrial.BASE.dt();
-        SimulationSetup there = SetupVariations.with(
-                        AlignmentTrial.BASE, new WallFollowing(distance, WallFollowing.DEFAULT.side(), period, timing))
+        SimulationSetup there = AlignmentTrial.BASE
+                .withController(new WallFollowing(distance, WallFollowing.DEFAULT.side(), period, timing))
                 .withStart(start);
-        return new AlignmentTrial(SetupVariations.with(there, robot()), 1);
+        return new AlignmentTrial(there.withRobot(robot()), 1);
     }
 
     @Test
@@ -136,7 +136,7 @@ class ResultsClaimsTest {
                     sensor.on(),
                     deviation));
         }
-        return SetupVariations.with(setup, robot);
+        return setup.withRobot(robot);
     }
 
     @Test
@@ -153,7 +153,7 @@ class ResultsClaimsTest {
             Command fault = new Command.InjectFault(
                     others.get(random.nextInt(others.size())).id(), kind.createFault(kind.defaultValue()));
             AlignmentTrial failing = new AlignmentTrial(
-                    SetupVariations.with(trial.setup(), List.of(new SimulationSetup.TimedCommand(spin, fault))), 1);
+                    trial.setup().withTimeline(List.of(new SimulationSetup.TimedCommand(spin, fault))), 1);
             assertEquals(
                     Double.doubleToRawLongBits(trial.run().orElseThrow().tD()),
                     Double.doubleToRawLongBits(failing.run().orElseThrow().tD()),
@@ -206,8 +206,7 @@ class ResultsClaimsTest {
             // Well inside the lines of the map; at them it is a matter of a degree.
             boolean seen =
                     IntStream.of(-45, 0, 45).anyMatch(bearing -> Math.abs(slant - bearing) < half + specular - 4);
-            Obstacle glossy =
-                    new Obstacle(wall.id(), wall.shape(), wall.pose(), wall.motion(), Degrees.toRadians(specular));
+            Obstacle glossy = wall.withSpecularAngle(Degrees.toRadians(specular));
             Pose start = new Pose(10 + between(-1, 1), 10 - between(0.9, 1.2), Math.PI / 2 + Degrees.toRadians(slant));
             boolean hit = RunTrace.simulate(SetupVariations.with(base, glossy).withStart(start))
                     .result()

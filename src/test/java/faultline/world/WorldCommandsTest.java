@@ -49,7 +49,7 @@ class WorldCommandsTest {
         // 20 to 40.
         double within = Degrees.toRadians(15);
         world.execute(new Command.PlaceObstacle(
-                new Obstacle("desk", DESK.shape(), new Pose(2.875, 2, 0), Optional.empty(), within)));
+                new Obstacle("desk", DESK.shape(), new Pose(2.875, 2, 0), WaypointPath.NONE, within)));
         assertEquals(2, world.snapshot().sensors().get(FRONT).intersections().size());
         world.execute(new Command.MoveObstacle("desk", new Pose(2.875, 2, Degrees.toRadians(30))));
         world.sense();
@@ -135,8 +135,8 @@ class WorldCommandsTest {
     @Test
     void noMoreObstaclesMayMoveThanTheWorldAllows() {
         WaypointPath motion = new WaypointPath(0.1, true, List.of(new Vector2(1, 1), new Vector2(5, 1)));
-        Obstacle one = new Obstacle("one", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0), Optional.of(motion));
-        Obstacle two = new Obstacle("two", new ObstacleShape.Circle(0.1), new Pose(5, 1, 0), Optional.of(motion));
+        Obstacle one = new Obstacle("one", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0), motion);
+        Obstacle two = new Obstacle("two", new ObstacleShape.Circle(0.1), new Pose(5, 1, 0), motion);
         assertEquals(SUCCESS, refusal(new Command.PlaceObstacle(one)));
         assertEquals(SUCCESS, refusal(new Command.PlaceObstacle(one)));
         assertEquals(Optional.of("at most 1 obstacles may move"), refusal(new Command.PlaceObstacle(two)));

@@ -1,8 +1,9 @@
 package faultline.control.diagnosis;
 
-import faultline.robot.DifferentialDrive;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 
 /**
  * The robot's pose by dead reckoning: the controller's own voltages through the motor's model. In a frame in which the
@@ -13,8 +14,7 @@ public final class DeadReckoning {
     private double x;
     private double y;
     private double heading;
-    private double leftSpeed;
-    private double rightSpeed;
+    private WheelSpeeds wheelSpeeds = WheelSpeeds.ZERO;
     private double rolled;
     private double turned;
 
@@ -33,10 +33,10 @@ public final class DeadReckoning {
         rolled = 0;
         turned = 0;
         for (long i = 0; i < ticks; i++) {
-            leftSpeed = motor.step(leftSpeed, leftVolts, decay);
-            rightSpeed = motor.step(rightSpeed, rightVolts, decay);
-            double way = DifferentialDrive.linearVelocity(leftSpeed, rightSpeed) * dt;
-            double turn = DifferentialDrive.angularVelocity(leftSpeed, rightSpeed, robot.track()) * dt;
+            wheelSpeeds = motor.step(wheelSpeeds, leftVolts, rightVolts, decay);
+            Velocity velocity = wheelSpeeds.toVelocity(robot.track());
+            double way = velocity.linear() * dt;
+            double turn = velocity.angular() * dt;
             double middle = heading + turn / 2;
             x += way * StrictMath.cos(middle);
             y += way * StrictMath.sin(middle);
@@ -98,7 +98,7 @@ public final class DeadReckoning {
      * @return radians per second, positive to the left
      */
     public double omega(RobotSpec robot) {
-        return DifferentialDrive.angularVelocity(leftSpeed, rightSpeed, robot.track());
+        return wheelSpeeds.toVelocity(robot.track()).angular();
     }
 
     /**
@@ -107,6 +107,6 @@ public final class DeadReckoning {
      * @return metres per second
      */
     public double v() {
-        return DifferentialDrive.linearVelocity(leftSpeed, rightSpeed);
+        return wheelSpeeds.linear();
     }
 }

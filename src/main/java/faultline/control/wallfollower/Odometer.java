@@ -3,9 +3,10 @@ package faultline.control.wallfollower;
 import faultline.control.Decision;
 import faultline.control.Telemetry;
 import faultline.control.WallSide;
-import faultline.robot.DifferentialDrive;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 
 /**
  * The commanded motion, and dead reckoning from it through the motor's model: how far the robot has rolled and turned.
@@ -13,10 +14,8 @@ import faultline.robot.RobotSpec;
  */
 final class Odometer {
 
-    private double v;
-    private double omega;
-    private double leftSpeed;
-    private double rightSpeed;
+    private Velocity command = Velocity.ZERO;
+    private WheelSpeeds wheelSpeeds = WheelSpeeds.ZERO;
     private double heading;
     private double deltaDistance;
     private double deltaHeading;
@@ -28,16 +27,15 @@ final class Odometer {
      * @param newOmega radians per second, positive to the left
      */
     void command(double newV, double newOmega) {
-        v = newV;
-        omega = newOmega;
+        command = new Velocity(newV, newOmega);
     }
 
     /** Returns the voltages that command the motion, with what the follower shows of itself. */
     Decision decision(RobotSpec robot, WallSide side, Telemetry telemetry) {
         MotorSpec motor = robot.motor();
-        double half = omega * robot.track() / 2;
-        double near = motor.voltageFor(v - half);
-        double far = motor.voltageFor(v + half);
+        WheelSpeeds wanted = WheelSpeeds.of(command, robot.track());
+        double near = motor.voltageFor(wanted.left());
+        double far = motor.voltageFor(wanted.right());
         return side == WallSide.LEFT ? new Decision(near, far, telemetry) : new Decision(far, near, telemetry);
     }
 
@@ -45,14 +43,15 @@ final class Odometer {
     void advance(RobotSpec robot, double dt, long ticks) {
         MotorSpec motor = robot.motor();
         double decay = motor.decay(dt);
-        double half = omega * robot.track() / 2;
+        WheelSpeeds wanted = WheelSpeeds.of(command, robot.track());
         deltaDistance = 0;
         deltaHeading = 0;
         for (long i = 0; i < ticks; i++) {
-            leftSpeed = motor.step(leftSpeed, motor.voltageFor(v - half), decay);
-            rightSpeed = motor.step(rightSpeed, motor.voltageFor(v + half), decay);
-            deltaDistance += DifferentialDrive.linearVelocity(leftSpeed, rightSpeed) * dt;
-            deltaHeading += DifferentialDrive.angularVelocity(leftSpeed, rightSpeed, robot.track()) * dt;
+            wheelSpeeds =
+                    motor.step(wheelSpeeds, motor.voltageFor(wanted.left()), motor.voltageFor(wanted.right()), decay);
+            Velocity velocity = wheelSpeeds.toVelocity(robot.track());
+            deltaDistance += velocity.linear() * dt;
+            deltaHeading += velocity.angular() * dt;
         }
         heading += deltaHeading;
     }
@@ -74,7 +73,7 @@ final class Odometer {
 
     /** Returns the rate of turning now, radians per second. */
     double omega(RobotSpec robot) {
-        return DifferentialDrive.angularVelocity(leftSpeed, rightSpeed, robot.track());
+        return wheelSpeeds.toVelocity(robot.track()).angular();
     }
 
     /**

@@ -3,7 +3,6 @@ package faultline.engine.metrics;
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Disc;
 import faultline.geometry.Ellipse;
-import faultline.geometry.Pose;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.world.CandidateBuffer;
@@ -76,11 +75,7 @@ public final class WallReference {
             if (figure instanceof Segment segment) {
                 sampleAlongSegment(segment, distance, spacing, places);
             } else if (figure instanceof Disc disc) {
-                sampleAroundEllipse(
-                        Ellipse.at(new Pose(disc.cx(), disc.cy(), 0), disc.radius(), disc.radius()),
-                        distance,
-                        spacing,
-                        places);
+                sampleAroundEllipse(disc.toEllipse(), distance, spacing, places);
             } else {
                 sampleAroundEllipse((Ellipse) figure, distance, spacing, places);
             }
@@ -121,12 +116,13 @@ public final class WallReference {
 
     private void sampleAroundEllipse(Ellipse oval, double distance, double spacing, List<Sample> places) {
         int pieces = Math.max(8, (int) Math.ceil(2 * StrictMath.PI * oval.boundingRadius() / spacing));
-        Vector2 before = oval.toWorld(new Vector2(oval.rx(), 0));
+        Vector2 before = oval.frame().toParent(new Vector2(oval.rx(), 0));
         for (int i = 1; i <= pieces; i++) {
             Vector2 unit = Vector2.direction(2 * StrictMath.PI * i / pieces);
-            Vector2 point = oval.toWorld(new Vector2(oval.rx() * unit.x(), oval.ry() * unit.y()));
+            Vector2 point = oval.frame().toParent(new Vector2(oval.rx() * unit.x(), oval.ry() * unit.y()));
             Vector2 across = new Vector2(unit.x() / oval.rx(), unit.y() / oval.ry());
-            Vector2 normal = across.times(1 / across.length()).rotated(oval.cos(), oval.sin());
+            Vector2 normal = across.times(1 / across.length())
+                    .rotated(oval.frame().cos(), oval.frame().sin());
             addIfFree(point, normal, distance, point.distanceTo(before), places);
             before = point;
         }

@@ -17,6 +17,7 @@ import faultline.scenario.xml.ObstacleXml;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
 import faultline.world.Obstacle;
+import faultline.world.WaypointPath;
 import java.awt.Toolkit;
 import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.DataFlavor;
@@ -153,23 +154,23 @@ public final class ObstacleActions {
     /** Of all selected obstacles that move. */
     private void editMotionSpeed() {
         List<Obstacle> moving = tools.selected().stream()
-                .filter(obstacle -> obstacle.motion().isPresent())
+                .filter(obstacle -> obstacle.isMoving())
                 .toList();
         if (moving.isEmpty()) {
             notifier.accept(Messages.get("note.selectMoving"));
         } else {
-            askSpeed.apply(moving.get(0).motion().orElseThrow().speed())
+            askSpeed.apply(moving.get(0).motion().speed())
                     .ifPresent(speed -> editor.send(moving.stream()
                             .<Command>map(obstacle -> new Command.PlaceObstacle(
-                                    obstacle.withMotion(obstacle.motion().map(motion -> motion.withSpeed(speed)))))
+                                    obstacle.withMotion(obstacle.motion().withSpeed(speed))))
                             .toList()));
         }
     }
 
     private void removeMotion() {
         editor.send(tools.selected().stream()
-                .filter(obstacle -> obstacle.motion().isPresent())
-                .<Command>map(obstacle -> new Command.PlaceObstacle(obstacle.withMotion(Optional.empty())))
+                .filter(obstacle -> obstacle.isMoving())
+                .<Command>map(obstacle -> new Command.PlaceObstacle(obstacle.withMotion(WaypointPath.NONE)))
                 .toList());
     }
 

@@ -55,8 +55,7 @@ final class CachedSceneRenderer {
                 ? scene.selection().get()
                 : Set.of();
         Map<Boolean, List<Obstacle>> byLife = frame.snapshot().obstacles().stream()
-                .collect(Collectors.partitioningBy(
-                        obstacle -> obstacle.motion().isPresent() || apart.contains(obstacle.id())));
+                .collect(Collectors.partitioningBy(obstacle -> obstacle.isMoving() || apart.contains(obstacle.id())));
         Set<String> marked = apart.isEmpty() ? scene.selection().get() : Set.of();
         PathLayer driven = new PathLayer(frame.path(), PathStyle.RUN);
         Optional<ReferenceOverlay> ghost = scene.referenceOverlay().get();

@@ -137,24 +137,12 @@ final class SetupEditor implements Command.Visitor<Boolean> {
     }
 
     private WorldSpec world() {
-        WorldSpec world = base.world();
-        return new WorldSpec(
-                world.width(),
-                world.height(),
-                world.enclosed(),
-                world.maxMoving(),
-                obstacles.values().stream().flatMap(Optional::stream).toList());
+        return base.world()
+                .withObstacles(
+                        obstacles.values().stream().flatMap(Optional::stream).toList());
     }
 
     private SimulationSetup setup() {
-        return new SimulationSetup(
-                world(),
-                robot,
-                base.start(),
-                base.controller(),
-                base.timeline(),
-                base.dt(),
-                base.seed(),
-                base.duration());
+        return base.withWorld(world()).withRobot(robot);
     }
 }

@@ -103,10 +103,9 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
     }
 
     private static boolean changesOnlySpeed(Obstacle before, Obstacle now) {
-        return !before.motion().equals(now.motion())
-                && before.motion()
-                        .flatMap(old -> now.motion().map(path -> old.withSpeed(path.speed())))
-                        .equals(now.motion());
+        return before.isMoving()
+                && !before.motion().equals(now.motion())
+                && before.motion().withSpeed(now.motion().speed()).equals(now.motion());
     }
 
     @Override

@@ -37,18 +37,15 @@ public final class ObstacleCopies {
     }
 
     private static Obstacle moved(Obstacle original, String id, Vector2 by) {
-        Vector2 place = Rounding.round(original.pose().position().plus(by));
+        Pose pose = original.pose();
         return original.withId(id)
-                .withPose(new Pose(place.x(), place.y(), original.pose().heading()))
-                .withMotion(original.motion().map(way -> moved(way, by)));
+                .withPose(pose.withPosition(Rounding.round(pose.position().plus(by))))
+                .withMotion(moved(original.motion(), by));
     }
 
     private static WaypointPath moved(WaypointPath way, Vector2 by) {
-        return new WaypointPath(
-                way.speed(),
-                way.loop(),
-                way.waypoints().stream()
-                        .map(point -> Rounding.round(point.plus(by)))
-                        .toList());
+        return way.withWaypoints(way.waypoints().stream()
+                .map(point -> Rounding.round(point.plus(by)))
+                .toList());
     }
 }

@@ -8,6 +8,7 @@ import faultline.world.ObstacleShape;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
 
 /**
  * The points by which a hand takes a shape to change its size: a rectangle's corners and sides, a curve's axes, all
@@ -45,26 +46,7 @@ public final class ShapeHandles {
     }
 
     private static List<Vector2> localPositions(ObstacleShape shape) {
-        if (shape instanceof ObstacleShape.Rectangle box) {
-            return SIDES.stream()
-                    .map(side -> new Vector2(side.x() * box.width() / 2, side.y() * box.height() / 2))
-                    .toList();
-        }
-        if (shape instanceof ObstacleShape.Circle circle) {
-            return AXES.stream().map(axis -> axis.times(circle.radius())).toList();
-        }
-        if (shape instanceof ObstacleShape.Ellipse ellipse) {
-            return AXES.stream()
-                    .map(axis -> new Vector2(axis.x() * ellipse.rx(), axis.y() * ellipse.ry()))
-                    .toList();
-        }
-        return points(shape);
-    }
-
-    private static List<Vector2> points(ObstacleShape shape) {
-        return shape instanceof ObstacleShape.Polygon polygon
-                ? polygon.points()
-                : ((ObstacleShape.Wall) shape).points();
+        return shape.accept(HANDLES).positions();
     }
 
     /**
@@ -78,46 +60,11 @@ public final class ShapeHandles {
      * @return the obstacle of another shape
      */
     public static Obstacle dragHandle(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
-        Vector2 local = obstacle.pose().toLocal(to);
-        ObstacleShape shape = obstacle.shape();
-        if (shape instanceof ObstacleShape.Rectangle box) {
-            return resizeRectangle(obstacle, box, SIDES.get(handle), local, snap);
-        }
-        if (shape instanceof ObstacleShape.Circle) {
-            return with(obstacle, new ObstacleShape.Circle(size(local.length(), snap)), obstacle.pose());
-        }
-        if (shape instanceof ObstacleShape.Ellipse ellipse) {
-            boolean across = AXES.get(handle).y() == 0;
-            double rx = across ? size(Math.abs(local.x()), snap) : ellipse.rx();
-            double ry = across ? ellipse.ry() : size(Math.abs(local.y()), snap);
-            return with(obstacle, new ObstacleShape.Ellipse(rx, ry), obstacle.pose());
-        }
-        return moveCorner(obstacle, handle, Rounding.round(obstacle.pose().toLocal(snap.point(to))));
-    }
-
-    private static Obstacle resizeRectangle(
-            Obstacle obstacle, ObstacleShape.Rectangle box, Vector2 side, Vector2 local, SnapSettings snap) {
-        double w = side.x() == 0 ? box.width() : size(side.x() * local.x() + box.width() / 2, snap);
-        double h = side.y() == 0 ? box.height() : size(side.y() * local.y() + box.height() / 2, snap);
-        Vector2 middle = obstacle.pose()
-                .toParent(new Vector2(side.x() * (w - box.width()) / 2, side.y() * (h - box.height()) / 2));
-        Vector2 place = Rounding.round(middle);
-        return with(
-                obstacle,
-                new ObstacleShape.Rectangle(w, h),
-                new Pose(place.x(), place.y(), obstacle.pose().heading()));
+        return obstacle.shape().accept(HANDLES).drag(obstacle, handle, to, snap);
     }
 
     private static double size(double free, SnapSettings snap) {
         return Rounding.round(Math.max(MIN_SIZE, snap.length(free)));
-    }
-
-    private static Obstacle moveCorner(Obstacle obstacle, int corner, Vector2 to) {
-        List<Vector2> points = new ArrayList<>(points(obstacle.shape()));
-        points.set(corner, to);
-        boolean closed = obstacle.shape() instanceof ObstacleShape.Polygon;
-        return with(
-                obstacle, closed ? new ObstacleShape.Polygon(points) : new ObstacleShape.Wall(points), obstacle.pose());
     }
 
     private static Obstacle with(Obstacle obstacle, ObstacleShape shape, Pose pose) {
@@ -132,18 +79,7 @@ public final class ShapeHandles {
      * @return for people
      */
     public static String sizeText(Obstacle obstacle, int handle) {
-        ObstacleShape shape = obstacle.shape();
-        if (shape instanceof ObstacleShape.Rectangle box) {
-            return Messages.get("value.size", formatMetres(box.width()), formatMetres(box.height()));
-        }
-        if (shape instanceof ObstacleShape.Circle circle) {
-            return Messages.get("value.radius", formatMetres(circle.radius()));
-        }
-        if (shape instanceof ObstacleShape.Ellipse ellipse) {
-            return Messages.get("value.axes", formatMetres(ellipse.rx()), formatMetres(ellipse.ry()));
-        }
-        Vector2 place = positions(obstacle).get(handle);
-        return Messages.get("value.place", formatMetres(place.x()), formatMetres(place.y()));
+        return obstacle.shape().accept(HANDLES).sizeText(obstacle, handle);
     }
 
     /**
@@ -154,5 +90,129 @@ public final class ShapeHandles {
      */
     public static String formatMetres(double value) {
         return String.format(Locale.ROOT, "%.3f", value);
+    }
+
+    /** The handles of one kind of shape. */
+    private interface Handles {
+
+        /** Returns the positions of the handles in the shape's frame. */
+        List<Vector2> positions();
+
+        /** Returns an obstacle of this shape after a handle was dragged to a point of the world. */
+        Obstacle drag(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap);
+
+        /** Returns the size of an obstacle of this shape as a text. */
+        String sizeText(Obstacle obstacle, int handle);
+    }
+
+    private static final ObstacleShape.Visitor<Handles> HANDLES = new ObstacleShape.Visitor<>() {
+        @Override
+        public Handles visit(ObstacleShape.Rectangle shape) {
+            return new RectangleHandles(shape);
+        }
+
+        @Override
+        public Handles visit(ObstacleShape.Circle shape) {
+            return new CircleHandles(shape);
+        }
+
+        @Override
+        public Handles visit(ObstacleShape.Ellipse shape) {
+            return new EllipseHandles(shape);
+        }
+
+        @Override
+        public Handles visit(ObstacleShape.Polygon shape) {
+            return new CornerHandles(shape.points(), ObstacleShape.Polygon::new);
+        }
+
+        @Override
+        public Handles visit(ObstacleShape.Wall shape) {
+            return new CornerHandles(shape.points(), ObstacleShape.Wall::new);
+        }
+    };
+
+    private record RectangleHandles(ObstacleShape.Rectangle shape) implements Handles {
+        @Override
+        public List<Vector2> positions() {
+            return SIDES.stream()
+                    .map(side -> new Vector2(side.x() * shape.width() / 2, side.y() * shape.height() / 2))
+                    .toList();
+        }
+
+        @Override
+        public Obstacle drag(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
+            Vector2 local = obstacle.pose().toLocal(to);
+            Vector2 side = SIDES.get(handle);
+            double w = side.x() == 0 ? shape.width() : size(side.x() * local.x() + shape.width() / 2, snap);
+            double h = side.y() == 0 ? shape.height() : size(side.y() * local.y() + shape.height() / 2, snap);
+            Vector2 middle = obstacle.pose()
+                    .toParent(new Vector2(side.x() * (w - shape.width()) / 2, side.y() * (h - shape.height()) / 2));
+            return with(
+                    obstacle, new ObstacleShape.Rectangle(w, h), obstacle.pose().withPosition(Rounding.round(middle)));
+        }
+
+        @Override
+        public String sizeText(Obstacle obstacle, int handle) {
+            return Messages.get("value.size", formatMetres(shape.width()), formatMetres(shape.height()));
+        }
+    }
+
+    private record CircleHandles(ObstacleShape.Circle shape) implements Handles {
+        @Override
+        public List<Vector2> positions() {
+            return AXES.stream().map(axis -> axis.times(shape.radius())).toList();
+        }
+
+        @Override
+        public Obstacle drag(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
+            double radius = size(obstacle.pose().toLocal(to).length(), snap);
+            return obstacle.withShape(new ObstacleShape.Circle(radius));
+        }
+
+        @Override
+        public String sizeText(Obstacle obstacle, int handle) {
+            return Messages.get("value.radius", formatMetres(shape.radius()));
+        }
+    }
+
+    private record EllipseHandles(ObstacleShape.Ellipse shape) implements Handles {
+        @Override
+        public List<Vector2> positions() {
+            return AXES.stream()
+                    .map(axis -> new Vector2(axis.x() * shape.rx(), axis.y() * shape.ry()))
+                    .toList();
+        }
+
+        @Override
+        public Obstacle drag(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
+            Vector2 local = obstacle.pose().toLocal(to);
+            boolean alongX = AXES.get(handle).y() == 0;
+            double rx = alongX ? size(Math.abs(local.x()), snap) : shape.rx();
+            double ry = alongX ? shape.ry() : size(Math.abs(local.y()), snap);
+            return obstacle.withShape(new ObstacleShape.Ellipse(rx, ry));
+        }
+
+        @Override
+        public String sizeText(Obstacle obstacle, int handle) {
+            return Messages.get("value.axes", formatMetres(shape.rx()), formatMetres(shape.ry()));
+        }
+    }
+
+    /** One handle at each point of a polygon or a wall. */
+    private record CornerHandles(List<Vector2> positions, Function<List<Vector2>, ObstacleShape> factory)
+            implements Handles {
+        @Override
+        public Obstacle drag(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
+            List<Vector2> points = new ArrayList<>(positions);
+            points.set(handle, Rounding.round(obstacle.pose().toLocal(snap.point(to))));
+            return obstacle.withShape(factory.apply(points));
+        }
+
+        @Override
+        public String sizeText(Obstacle obstacle, int handle) {
+            Vector2 place = obstacle.pose().toParent(positions.get(handle));
+            return Messages.get("value.place", formatMetres(place.x()), formatMetres(place.y()));
+        }
     }
 }

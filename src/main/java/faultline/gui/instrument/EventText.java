@@ -1,7 +1,6 @@
 package faultline.gui.instrument;
 
 import faultline.engine.recording.RunEvent;
-import faultline.gui.panel.ReadingText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;

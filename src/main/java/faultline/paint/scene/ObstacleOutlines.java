@@ -17,25 +17,40 @@ import java.util.List;
 /** Converts obstacles to shapes of {@link java.awt.geom}, in metres. */
 public final class ObstacleOutlines {
 
+    private static final ObstacleShape.Visitor<Shape> OUTLINE = new ObstacleShape.Visitor<>() {
+        @Override
+        public Shape visit(ObstacleShape.Rectangle shape) {
+            return centred(new Rectangle2D.Double(), shape.width(), shape.height());
+        }
+
+        @Override
+        public Shape visit(ObstacleShape.Circle shape) {
+            return centred(new Ellipse2D.Double(), 2 * shape.radius(), 2 * shape.radius());
+        }
+
+        @Override
+        public Shape visit(ObstacleShape.Ellipse shape) {
+            return centred(new Ellipse2D.Double(), 2 * shape.rx(), 2 * shape.ry());
+        }
+
+        @Override
+        public Shape visit(ObstacleShape.Polygon shape) {
+            Path2D path = polyline(shape.points());
+            path.closePath();
+            return path;
+        }
+
+        @Override
+        public Shape visit(ObstacleShape.Wall shape) {
+            return polyline(shape.points());
+        }
+    };
+
     private ObstacleOutlines() {}
 
     /** Returns the outline of a shape in its own frame; open for a wall, closed for all others. */
     public static Shape localShape(ObstacleShape shape) {
-        if (shape instanceof ObstacleShape.Rectangle rectangle) {
-            return centred(new Rectangle2D.Double(), rectangle.width(), rectangle.height());
-        }
-        if (shape instanceof ObstacleShape.Circle circle) {
-            return centred(new Ellipse2D.Double(), 2 * circle.radius(), 2 * circle.radius());
-        }
-        if (shape instanceof ObstacleShape.Ellipse ellipse) {
-            return centred(new Ellipse2D.Double(), 2 * ellipse.rx(), 2 * ellipse.ry());
-        }
-        if (shape instanceof ObstacleShape.Polygon polygon) {
-            Path2D path = polyline(polygon.points());
-            path.closePath();
-            return path;
-        }
-        return polyline(((ObstacleShape.Wall) shape).points());
+        return shape.accept(OUTLINE);
     }
 
     private static Shape centred(RectangularShape shape, double width, double height) {
@@ -89,7 +104,7 @@ public final class ObstacleOutlines {
      */
     public static Pose rotatedPose(Obstacle obstacle, Vector2 about, double turn) {
         Pose pose = obstacle.pose();
-        Vector2 origin = RigidMotion.apply(RigidMotion.rotationAbout(about, turn), pose.position());
+        Vector2 origin = RigidMotion.rotationAbout(about, turn).toParent(pose.position());
         return new Pose(origin.x(), origin.y(), pose.heading() + turn);
     }
 }

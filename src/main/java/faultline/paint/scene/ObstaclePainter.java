@@ -43,7 +43,7 @@ final class ObstaclePainter {
 
     static void paint(DrawContext context, Obstacle obstacle) {
         Palette palette = context.palette();
-        boolean moves = obstacle.motion().isPresent();
+        boolean moves = obstacle.isMoving();
         Color outline = moves ? palette.movingOutline() : palette.obstacleOutline();
         Shape shape = context.toScreen(
                 ObstacleOutlines.localShape(obstacle.shape()), RigidMotion.poseTransform(obstacle.pose()));

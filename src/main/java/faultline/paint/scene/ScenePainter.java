@@ -33,7 +33,7 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
      * @param reference a reference run, empty for none
      */
     public void paint(DrawContext context, Frame frame, Optional<ReferenceOverlay> reference) {
-        Predicate<Obstacle> moves = obstacle -> obstacle.motion().isPresent();
+        Predicate<Obstacle> moves = obstacle -> obstacle.isMoving();
         List<Obstacle> obstacles = frame.snapshot().obstacles();
         paintBackground(context, frame.snapshot());
         obstacles.stream().filter(moves.negate()).forEach(obstacle -> paintObstacle(context, obstacle));
@@ -113,7 +113,9 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
 
     private void paintMovingObstacle(DrawContext context, Obstacle obstacle) {
         if (layers.contains(Layer.ROUTES)) {
-            obstacle.motion().ifPresent(motion -> RoutePainter.paint(context.withFont(labels.font()), motion));
+            if (obstacle.isMoving()) {
+                RoutePainter.paint(context.withFont(labels.font()), obstacle.motion());
+            }
         }
         paintObstacle(context, obstacle);
     }

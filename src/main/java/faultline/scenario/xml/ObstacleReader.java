@@ -9,7 +9,6 @@ import faultline.world.WaypointPath;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.Function;
 
 /** Makes obstacles of elements, in the world and in the timeline, and counts how many parts the file has had. */
@@ -59,7 +58,7 @@ final class ObstacleReader {
                 ? fields.angle("specular", NumberRange.INCIDENCE_ANGLE, Obstacle.MATT)
                 : Obstacle.MATT;
         fields.reportUnknownAndMissing();
-        Optional<WaypointPath> motion = node.firstChild("motion").map(this::readMotion);
+        WaypointPath motion = node.firstChild("motion").map(this::readMotion).orElse(WaypointPath.NONE);
         return new Obstacle(id, shape, pose, motion, specular);
     }
 

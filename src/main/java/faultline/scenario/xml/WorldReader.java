@@ -74,7 +74,7 @@ final class WorldReader {
     }
 
     private void checkMotion(XmlElement node, Obstacle obstacle, int maxMoving) {
-        if (obstacle.motion().isPresent() && ++movingCount > maxMoving) {
+        if (obstacle.isMoving() && ++movingCount > maxMoving) {
             problems.add(
                     node,
                     "<" + node.name() + "> " + MessageText.quoted(obstacle.id()) + " is moving obstacle number "

@@ -26,31 +26,47 @@ final class WorldWriter {
     }
 
     static void writeObstacle(Obstacle obstacle, XmlWriter out) {
-        ObstacleShape shape = obstacle.shape();
-        if (shape instanceof ObstacleShape.Rectangle rectangle) {
-            beginObstacle("rectangle", obstacle, out)
-                    .attribute("width", rectangle.width())
-                    .attribute("height", rectangle.height());
-        } else if (shape instanceof ObstacleShape.Circle circle) {
-            beginObstacle("circle", obstacle, out).attribute("radius", circle.radius());
-        } else if (shape instanceof ObstacleShape.Ellipse ellipse) {
-            beginObstacle("ellipse", obstacle, out)
-                    .attribute("rx", ellipse.rx())
-                    .attribute("ry", ellipse.ry());
-        } else if (shape instanceof ObstacleShape.Polygon polygon) {
-            beginObstacle("polygon", obstacle, out).attribute("points", formatPoints(polygon.points()));
-        } else if (shape instanceof ObstacleShape.Wall wall) {
-            beginObstacle("wall", obstacle, out).attribute("points", formatPoints(wall.points()));
-        }
+        obstacle.shape().accept(new ShapeWriter(obstacle, out));
         if (obstacle.isSpecular()) {
             out.angleAttribute("specular", obstacle.specularAngle());
         }
-        obstacle.motion().ifPresent(motion -> writeMotion(motion, out));
+        if (obstacle.isMoving()) {
+            writeMotion(obstacle.motion(), out);
+        }
         out.endElement();
     }
 
-    private static XmlWriter beginObstacle(String name, Obstacle obstacle, XmlWriter out) {
-        return writePose(obstacle.pose(), out.beginElement(name).attribute("id", obstacle.id()));
+    /** Begins the element of an obstacle and writes the attributes of its shape. */
+    private record ShapeWriter(Obstacle obstacle, XmlWriter out) implements ObstacleShape.Visitor<XmlWriter> {
+
+        private XmlWriter begin(String name) {
+            return writePose(obstacle.pose(), out.beginElement(name).attribute("id", obstacle.id()));
+        }
+
+        @Override
+        public XmlWriter visit(ObstacleShape.Rectangle shape) {
+            return begin("rectangle").attribute("width", shape.width()).attribute("height", shape.height());
+        }
+
+        @Override
+        public XmlWriter visit(ObstacleShape.Circle shape) {
+            return begin("circle").attribute("radius", shape.radius());
+        }
+
+        @Override
+        public XmlWriter visit(ObstacleShape.Ellipse shape) {
+            return begin("ellipse").attribute("rx", shape.rx()).attribute("ry", shape.ry());
+        }
+
+        @Override
+        public XmlWriter visit(ObstacleShape.Polygon shape) {
+            return begin("polygon").attribute("points", formatPoints(shape.points()));
+        }
+
+        @Override
+        public XmlWriter visit(ObstacleShape.Wall shape) {
+            return begin("wall").attribute("points", formatPoints(shape.points()));
+        }
     }
 
     static XmlWriter writePose(Pose pose, XmlWriter out) {

@@ -12,6 +12,7 @@ import faultline.geometry.Pose;
 import faultline.robot.DifferentialDrive;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.robot.WheelSpeeds;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
@@ -64,11 +65,7 @@ public final class StraightWallFixture {
         double decay = motor.decay(Observations.DT);
         left = motor.step(left, decision.leftVolts(), decay);
         right = motor.step(right, decision.rightVolts(), decay);
-        pose = DifferentialDrive.advance(
-                pose,
-                DifferentialDrive.linearVelocity(left, right),
-                DifferentialDrive.angularVelocity(left, right, robot.track()),
-                Observations.DT);
+        pose = DifferentialDrive.advance(pose, new WheelSpeeds(left, right).toVelocity(robot.track()), Observations.DT);
     }
 
     /** The foot of the perpendicular if it lies in the cone, else the wall on the cone's edge next to it. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
+import faultline.robot.WheelSpeeds;
 import faultline.world.Collision;
 import faultline.world.Snapshot;
 import java.util.List;
@@ -20,7 +21,18 @@ class ExpectationTest {
 
     private static RunResult result(Optional<Collision> collision, OptionalDouble coverage, OptionalDouble rms) {
         Snapshot last = new Snapshot(
-                0, 0, 6, 4, true, RobotSpec.DEFAULT, Pose.ORIGIN, 0, 0, List.of(), List.of(), List.of(), collision);
+                0,
+                0,
+                6,
+                4,
+                true,
+                RobotSpec.DEFAULT,
+                Pose.ORIGIN,
+                WheelSpeeds.ZERO,
+                List.of(),
+                List.of(),
+                List.of(),
+                collision.stream().toList());
         return new RunResult(
                 100, 1, 50, "FOLLOW", List.of("SEARCH", "FOLLOW"), collision, coverage, rms, 1, 1, List.of(), last);
     }

@@ -10,7 +10,6 @@ import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /** A square room of 4 m, to be followed with the centre 0.35 m from the wall, and things in it. */
@@ -106,8 +105,7 @@ class WallReferenceTest {
     @Test
     void aMovingObstacleIsNoWall() {
         WaypointPath motion = new WaypointPath(0.1, true, List.of(new Vector2(1, 1)));
-        Obstacle visitor =
-                new Obstacle("visitor", new ObstacleShape.Circle(0.3), new Pose(2, 2, 0), Optional.of(motion));
+        Obstacle visitor = new Obstacle("visitor", new ObstacleShape.Circle(0.3), new Pose(2, 2, 0), motion);
         assertEquals(room().samples(WANTED, 0.01), room(visitor).samples(WANTED, 0.01));
     }
 }

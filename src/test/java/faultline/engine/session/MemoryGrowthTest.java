@@ -19,7 +19,6 @@ import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
@@ -81,7 +80,7 @@ class MemoryGrowthTest {
                 "visitor",
                 new ObstacleShape.Circle(0.1),
                 new Pose(3.6, 2, 0),
-                Optional.of(new WaypointPath(0.2, true, List.of(new Vector2(3.6, 2), new Vector2(3.6, 3)))));
+                new WaypointPath(0.2, true, List.of(new Vector2(3.6, 2), new Vector2(3.6, 3))));
         return new SimulationSetup(
                 new WorldSpec(6, 5, true, 3, List.of(desk, visitor)),
                 RobotSpec.DEFAULT,

@@ -10,7 +10,6 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
@@ -50,7 +49,7 @@ class PresetsTest {
                 "visitor",
                 new ObstacleShape.Circle(0.1),
                 new Pose(1, 1, 0),
-                Optional.of(new WaypointPath(0.2, true, List.of(new Vector2(2, 1)))));
+                new WaypointPath(0.2, true, List.of(new Vector2(2, 1))));
         Obstacle copy =
                 ObstacleCopies.copyOf(List.of(visitor), Set.of("visitor")).get(0);
         assertEquals(
@@ -58,7 +57,7 @@ class PresetsTest {
                         "visitor-2",
                         visitor.shape(),
                         new Pose(1.2, 0.8, 0),
-                        Optional.of(new WaypointPath(0.2, true, List.of(new Vector2(2.2, 0.8))))),
+                        new WaypointPath(0.2, true, List.of(new Vector2(2.2, 0.8)))),
                 copy);
     }
 

@@ -7,8 +7,8 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -96,7 +96,7 @@ class ShapesTest {
                 "glass",
                 new ObstacleShape.Rectangle(1, 0.5),
                 new Pose(2, 1, 0),
-                Optional.empty(),
+                WaypointPath.NONE,
                 Degrees.toRadians(8));
         Obstacle copy = ObstacleCopies.copyOf(List.of(glass), Set.of("glass")).get(0);
         assertEquals(glass.specularAngle(), copy.specularAngle());

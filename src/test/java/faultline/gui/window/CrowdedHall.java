@@ -17,7 +17,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 
 /** A hall full of shapes of every kind, with an aisle along the wall that the robot goes round and round. */
@@ -66,8 +65,7 @@ final class CrowdedHall {
     private Obstacle obstacle(int number, Vector2 place) {
         boolean moves = number % (SHAPES / MOVING) == SHAPES / MOVING / 2;
         Vector2 beside = place.plus(new Vector2(0.3, 0.2));
-        Optional<WaypointPath> motion =
-                moves ? Optional.of(new WaypointPath(0.2, true, List.of(place, beside))) : Optional.empty();
+        WaypointPath motion = moves ? new WaypointPath(0.2, true, List.of(place, beside)) : WaypointPath.NONE;
         return new Obstacle(
                 "shape" + number, shape(number % 6), new Pose(place.x(), place.y(), random.nextDouble() * 6), motion);
     }

@@ -210,9 +210,10 @@ class EditsRobotTest {
         driver.choose("drawWay");
         click(6.5, 2.5);
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
-        waitForObstacle("it has a way to there and back", "chair-2", chair -> chair.motion()
-                .filter(way -> way.waypoints().size() == 2)
-                .isPresent());
+        waitForObstacle(
+                "it has a way to there and back",
+                "chair-2",
+                chair -> chair.motion().waypoints().size() == 2);
     }
 
     @Test
@@ -226,16 +227,10 @@ class EditsRobotTest {
         driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
         driver.robot().pressKeys(KeyEvent.VK_1);
         driver.clickButton("Speed of moving obstacles", "OK");
-        waitForObstacle(
-                "it goes at 1 m/s",
-                "chair-2",
-                chair -> chair.motion().orElseThrow().speed() == 1);
+        waitForObstacle("it goes at 1 m/s", "chair-2", chair -> chair.motion().speed() == 1);
         driver.robot().waitFor("the edit has a name", () -> "Undo Speed of chair-2".equals(undo().getText()));
         driver.choose("undo");
-        waitForObstacle(
-                "it goes as it did",
-                "chair-2",
-                chair -> chair.motion().orElseThrow().speed() == 0.2);
+        waitForObstacle("it goes as it did", "chair-2", chair -> chair.motion().speed() == 0.2);
     }
 
     private JMenuItem undo() {

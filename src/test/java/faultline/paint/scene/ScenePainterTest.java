@@ -117,7 +117,7 @@ class ScenePainterTest {
     @Test
     void aGlossyWallIsABrightLineBetweenTwoDarkOnes() {
         ObstacleShape wall = new ObstacleShape.Wall(List.of(new Vector2(0, -1), new Vector2(0, 1)));
-        Obstacle mirror = new Obstacle("mirror", wall, new Pose(4, 2, 0), Optional.empty(), 0.2);
+        Obstacle mirror = new Obstacle("mirror", wall, new Pose(4, 2, 0), WaypointPath.NONE, 0.2);
         Pixels pixels = Pixels.render(SampleFrames.frameOf(AT_2_1, mirror), LIGHT);
         Vector2 place = new Vector2(4, 2.6);
         assertTrue(pixels.hasNear(LIGHT.obstacleOutline(), place, 3), "its edge");
@@ -129,8 +129,7 @@ class ScenePainterTest {
         WaypointPath motion = new WaypointPath(0.2, false, List.of(new Vector2(3, 3), new Vector2(5, 3)));
         Pixels pixels = Pixels.render(
                 SampleFrames.frameOf(
-                        AT_2_1,
-                        new Obstacle("visitor", new ObstacleShape.Circle(0.3), new Pose(4, 2, 0), Optional.of(motion))),
+                        AT_2_1, new Obstacle("visitor", new ObstacleShape.Circle(0.3), new Pose(4, 2, 0), motion)),
                 LIGHT);
         assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(4.3, 2), 2));
         assertTrue(pixels.hasNear(LIGHT.movingOutline(), new Vector2(3, 3), 1), "a way-point");

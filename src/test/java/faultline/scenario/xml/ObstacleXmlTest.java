@@ -11,7 +11,6 @@ import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -24,7 +23,7 @@ class ObstacleXmlTest {
                     "visitor",
                     new ObstacleShape.Circle(0.15),
                     new Pose(1, 3, 0),
-                    Optional.of(new WaypointPath(0.2, true, List.of(new Vector2(1, 3), new Vector2(5, 3))))));
+                    new WaypointPath(0.2, true, List.of(new Vector2(1, 3), new Vector2(5, 3)))));
 
     @Test
     void whatIsWrittenReadsBackEqual() throws ScenarioException {

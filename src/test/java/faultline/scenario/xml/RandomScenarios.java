@@ -99,12 +99,11 @@ final class RandomScenarios {
     }
 
     private Obstacle obstacle(String id, boolean mayMove) {
-        Optional<WaypointPath> motion =
-                mayMove && random.nextBoolean() ? Optional.of(motion(points(1))) : Optional.empty();
+        WaypointPath motion = mayMove && random.nextBoolean() ? motion(points(1)) : WaypointPath.NONE;
         ObstacleShape shape = shape();
-        boolean flat = !(shape instanceof ObstacleShape.Circle || shape instanceof ObstacleShape.Ellipse);
-        double specular =
-                flat && random.nextBoolean() ? Math.nextUp(Obstacle.MATT * random.nextDouble()) : Obstacle.MATT;
+        double specular = shape.isFlat() && random.nextBoolean()
+                ? Math.nextUp(Obstacle.MATT * random.nextDouble())
+                : Obstacle.MATT;
         return new Obstacle(id, shape, new Pose(coordinate(), coordinate(), angle()), motion, specular);
     }
 

@@ -76,7 +76,7 @@ class ScenarioReaderTest {
                         "visitor",
                         new ObstacleShape.Circle(0.15),
                         new Pose(1, 3, 0),
-                        Optional.of(new WaypointPath(0.2, true, List.of(new Vector2(1, 3), new Vector2(5, 3))))),
+                        new WaypointPath(0.2, true, List.of(new Vector2(1, 3), new Vector2(5, 3)))),
                 setup.world().obstacles().get(5));
         assertEquals(
                 List.of(

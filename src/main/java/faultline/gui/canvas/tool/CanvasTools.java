@@ -82,9 +82,9 @@ public final class CanvasTools {
                 .ifPresent(obstacle -> {
                     List<Vector2> way = new ArrayList<>(points);
                     way.add(obstacle.pose().position());
-                    WaypointPath motion = new WaypointPath(
-                            obstacle.motion().map(WaypointPath::speed).orElse(DEFAULT_SPEED), true, way);
-                    context.editor().send(new Command.PlaceObstacle(obstacle.withMotion(Optional.of(motion))));
+                    double speed = obstacle.isMoving() ? obstacle.motion().speed() : DEFAULT_SPEED;
+                    WaypointPath motion = new WaypointPath(speed, true, way);
+                    context.editor().send(new Command.PlaceObstacle(obstacle.withMotion(motion)));
                 });
         return true;
     }

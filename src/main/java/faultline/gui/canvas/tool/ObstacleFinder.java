@@ -7,7 +7,6 @@ import faultline.paint.surface.Camera;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.Shape;
-import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.util.List;
 import java.util.Optional;
@@ -31,22 +30,22 @@ public final class ObstacleFinder {
                 .filter(obstacle -> touches(obstacle, point, tolerance))
                 .toList();
         Optional<Obstacle> moving =
-                under.stream().filter(obstacle -> obstacle.motion().isPresent()).reduce((lower, upper) -> upper);
+                under.stream().filter(obstacle -> obstacle.isMoving()).reduce((lower, upper) -> upper);
         return moving.or(() -> under.stream().reduce((lower, upper) -> upper));
     }
 
     private static boolean touches(Obstacle obstacle, Vector2 point, double tolerance) {
         if (obstacle.shape() instanceof ObstacleShape.Wall wall) {
-            return touches(wall.points(), RigidMotion.poseTransform(obstacle.pose()), point, tolerance);
+            return touches(wall.points(), RigidMotion.of(obstacle.pose()), point, tolerance);
         }
         Shape shape = ObstacleOutlines.worldShape(obstacle);
         return shape.intersects(point.x() - tolerance, point.y() - tolerance, 2 * tolerance, 2 * tolerance);
     }
 
-    private static boolean touches(List<Vector2> points, AffineTransform frame, Vector2 point, double tolerance) {
+    private static boolean touches(List<Vector2> points, RigidMotion frame, Vector2 point, double tolerance) {
         for (int i = 1; i < points.size(); i++) {
-            Vector2 from = RigidMotion.apply(frame, points.get(i - 1));
-            Vector2 to = RigidMotion.apply(frame, points.get(i));
+            Vector2 from = frame.toParent(points.get(i - 1));
+            Vector2 to = frame.toParent(points.get(i));
             if (Line2D.ptSegDist(from.x(), from.y(), to.x(), to.y(), point.x(), point.y()) <= tolerance) {
                 return true;
             }

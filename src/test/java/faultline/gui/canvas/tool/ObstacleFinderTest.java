@@ -68,7 +68,7 @@ class ObstacleFinderTest {
                 "visitor",
                 new ObstacleShape.Circle(0.3),
                 Pose.ORIGIN,
-                Optional.of(new WaypointPath(1, false, List.of(Vector2.ZERO))));
+                new WaypointPath(1, false, List.of(Vector2.ZERO)));
         assertEquals(Optional.of("visitor"), at(Vector2.ZERO, visitor, BOX));
     }
 

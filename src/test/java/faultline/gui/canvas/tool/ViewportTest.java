@@ -8,9 +8,9 @@ import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
+import faultline.robot.WheelSpeeds;
 import faultline.world.Snapshot;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class ViewportTest {
@@ -55,7 +55,18 @@ class ViewportTest {
         viewport.zoom(2);
         Snapshot old = robotAt(1, 1);
         viewport.setWorld(new Snapshot(
-                0, 0, 12, 4, true, old.robot(), old.pose(), 0, 0, List.of(), List.of(), List.of(), Optional.empty()));
+                0,
+                0,
+                12,
+                4,
+                true,
+                old.robot(),
+                old.pose(),
+                WheelSpeeds.ZERO,
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of()));
         assertEquals(720 / 12.0, camera().scale());
     }
 
