@@ -23,10 +23,10 @@ final class ArchitectureDiagram {
     private record Group(String style, String label, List<String> prefixes) {}
 
     private static final List<Group> GROUPS = List.of(
-            new Group("front", "front ends", List.of("app", "studies")),
+            new Group("front", "front ends", List.of("app", "studies", "campaign")),
             new Group("gui", "window", List.of("gui")),
             new Group("paint", "painting", List.of("paint")),
-            new Group("files", "scenario files", List.of("scenario")),
+            new Group("files", "files", List.of("scenario", "floorplan")),
             new Group("model", "model", List.of("")));
 
     private static final String STYLE =

@@ -1,6 +1,7 @@
 package faultline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -16,10 +17,10 @@ class ArchitectureDiagramTest {
 
     @Test
     void theCheckedInPictureIsUpToDate() throws IOException {
-        assertEquals(
-                Files.readString(Path.of("docs/architecture.svg")),
-                ArchitectureDiagram.draw(PackageGraph.read(PackageGraph.compiledClasses())),
-                "the dependencies of a package have changed; src/conf/architecture draws the picture");
+        assertTrue(
+                Files.readString(Path.of("docs/architecture.svg"))
+                        .equals(ArchitectureDiagram.draw(PackageGraph.read(PackageGraph.compiledClasses()))),
+                "the dependencies of a package have changed; src/conf/architecture draws the picture again");
     }
 
     @Test
@@ -42,7 +43,7 @@ class ArchitectureDiagramTest {
                     .mapToObj(row::get)
                     .toList();
             assertEquals(List.of(), overlapping);
-            assertEquals(true, left(row.get(0)) >= 0 && right(row.get(row.size() - 1)) <= 900);
+            assertTrue(left(row.get(0)) >= 0 && right(row.get(row.size() - 1)) <= 900);
         }
     }
 

@@ -8,16 +8,36 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.MatchResult;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** What the documentation points at is there. */
+/** Everything that the documentation names exists: files, classes and members. */
 class DocsTest {
 
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]+)(?:#[^)]*)?\\)");
-    private static final Pattern SOURCE_NAME = Pattern.compile("`(?:[a-z]+\\.)*([A-Z]\\w+)(?:\\.\\w+)*`");
+    private static final Pattern CODE = Pattern.compile("`([^`\n]+)`");
+    private static final Pattern CLASS_NAME =
+            Pattern.compile("(?:[a-z]+\\.)*([A-Z]\\w+[a-z]\\w*)((?:\\.\\w+)*)(?:\\(.*\\))?");
+    private static final long MAX_PICTURE_BYTES = 1_200_000;
+    private static final Pattern FENCED = Pattern.compile("(?ms)^```.*?^```");
+
+    /** Names that are not ours: the JDK's, and those of other programs. */
+    private static final Set<String> OTHER_NAMES = Set.of(
+            "AffineTransform",
+            "AtomicReference",
+            "Graphics2D",
+            "IEEEremainder",
+            "Locale",
+            "Math",
+            "Optional",
+            "Random",
+            "SplittableRandom",
+            "StrictMath",
+            "UndoManager",
+            "VolatileImage");
 
     @Test
     void everyLinkTargetExists() throws IOException {
@@ -34,30 +54,56 @@ class DocsTest {
     }
 
     @Test
-    void everyClassInThePaperMapIsInTheSource() throws IOException {
-        List<String> known = new ArrayList<>(List.of("AffineTransform"));
-        try (Stream<Path> files = Files.walk(Path.of("src"))) {
-            files.map(file -> file.getFileName().toString())
-                    .filter(name -> name.endsWith(".java"))
-                    .forEach(name -> known.add(name.substring(0, name.length() - ".java".length())));
+    void everyPictureIsShownAndAllAreSmall() throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (Path page : pages()) {
+            text.append(Files.readString(page));
         }
-        List<MatchResult> named = SOURCE_NAME
-                .matcher(Files.readString(Path.of("docs/paper-map.md")))
-                .results()
-                .toList();
-        assertTrue(named.size() > 30, "the paper map has lost its classes: " + named.size());
-        assertEquals(
-                List.of(),
-                named.stream()
-                        .map(found -> found.group(1))
-                        .filter(name -> !known.contains(name))
-                        .toList());
+        List<Path> hidden = new ArrayList<>();
+        long bytes = 0;
+        for (Path picture : files(Path.of("docs/images"))) {
+            bytes += Files.size(picture);
+            if (!text.toString().contains("images/" + picture.getFileName() + ")")) {
+                hidden.add(picture);
+            }
+        }
+        assertEquals(List.of(), hidden, "pictures that no page shows; src/conf/screenshots writes them to target");
+        assertTrue(bytes < MAX_PICTURE_BYTES, "docs/images has " + bytes + " bytes");
     }
 
-    private static List<Path> pages() throws IOException {
+    @Test
+    void everyClassAndMemberThatIsNamedIsInTheSource() throws IOException {
+        SourceNames names = SourceNames.read();
+        Set<String> unknown = new TreeSet<>();
+        int count = 0;
+        for (Path page : pages()) {
+            String text = FENCED.matcher(Files.readString(page)).replaceAll("");
+            for (String code :
+                    CODE.matcher(text).results().map(found -> found.group(1)).toList()) {
+                var name = CLASS_NAME.matcher(code);
+                if (name.matches() && !OTHER_NAMES.contains(name.group(1))) {
+                    count++;
+                    if (!names.contains(name.group(1), name.group(2))) {
+                        unknown.add(page + ": " + code);
+                    }
+                }
+            }
+        }
+        assertTrue(count > 150, "the documentation names few classes: " + count);
+        assertEquals(Set.of(), unknown);
+    }
+
+    private static List<Path> files(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.sorted().toList();
+        }
+    }
+
+    static List<Path> pages() throws IOException {
         try (Stream<Path> files = Files.walk(Path.of("docs"))) {
             return Stream.concat(Stream.of(Path.of("README.md")), files.filter(file -> file.toString()
                             .endsWith(".md")))
+                    .sorted()
                     .toList();
         }
     }
