@@ -1,12 +1,12 @@
 package faultline.gui.dialog;
 
+import faultline.gui.document.BackgroundTasks;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.awt.Window;
-import java.util.concurrent.ExecutionException;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -14,7 +14,6 @@ import javax.swing.JDialog;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
-import javax.swing.SwingWorker;
 
 /** The user guide in a non-modal dialog. */
 final class GuideDialog extends JDialog {
@@ -42,23 +41,9 @@ final class GuideDialog extends JDialog {
     }
 
     private static void loadAndShow(Window owner) {
-        new SwingWorker<GuidePage, Void>() {
-            @Override
-            protected GuidePage doInBackground() {
-                return GuidePage.load();
-            }
-
-            @Override
-            protected void done() {
-                try {
-                    showPage(owner, get());
-                } catch (ExecutionException broken) {
-                    throw new IllegalStateException(broken.getCause());
-                } catch (InterruptedException broken) {
-                    Thread.currentThread().interrupt();
-                }
-            }
-        }.execute();
+        BackgroundTasks.run(GuidePage::load, page -> showPage(owner, page), failure -> {
+            throw new IllegalStateException(failure);
+        });
     }
 
     private static void showPage(Window owner, GuidePage page) {

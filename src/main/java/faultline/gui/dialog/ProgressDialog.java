@@ -1,6 +1,6 @@
 package faultline.gui.dialog;
 
-import faultline.gui.document.TaskProgress;
+import faultline.gui.document.WorkspaceTask;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
@@ -28,7 +28,7 @@ final class ProgressDialog extends JDialog {
     private final JProgressBar progressBar = new JProgressBar(0, PROGRESS_STEPS);
     private final transient Runnable cancelHandler;
 
-    ProgressDialog(Window owner, TaskProgress way, Runnable cancel) {
+    ProgressDialog(Window owner, WorkspaceTask task, Runnable cancel) {
         super(owner, Messages.get("wait.title"), ModalityType.APPLICATION_MODAL);
         this.cancelHandler = cancel;
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
@@ -39,7 +39,7 @@ final class ProgressDialog extends JDialog {
             }
         });
         String sentence =
-                Messages.get("wait." + way.task(), String.valueOf(way.name().getFileName()));
+                Messages.get("wait." + task.kind(), String.valueOf(task.name().getFileName()));
         progressBar.getAccessibleContext().setAccessibleName(sentence);
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
@@ -47,7 +47,7 @@ final class ProgressDialog extends JDialog {
         content.add(progressBar, BorderLayout.CENTER);
         content.add(createButtons(), BorderLayout.SOUTH);
         setContentPane(content);
-        setProgress(way.fraction());
+        setProgress(task.progress().fraction());
         pack();
         setSize(new Dimension(Math.max(TextSize.scaled(WIDTH), getWidth()), getHeight()));
         setResizable(false);

@@ -1,6 +1,6 @@
 package faultline.gui.dialog;
 
-import faultline.gui.document.TaskProgress;
+import faultline.gui.document.WorkspaceTask;
 import java.awt.Dialog;
 import java.awt.EventQueue;
 import java.awt.Window;
@@ -15,7 +15,7 @@ public final class ProgressDialogs {
 
     private final Window owner;
     private final Runnable cancelHandler;
-    private Optional<TaskProgress> currentTask = Optional.empty();
+    private Optional<WorkspaceTask> currentTask = Optional.empty();
     private Optional<ProgressDialog> dialog = Optional.empty();
     private int polls;
 
@@ -25,7 +25,7 @@ public final class ProgressDialogs {
     }
 
     /** Updates the dialog; called about sixty times per second. */
-    public void update(Optional<TaskProgress> now) {
+    public void update(Optional<WorkspaceTask> now) {
         if (!now.equals(currentTask)) {
             closeDialog();
             currentTask = now;
@@ -33,11 +33,11 @@ public final class ProgressDialogs {
         now.ifPresent(this::update);
     }
 
-    private void update(TaskProgress progress) {
+    private void update(WorkspaceTask task) {
         polls += isOtherDialogOpen() ? 0 : 1;
-        dialog.ifPresent(shown -> shown.setProgress(progress.fraction()));
+        dialog.ifPresent(shown -> shown.setProgress(task.progress().fraction()));
         if (polls == POLLS_BEFORE_DIALOG) {
-            ProgressDialog made = new ProgressDialog(owner, progress, cancelHandler);
+            ProgressDialog made = new ProgressDialog(owner, task, cancelHandler);
             dialog = Optional.of(made);
             // Asynchronously: the caller must be able to poll again while the modal dialog is open.
             EventQueue.invokeLater(

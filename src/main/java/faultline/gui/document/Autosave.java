@@ -4,12 +4,12 @@ import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Optional;
+import java.util.Objects;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import javax.swing.Timer;
 
-/** Keeps unsaved edits where a crash cannot reach them, twice a minute; what is saved or given up is kept no longer. */
+/** Writes unsaved edits to a recovery file twice a minute, and deletes the file when there are none. */
 public final class Autosave implements AutoCloseable {
 
     private static final Logger LOG = Logger.getLogger(Autosave.class.getName());
@@ -18,71 +18,68 @@ public final class Autosave implements AutoCloseable {
     private final Workspace workspace;
     private final RecoveryStore recovery;
     private final Timer timer = new Timer(PERIOD_MILLIS, event -> saveUnsavedEdits());
-    private volatile Optional<Scenario> lastWritten = Optional.empty();
+    /** Null if there was nothing to save. */
+    private volatile Scenario lastWritten;
+
     private volatile boolean closed;
     private boolean lastWriteSucceeded;
 
-    /**
-     * Begins to keep edits.
-     *
-     * @param bench whose
-     * @param recovery where
-     */
-    public Autosave(Workspace bench, RecoveryStore recovery) {
+    /** Starts to save the edits of a workspace to a recovery store. */
+    public Autosave(Workspace workspace, RecoveryStore recovery) {
         assert EventQueue.isDispatchThread();
-        this.workspace = bench;
+        this.workspace = workspace;
         this.recovery = recovery;
         timer.start();
     }
 
-    /** Keeps what is unsaved now, or forgets what was, unless that is done already. */
+    /** Writes the unsaved edits, or deletes the recovery file if there are none, unless that has been done already. */
     void saveUnsavedEdits() {
-        Optional<Scenario> unsaved = workspace.scenario().filter(scenario -> workspace.isChanged());
-        if (!lastWriteSucceeded || !unsaved.equals(lastWritten)) {
+        Scenario unsaved = workspace.isChanged() ? workspace.scenario().orElseThrow() : null;
+        if (!lastWriteSucceeded || !Objects.equals(unsaved, lastWritten)) {
             lastWritten = unsaved;
             lastWriteSucceeded = true;
-            Optional<Path> origin = workspace.file();
+            Path origin = workspace.file().orElse(null);
             BackgroundTasks.run(
                     () -> {
                         write(origin, unsaved);
-                        return unsaved;
+                        return recovery;
                     },
                     done -> {},
-                    why -> {
-                        // Next time, once more.
+                    failure -> {
+                        // The next period tries again.
                         lastWriteSucceeded = false;
-                        LOG.log(Level.WARNING, "unsaved edits cannot be kept", why);
+                        LOG.log(Level.WARNING, "the unsaved edits cannot be written to the recovery file", failure);
                     });
         }
     }
 
-    /** One at a time, each for as long as nothing newer is to be kept; and none after the end. */
-    synchronized void write(Optional<Path> origin, Optional<Scenario> unsaved) throws IOException {
-        if (closed || !unsaved.equals(lastWritten)) {
+    /** Writes edits, null for none, unless newer ones are to be written or the window has been closed. */
+    synchronized void write(Path origin, Scenario unsaved) throws IOException {
+        if (closed || !Objects.equals(unsaved, lastWritten)) {
             return;
         }
-        if (unsaved.isPresent()) {
-            recovery.save(origin, unsaved.get());
-        } else {
+        if (unsaved == null) {
             recovery.delete();
+        } else {
+            recovery.save(origin, unsaved);
         }
     }
 
-    /** The window closes in good order: nothing is to be recovered. */
+    /** Deletes the recovery file: the window closes normally and nothing needs to be recovered. */
     @Override
     public void close() {
         timer.stop();
         closed = true;
         BackgroundTasks.runBeforeExit(
                 () -> {
-                    discardRecoveryFile();
+                    deleteRecoveryFile();
                     return recovery;
                 },
                 done -> {},
-                why -> LOG.log(Level.WARNING, "kept edits cannot be taken away", why));
+                failure -> LOG.log(Level.WARNING, "the recovery file cannot be deleted", failure));
     }
 
-    private synchronized void discardRecoveryFile() throws IOException {
+    private synchronized void deleteRecoveryFile() throws IOException {
         recovery.delete();
     }
 }

@@ -2,56 +2,44 @@ package faultline.gui.document;
 
 import java.awt.EventQueue;
 import java.util.concurrent.Callable;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.Future;
 import java.util.function.Consumer;
-import javax.swing.SwingWorker;
 
-/** Does slow things off the event dispatch thread, and comes back to it with what they gave. */
-final class BackgroundTasks {
+/** Runs slow work on threads of its own and passes the outcome to the event dispatch thread. */
+public final class BackgroundTasks {
 
     private BackgroundTasks() {}
 
     /**
-     * Does something slow.
+     * Starts work that ends with the program.
      *
-     * @param slow what to do
-     * @param done told the result, on the event dispatch thread
-     * @param failed told the exception in its place, on the event dispatch thread
+     * @param work the work
+     * @param onDone receives the result, on the event dispatch thread
+     * @param onFailed receives what the work has thrown instead, on the event dispatch thread
      */
-    static <T> void run(Callable<T> slow, Consumer<T> done, Consumer<Throwable> failed) {
-        start(slow, done, failed);
+    public static <T> void run(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {
+        start(work, onDone, onFailed, true);
     }
 
-    /** Does the same, and keeps the program from ending before it is done. */
-    static <T> void runBeforeExit(Callable<T> slow, Consumer<T> done, Consumer<Throwable> failed) {
-        ExitGuard.keepAliveUntilDone(start(slow, done, failed));
+    /** Starts work as {@link #run} does, and keeps the program from exiting before the work has ended. */
+    public static <T> void runBeforeExit(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {
+        start(work, onDone, onFailed, false);
     }
 
-    private static <T> Future<T> start(Callable<T> slow, Consumer<T> done, Consumer<Throwable> failed) {
+    private static <T> void start(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed, boolean daemon) {
         assert EventQueue.isDispatchThread();
-        SwingWorker<T, Void> worker = new SwingWorker<>() {
-            @Override
-            protected T doInBackground() throws Exception {
-                return slow.call();
-            }
+        Thread thread = new Thread(() -> perform(work, onDone, onFailed), "faultline-background");
+        thread.setDaemon(daemon);
+        thread.start();
+    }
 
-            @Override
-            protected void done() {
-                T result;
-                try {
-                    result = get();
-                } catch (ExecutionException broken) {
-                    failed.accept(broken.getCause());
-                    return;
-                } catch (InterruptedException broken) {
-                    Thread.currentThread().interrupt();
-                    return;
-                }
-                done.accept(result);
-            }
-        };
-        worker.execute();
-        return worker;
+    private static <T> void perform(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {
+        T result;
+        try {
+            result = work.call();
+        } catch (Exception | Error failure) {
+            EventQueue.invokeLater(() -> onFailed.accept(failure));
+            return;
+        }
+        EventQueue.invokeLater(() -> onDone.accept(result));
     }
 }

@@ -10,132 +10,123 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 
 /**
- * Keeps an earlier run beside the one on the bench, and finds where the two first differ. Another scenario on the bench
- * drives it out.
+ * Compares the run with a reference run and finds the first tick in which they differ. Opening another scenario removes
+ * the reference run. Event dispatch thread only.
  */
-public final class ComparisonController {
+public final class ComparisonController implements WorkspaceListener {
 
     private final Workspace workspace;
     private final RunNavigator navigator;
-    private Optional<RunComparison> comparison = Optional.empty();
+    private RunComparison comparison;
     private HashTrace comparedHashes = HashTrace.EMPTY;
-    private Optional<TaskProgress> pendingTask = Optional.empty();
+    private TaskProgress pendingTask;
 
-    /**
-     * For a bench.
-     *
-     * @param bench whose run is compared
-     * @param travel knows how far the run has been
-     */
-    public ComparisonController(Workspace bench, RunNavigator travel) {
-        this.workspace = bench;
-        this.navigator = travel;
-        bench.addSessionListener((task, made) -> {
-            if (task == TaskKind.OPEN) {
-                removeReference();
-            }
-        });
+    /** Creates the controller of a workspace, without a reference run. */
+    public ComparisonController(Workspace workspace, RunNavigator navigator) {
+        this.workspace = workspace;
+        this.navigator = navigator;
+        workspace.addListener(this);
     }
 
-    /** Makes the run as far as it has been the ghost, soon. */
+    @Override
+    public void scenarioOpened() {
+        removeReference();
+    }
+
+    /** Makes the run so far the reference run, asynchronously. */
     public void captureCurrentRun() {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Journal> journal = now.session().fullJournal();
-            ScenarioDocument document = now.document();
-            startReference(
-                    document.displayPath(),
-                    way -> runReference(document.initial().name(), journal.join(), way));
+            String name = now.document().initial().name();
+            TaskProgress progress = new TaskProgress();
+            start(now.document().displayPath(), progress, () -> replay(name, journal.join(), progress));
         });
     }
 
-    /**
-     * Runs a scenario, a saved journal for one, and makes that run the ghost, soon.
-     *
-     * @param file the scenario file
-     */
+    /** Runs the scenario of a file, such as a saved journal, and makes it the reference run, asynchronously. */
     public void loadReference(Path file) {
-        startReference(file, way -> {
+        TaskProgress progress = new TaskProgress();
+        start(file, progress, () -> {
             Scenario scenario = Scenario.load(file);
-            return runReference(
-                    scenario.name(),
-                    new Journal(scenario.setup(), List.of(), scenario.setup().ticks()),
-                    way);
+            Journal journal =
+                    new Journal(scenario.setup(), List.of(), scenario.setup().ticks());
+            return replay(scenario.name(), journal, progress);
         });
     }
 
-    private static NamedReferenceRun runReference(String name, Journal journal, TaskProgress way) {
+    private static NamedReferenceRun replay(String name, Journal journal, TaskProgress progress) {
         return new NamedReferenceRun(
                 name,
                 journal.setup().seed(),
                 journal.setup().dt(),
-                ReferenceRun.replay(journal, tick -> way.isActive()));
+                ReferenceRun.replay(journal, tick -> progress.isActive()));
     }
 
-    /** Runs something in the place of whatever is being run. */
-    private void startReference(Path name, ProgressCallable<NamedReferenceRun> maker) {
+    /** Starts a task in place of the pending one. */
+    private void start(Path name, TaskProgress progress, Callable<NamedReferenceRun> maker) {
         cancelPendingTask();
-        TaskProgress way = new TaskProgress(TaskKind.GHOST, name);
-        pendingTask = Optional.of(way);
+        pendingTask = progress;
         BackgroundTasks.run(
-                () -> maker.call(way),
-                made -> completeTask(way, () -> setReference(made)),
-                why -> completeTask(way, () -> workspace.listener().taskFailed(TaskKind.GHOST, name, why)));
+                maker,
+                made -> completeTask(progress, () -> setReference(made)),
+                failure -> completeTask(
+                        progress,
+                        () -> workspace.fire(listener -> listener.taskFailed(TaskKind.GHOST, name, failure))));
     }
 
-    private void completeTask(TaskProgress way, Runnable outcome) {
-        if (way.isActive()) {
-            pendingTask = Optional.empty();
+    private void completeTask(TaskProgress progress, Runnable outcome) {
+        if (progress.isActive()) {
+            pendingTask = null;
             outcome.run();
         }
     }
 
     private void cancelPendingTask() {
-        pendingTask.ifPresent(TaskProgress::cancel);
-        pendingTask = Optional.empty();
+        if (pendingTask != null) {
+            pendingTask.cancel();
+            pendingTask = null;
+        }
     }
 
-    private void setReference(NamedReferenceRun ghost) {
+    private void setReference(NamedReferenceRun reference) {
         workspace.scenario().ifPresent(scenario -> {
             comparedHashes = HashTrace.EMPTY;
-            comparison = Optional.of(new RunComparison(
-                    ghost,
+            comparison = new RunComparison(
+                    reference,
                     OptionalLong.empty(),
-                    ghost.seed() != scenario.setup().seed()));
+                    reference.seed() != scenario.setup().seed());
         });
     }
 
-    /** Shows no earlier run any more, and gives up the one that is being run. */
+    /** Removes the reference run, and cancels the pending one. */
     public void removeReference() {
         cancelPendingTask();
-        comparison = Optional.empty();
+        comparison = null;
     }
 
-    /**
-     * Whether an earlier run is being run again, to be shown soon.
-     *
-     * @return true until it is there, or has failed or been removed
-     */
+    /** Returns whether a reference run is being loaded. */
     public boolean isLoading() {
-        return pendingTask.isPresent();
+        return pendingTask != null;
     }
 
     /**
-     * Compares what has been run since the last look.
+     * Compares the ticks since the last call with the reference run.
      *
-     * @param frame the newest
-     * @return the earlier run and how the two differ so far, empty where none is kept; the same object as before where
-     *     nothing is new
+     * @param frame the newest frame
+     * @return the comparison so far, empty if there is no reference run; the same object as before if nothing is new
      */
     public Optional<RunComparison> update(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         HashTrace now = frame.recording().hashTrace();
-        int from = now.isContinuationOf(comparedHashes) ? comparedHashes.size() : 0;
-        comparison = comparison.map(last -> compare(last, now, from));
+        if (comparison != null) {
+            comparison = compare(comparison, now, now.isContinuationOf(comparedHashes) ? comparedHashes.size() : 0);
+        }
         comparedHashes = now;
-        return comparison;
+        return Optional.ofNullable(comparison);
     }
 
     private RunComparison compare(RunComparison last, HashTrace now, int from) {
@@ -149,8 +140,8 @@ public final class ComparisonController {
     }
 
     /**
-     * Whether a divergence that was found stands: it lies behind what is new, or ahead of a run that was taken back to
-     * an earlier moment and will come there again.
+     * Returns whether a known divergence still holds: it precedes the new ticks, or it is ahead of a run that was moved
+     * back and will reach it again.
      */
     private boolean isConfirmed(long divergence, HashTrace now, int from) {
         return divergence < from || divergence >= now.size() && divergence <= navigator.furthestTick();

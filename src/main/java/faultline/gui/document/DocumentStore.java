@@ -1,126 +1,109 @@
 package faultline.gui.document;
 
-import faultline.engine.Journal;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.XmlComments;
 import java.nio.file.Path;
-import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 
-/** Brings scenarios from their files to the bench, and back. */
+/** Loads and saves the scenario of a workspace, asynchronously. */
 public final class DocumentStore {
 
     private final Workspace workspace;
 
-    /**
-     * For a bench.
-     *
-     * @param bench where scenarios are opened
-     */
-    public DocumentStore(Workspace bench) {
-        this.workspace = bench;
+    /** Creates the store of a workspace. */
+    public DocumentStore(Workspace workspace) {
+        this.workspace = workspace;
     }
 
-    /**
-     * Reads a file and begins a session of it, soon.
-     *
-     * @param file the scenario file
-     */
+    /** Opens a scenario file. */
     public void open(Path file) {
-        workspace.startTask(TaskKind.OPEN, file, way -> {
+        open(file, () -> {
             Scenario scenario = Scenario.load(file);
-            way.throwIfCancelled();
-            return OpenDocument.create(ScenarioDocument.create(Optional.of(file), Optional.of(scenario), scenario));
+            return new ScenarioDocument(file, scenario, scenario);
         });
     }
 
-    /**
-     * Begins a session of a scenario that ships with the program, soon.
-     *
-     * @param name its file's name
-     */
+    /** Opens a scenario that is part of the program, given the name of its file. */
     public void openShipped(String name) {
-        workspace.startTask(TaskKind.OPEN, Path.of(name), way -> {
+        open(Path.of(name), () -> {
             Scenario scenario = Scenario.loadShipped(name);
-            return OpenDocument.create(ScenarioDocument.create(Optional.empty(), Optional.of(scenario), scenario));
+            return new ScenarioDocument(null, scenario, scenario);
         });
     }
 
-    /** Begins anew, soon, with the scenario as its file holds it; edits are given up. */
+    /** Opens the scenario that the file holds; edits are discarded. */
     public void revert() {
-        workspace.openDocument().map(OpenDocument::document).ifPresent(now -> now.file()
-                .ifPresentOrElse(this::open, () -> now.saved()
-                        .ifPresent(saved -> workspace.startTask(
-                                TaskKind.OPEN,
-                                now.displayPath(),
-                                way -> OpenDocument.create(
-                                        ScenarioDocument.create(Optional.empty(), now.saved(), saved))))));
+        workspace
+                .file()
+                .ifPresentOrElse(this::open, () -> workspace.openDocument().ifPresent(this::revertShipped));
     }
 
-    /**
-     * Begins a session of edits that a crash has left, soon; they are unsaved still.
-     *
-     * @param rescue what was left
-     */
-    public void recover(RecoveryStore.RecoveredFile rescue) {
-        Path name = rescue.origin().orElse(rescue.recoveryFile());
-        workspace.startTask(
-                TaskKind.OPEN,
-                name,
-                way -> OpenDocument.create(ScenarioDocument.create(
-                        rescue.origin(), rescue.origin().flatMap(DocumentStore::loadIfReadable), rescue.scenario())));
+    private void revertShipped(OpenDocument now) {
+        now.document()
+                .saved()
+                .ifPresent(saved -> open(now.document().displayPath(), () -> new ScenarioDocument(null, saved, saved)));
     }
 
-    /** What a file holds now; empty where it cannot be read. */
-    private static Optional<Scenario> loadIfReadable(Path file) {
+    /** Opens a recovered scenario; its edits are still unsaved. */
+    public void recover(RecoveryStore.RecoveredFile recovered) {
+        Path origin = recovered.origin().orElse(null);
+        open(
+                recovered.origin().orElse(recovered.recoveryFile()),
+                () -> new ScenarioDocument(origin, loadIfReadable(origin), recovered.scenario()));
+    }
+
+    private void open(Path name, Callable<ScenarioDocument> loader) {
+        WorkspaceTask task = new WorkspaceTask(TaskKind.OPEN, name);
+        workspace.start(task, () -> {
+            ScenarioDocument document = loader.call();
+            task.progress().throwIfCancelled();
+            return OpenDocument.start(document);
+        });
+    }
+
+    /** Returns the scenario that a file holds, null if there is no file or it cannot be read. */
+    private static Scenario loadIfReadable(Path file) {
         try {
-            return Optional.of(Scenario.load(file));
-        } catch (ScenarioException gone) {
-            return Optional.empty();
+            return file == null ? null : Scenario.load(file);
+        } catch (ScenarioException unreadable) {
+            return null;
         }
     }
 
     /**
-     * Writes the scenario as it is edited by now, soon, with the comments of the file that it came from.
+     * Saves the edited scenario, with the comments of its present file.
      *
-     * @param file where to
-     * @param then done when it is written, and only then
+     * @param file the file to write
+     * @param then called when the file has been written
      */
     public void save(Path file, Runnable then) {
         workspace.openDocument().ifPresent(now -> {
-            CompletableFuture<Journal> journal = now.session().fullJournal();
+            CompletableFuture<Scenario> edited = now.edited();
+            Path present = workspace.file().orElse(null);
             BackgroundTasks.runBeforeExit(
                     () -> {
-                        Scenario scenario = now.document().editedBy(journal.join());
-                        scenario.save(
-                                file,
-                                now.document().file().map(XmlComments::read).orElse(XmlComments.NONE));
+                        Scenario scenario = edited.join();
+                        scenario.save(file, present == null ? XmlComments.NONE : XmlComments.read(present));
                         return scenario;
                     },
                     scenario -> {
-                        markSaved(now, file, scenario, SetupEditor.coversAll(journal.join()));
+                        markSaved(now.document(), file, scenario);
                         then.run();
                     },
-                    why -> workspace.listener().taskFailed(TaskKind.SAVE, file, why));
+                    failure -> workspace.fire(listener -> listener.taskFailed(TaskKind.SAVE, file, failure)));
         });
     }
 
-    /** The scenario is in its file as it was before; what was edited while it was written is unsaved. */
-    void markSaved(OpenDocument before, Path file, Scenario scenario, boolean whole) {
-        workspace.updateDocument(before, document -> {
-            ScenarioDocument saved = document.savedAs(file, scenario);
-            return document.edited().equals(before.document().edited()) ? saved.withEdited(scenario) : saved;
-        });
-        workspace.listener().scenarioSaved(file, whole);
-        workspace.listener().titleChanged();
+    /** Marks a scenario as saved; what has been edited since it was captured stays unsaved. */
+    void markSaved(ScenarioDocument document, Path file, Scenario scenario) {
+        document.savedTo(file, scenario);
+        workspace.fire(listener -> listener.scenarioSaved(file, document.isComplete()));
+        workspace.fire(WorkspaceListener::titleChanged);
     }
 
-    /**
-     * Writes a scenario that replays what was done in this run, soon.
-     *
-     * @param file where to
-     */
+    /** Saves a scenario that replays the run so far. */
     public void saveJournal(Path file) {
         workspace
                 .replayScenario()
@@ -129,7 +112,8 @@ public final class DocumentStore {
                             replay.join().save(file);
                             return file;
                         },
-                        workspace.listener()::journalSaved,
-                        why -> workspace.listener().taskFailed(TaskKind.SAVE_JOURNAL, file, why)));
+                        written -> workspace.fire(listener -> listener.journalSaved(written)),
+                        failure ->
+                                workspace.fire(listener -> listener.taskFailed(TaskKind.SAVE_JOURNAL, file, failure))));
     }
 }

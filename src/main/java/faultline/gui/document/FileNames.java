@@ -2,22 +2,17 @@ package faultline.gui.document;
 
 import java.util.regex.Pattern;
 
-/** Makes a file's name of a scenario's, which may hold any letters; the name is one that every system takes. */
+/** Derives file names from the names of scenarios. A file name is valid on every operating system. */
 public final class FileNames {
 
     private static final String DEFAULT_NAME = "scenario";
     private static final int MAX_LENGTH = 100;
-    /** Windows has devices of these names in every folder, with any extension. */
+    /** Windows reserves these names in every folder, with any extension. */
     private static final Pattern DEVICE_NAME = Pattern.compile("(?i)(con|prn|aux|nul|com\\d|lpt\\d)(\\..*)?");
 
     private FileNames() {}
 
-    /**
-     * The name of a file.
-     *
-     * @param scenario the name of a scenario, may be empty
-     * @return without extension, never empty
-     */
+    /** Returns the file name, without an extension, for the name of a scenario, which may be empty. */
     public static String forScenario(String scenario) {
         String letters = scenario.replaceAll("[^\\p{L}\\p{N} ._-]", "_");
         String name = letters.substring(

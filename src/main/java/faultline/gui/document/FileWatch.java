@@ -13,101 +13,98 @@ import java.util.function.Consumer;
 import javax.swing.Timer;
 
 /**
- * Notices when somebody else changes the open file. The file is looked at off the event dispatch thread; a change is
- * told once it has rested from one look to the next, so that half a file is never taken for a whole one, and only where
- * the file now holds another scenario or none.
+ * Notices changes of the open file by other programs. The file is polled on a background thread. It is read when it has
+ * not changed between two polls, so that a half-written file is not read, and reported if it holds another scenario
+ * than before, or none.
  */
 public final class FileWatch implements AutoCloseable {
 
     private static final int PERIOD_MILLIS = 2000;
 
     private final Workspace workspace;
-    private final Consumer<Path> changed;
-    private final Consumer<ScenarioException> broken;
+    private final Consumer<Path> onChanged;
+    private final Consumer<ScenarioException> onBroken;
     private final Timer timer = new Timer(PERIOD_MILLIS, event -> poll());
-    private Optional<FileVersion> lastRead = Optional.empty();
-    private Optional<FileVersion> lastSeen = Optional.empty();
+    /** Null before the file is read. */
+    private FileVersion lastRead;
+    /** Null before the first poll. */
+    private FileVersion lastSeen;
+
     private boolean polling;
 
-    /** What tells two versions of a file apart without reading them. */
+    /** A version of a file, as far as it can be told without reading the file. */
     private record FileVersion(Path file, FileTime modified, long size) {}
 
-    /**
-     * What a look has found; where the file was worth reading, either the scenario or what is wrong with it is there.
-     */
-    private record PollResult(FileVersion version, Optional<Scenario> scenario, Optional<ScenarioException> failure) {}
+    /** The result of a poll: the scenario or the failure is null, or both are if the file was not read. */
+    private record PollResult(FileVersion version, Scenario scenario, ScenarioException failure) {}
 
     /**
-     * Begins to watch the open file, whichever it is.
+     * Starts to watch the open file of a workspace.
      *
-     * @param bench where it is open
-     * @param changed told that it holds another scenario, on the event dispatch thread
-     * @param broken told that it can no longer be read, on the event dispatch thread
+     * @param workspace the workspace
+     * @param onChanged called with the file if it holds another scenario, on the event dispatch thread
+     * @param onBroken called if the file can no longer be read, on the event dispatch thread
      */
-    public FileWatch(Workspace bench, Consumer<Path> changed, Consumer<ScenarioException> broken) {
+    public FileWatch(Workspace workspace, Consumer<Path> onChanged, Consumer<ScenarioException> onBroken) {
         assert EventQueue.isDispatchThread();
-        this.workspace = bench;
-        this.changed = changed;
-        this.broken = broken;
+        this.workspace = workspace;
+        this.onChanged = onChanged;
+        this.onBroken = onBroken;
         timer.start();
     }
 
-    /** Looks at the file, soon. */
+    /** Polls the file, asynchronously. */
     void poll() {
-        if (!polling && workspace.file().isPresent()) {
+        Optional<Path> file = workspace.file();
+        if (!polling && file.isPresent()) {
             polling = true;
-            Path file = workspace.file().get();
-            Optional<FileVersion> before = lastSeen;
-            Optional<FileVersion> known = lastRead;
-            BackgroundTasks.run(() -> inspect(file, before, known), this::inspected, gone -> polling = false);
+            FileVersion seen = lastSeen;
+            FileVersion read = lastRead;
+            BackgroundTasks.run(() -> inspect(file.get(), seen, read), this::inspected, unreadable -> polling = false);
         }
     }
 
-    /** Whether a look is not over yet. */
+    /** Returns whether a poll is active. */
     boolean isPolling() {
         return polling;
     }
 
-    private static PollResult inspect(Path file, Optional<FileVersion> before, Optional<FileVersion> known)
-            throws IOException {
+    private static PollResult inspect(Path file, FileVersion seen, FileVersion read) throws IOException {
         BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
-        Optional<FileVersion> now =
-                Optional.of(new FileVersion(file, attributes.lastModifiedTime(), attributes.size()));
-        boolean worthReading = now.equals(before) && !now.equals(known);
-        return worthReading ? read(file, now.get()) : new PollResult(now.get(), Optional.empty(), Optional.empty());
-    }
-
-    private static PollResult read(Path file, FileVersion stamp) {
+        FileVersion now = new FileVersion(file, attributes.lastModifiedTime(), attributes.size());
+        if (!now.equals(seen) || now.equals(read)) {
+            return new PollResult(now, null, null);
+        }
         try {
-            return new PollResult(stamp, Optional.of(Scenario.load(file)), Optional.empty());
-        } catch (ScenarioException wrong) {
-            return new PollResult(stamp, Optional.empty(), Optional.of(wrong));
+            return new PollResult(now, Scenario.load(file), null);
+        } catch (ScenarioException failure) {
+            return new PollResult(now, null, failure);
         }
     }
 
-    private void inspected(PollResult sight) {
+    private void inspected(PollResult result) {
         polling = false;
-        lastSeen = Optional.of(sight.version());
-        if (workspace.file().equals(Optional.of(sight.version().file()))) {
-            sight.scenario().ifPresent(this::scenarioFound);
-            sight.failure().ifPresent(this::fileBroken);
+        lastSeen = result.version();
+        if (!workspace.file().equals(Optional.of(lastSeen.file()))) {
+            return;
+        }
+        if (result.scenario() != null) {
+            lastRead = lastSeen;
+            scenarioFound(result.scenario());
+        } else if (result.failure() != null) {
+            lastRead = lastSeen;
+            workspace.setSavedScenario(null);
+            onBroken.accept(result.failure());
         }
     }
 
     private void scenarioFound(Scenario found) {
-        lastRead = lastSeen;
         if (!workspace.savedScenario().equals(Optional.of(found))) {
             if (!workspace.scenario().equals(Optional.of(found))) {
-                changed.accept(lastSeen.orElseThrow().file());
+                onChanged.accept(lastSeen.file());
             }
-            workspace.setSavedScenario(Optional.of(found));
+            workspace.setSavedScenario(found);
         }
-    }
-
-    private void fileBroken(ScenarioException wrong) {
-        lastRead = lastSeen;
-        workspace.setSavedScenario(Optional.empty());
-        broken.accept(wrong);
     }
 
     @Override

@@ -3,11 +3,11 @@ package faultline.gui.document;
 import faultline.engine.session.ReferenceRun;
 
 /**
- * An earlier run that is shown beside the one on the bench.
+ * A reference run that is shown beside the run.
  *
- * @param name of its scenario
- * @param seed of its random numbers
+ * @param name the name of its scenario
+ * @param seed its seed
  * @param dt the length of its ticks, seconds
- * @param run where the robot was
+ * @param run the robot's poses
  */
 public record NamedReferenceRun(String name, long seed, double dt, ReferenceRun run) {}

@@ -1,21 +1,29 @@
 package faultline.gui.document;
 
 import faultline.engine.session.Session;
+import faultline.scenario.Scenario;
+import java.awt.EventQueue;
+import java.util.concurrent.CompletableFuture;
 
 /**
- * What lies on the bench.
+ * A document and the session that runs it.
  *
  * @param document the scenario
  * @param session its run
  */
 record OpenDocument(ScenarioDocument document, Session session) {
 
-    /** A document with a session that begins. */
-    static OpenDocument create(ScenarioDocument document) {
+    /** Starts a session of a document. */
+    static OpenDocument start(ScenarioDocument document) {
         return new OpenDocument(document, Session.start(document.initial().setup()));
     }
 
-    OpenDocument withDocument(ScenarioDocument newDocument) {
-        return new OpenDocument(newDocument, session);
+    /**
+     * Returns the scenario as edited by all commands that have been sent. The future completes on the event dispatch
+     * thread, after their results; exceptionally if the session is closed before.
+     */
+    CompletableFuture<Scenario> edited() {
+        // The session answers in order, so the results of earlier commands are already in the queue.
+        return session.journal().thenApplyAsync(journal -> document.edited(), EventQueue::invokeLater);
     }
 }

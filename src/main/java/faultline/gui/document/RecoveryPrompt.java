@@ -1,69 +1,63 @@
 package faultline.gui.document;
 
-import java.io.IOException;
-import java.util.Optional;
+import faultline.gui.document.RecoveryStore.RecoveredFile;
 import java.util.function.Function;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 
-/** Looks for what a crash has left, and offers it. */
+/** Looks for edits that a crash has left and offers them to the user. */
 public final class RecoveryPrompt {
 
     private static final Logger LOG = Logger.getLogger(RecoveryPrompt.class.getName());
 
-    /** What is to become of edits that a crash has left. */
+    /** The user's answer to an offer. */
     public enum Answer {
-        /** They are open again. */
+        /** The edits are opened. */
         RECOVER,
-        /** They are given up. */
+        /** The edits are discarded. */
         DISCARD,
-        /** They are offered again at the next start. */
+        /** The edits are offered again at the next start. */
         LATER
     }
 
     private RecoveryPrompt() {}
 
     /**
-     * Looks, soon. What is offered is taken away afterwards, unless the user puts it off: if it was taken, the window
-     * that has it keeps it under its own number.
+     * Offers the edits of a crashed process, asynchronously. Recovered edits are kept as those of this process.
      *
-     * @param recovery where to look
+     * @param recovery the store to look in
      * @param offer asks the user, on the event dispatch thread
-     * @param otherwise done on the event dispatch thread where nothing was left
+     * @param otherwise called on the event dispatch thread if there is nothing to recover
      */
     public static void offerRecovery(
-            RecoveryStore recovery, Function<RecoveryStore.RecoveredFile, Answer> offer, Runnable otherwise) {
+            RecoveryStore recovery, Function<RecoveredFile, Answer> offer, Runnable otherwise) {
         BackgroundTasks.run(
                 recovery::findOrphan,
-                left -> left.ifPresentOrElse(rescue -> offer(recovery, rescue, offer), otherwise),
-                why -> {
-                    logFailure(why);
+                found -> found.ifPresentOrElse(file -> offer(recovery, file, offer), otherwise),
+                failure -> {
+                    logFailure(failure);
                     otherwise.run();
                 });
     }
 
-    private static void offer(
-            RecoveryStore recovery,
-            RecoveryStore.RecoveredFile rescue,
-            Function<RecoveryStore.RecoveredFile, Answer> offer) {
-        Answer answer = offer.apply(rescue);
+    private static void offer(RecoveryStore recovery, RecoveredFile file, Function<RecoveredFile, Answer> offer) {
+        Answer answer = offer.apply(file);
         if (answer != Answer.LATER) {
             BackgroundTasks.run(
-                    () -> resolve(recovery, rescue, answer == Answer.RECOVER), done -> {}, RecoveryPrompt::logFailure);
+                    () -> {
+                        if (answer == Answer.RECOVER) {
+                            recovery.adopt(file);
+                        } else {
+                            recovery.delete(file.recoveryFile());
+                        }
+                        return file;
+                    },
+                    done -> {},
+                    RecoveryPrompt::logFailure);
         }
     }
 
-    private static Optional<RecoveryStore.RecoveredFile> resolve(
-            RecoveryStore recovery, RecoveryStore.RecoveredFile rescue, boolean taken) throws IOException {
-        if (taken) {
-            recovery.adopt(rescue);
-        } else {
-            recovery.delete(rescue.recoveryFile());
-        }
-        return Optional.of(rescue);
-    }
-
-    private static void logFailure(Throwable why) {
-        LOG.log(Level.WARNING, "what a crash has left cannot be read", why);
+    private static void logFailure(Throwable failure) {
+        LOG.log(Level.WARNING, "the edits of a crashed process cannot be read or deleted", failure);
     }
 }

@@ -15,16 +15,16 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * A folder where each running window keeps its unsaved scenario under its process's number and beginning, because
- * numbers are given out again; what is there of a process that is gone was left by a crash. All of it is slow, and for
- * other threads than the event dispatch thread.
+ * A folder in which each process saves its unsaved scenario. Its files are named by process id and start time, because
+ * process ids are reused; a file of a process that no longer runs was left by a crash. Methods block and must not be
+ * called on the event dispatch thread.
  */
 public final class RecoveryStore {
 
     private static final String SCENARIO_SUFFIX = ".xml";
     private static final String ORIGIN_SUFFIX = ".origin";
     private static final Pattern FILE_NAME = Pattern.compile("(\\d+)-(\\d+)\\.xml");
-    /** When a process began is known to about a second; a clock that is set changes it by more. */
+    /** The start time of a process is known to about a second; setting the clock changes it by more. */
     private static final Duration START_TOLERANCE = Duration.ofMinutes(1);
 
     private final Path folder;
@@ -33,19 +33,25 @@ public final class RecoveryStore {
     /**
      * Unsaved edits that a crash has left.
      *
-     * @param recoveryFile where they are kept now
-     * @param origin the file that was edited, empty for a scenario without one
-     * @param scenario as it was
+     * @param recoveryFile the file that holds them
+     * @param originFile the file that was edited, null for a scenario without a file
+     * @param scenario the edited scenario
      */
-    public record RecoveredFile(Path recoveryFile, Optional<Path> origin, Scenario scenario) {}
+    public record RecoveredFile(Path recoveryFile, Path originFile, Scenario scenario) {
 
-    /** For a process of a number that began at a time. */
-    RecoveryStore(Path folder, long number, Instant begun) {
-        this.folder = folder;
-        this.process = number + "-" + begun.toEpochMilli();
+        /** Returns the file that was edited; empty for a scenario without a file. */
+        public Optional<Path> origin() {
+            return Optional.ofNullable(originFile);
+        }
     }
 
-    /** For this process. */
+    /** Creates the store of a process with an id and a start time. */
+    RecoveryStore(Path folder, long id, Instant start) {
+        this.folder = folder;
+        this.process = id + "-" + start.toEpochMilli();
+    }
+
+    /** Creates the store of this process. */
     RecoveryStore(Path folder) {
         this(
                 folder,
@@ -57,20 +63,17 @@ public final class RecoveryStore {
         return process.info().startInstant();
     }
 
-    /**
-     * The recovery of this process in the user's home.
-     *
-     * @return nothing is written yet
-     */
+    /** Returns the store of this process in the user's home directory. */
     public static RecoveryStore forCurrentUser() {
         return new RecoveryStore(Path.of(System.getProperty("user.home"), ".faultline", "recovery"));
     }
 
-    void save(Optional<Path> origin, Scenario scenario) throws IOException {
+    /** Saves unsaved edits of a file, null for a scenario without a file. */
+    void save(Path origin, Scenario scenario) throws IOException {
         Files.createDirectories(folder);
         write(
                 folder.resolve(process + ORIGIN_SUFFIX),
-                origin.map(file -> file.toAbsolutePath().toString()).orElse("").getBytes(StandardCharsets.UTF_8));
+                (origin == null ? "" : origin.toAbsolutePath().toString()).getBytes(StandardCharsets.UTF_8));
         write(ownFile(), scenario.toBytes());
     }
 
@@ -81,13 +84,13 @@ public final class RecoveryStore {
         }
     }
 
-    /** Keeps what was left by another process as this one's own from now on. */
-    void adopt(RecoveredFile rescue) throws IOException {
-        save(rescue.origin(), rescue.scenario());
-        delete(rescue.recoveryFile());
+    /** Saves the edits of another process as those of this one. */
+    void adopt(RecoveredFile recovered) throws IOException {
+        save(recovered.originFile(), recovered.scenario());
+        delete(recovered.recoveryFile());
     }
 
-    /** Nothing is unsaved any more. */
+    /** Deletes the edits of this process. */
     void delete() throws IOException {
         delete(ownFile());
     }
@@ -96,28 +99,18 @@ public final class RecoveryStore {
         return folder.resolve(process + SCENARIO_SUFFIX);
     }
 
-    /**
-     * Takes away what was left.
-     *
-     * @param kept where
-     * @throws IOException if it cannot be taken away
-     */
-    public void delete(Path kept) throws IOException {
-        Files.deleteIfExists(kept);
-        Files.deleteIfExists(originFile(kept));
+    void delete(Path recoveryFile) throws IOException {
+        Files.deleteIfExists(recoveryFile);
+        Files.deleteIfExists(originFile(recoveryFile));
     }
 
-    private static Path originFile(Path kept) {
-        return kept.resolveSibling(kept.getFileName().toString().replace(SCENARIO_SUFFIX, ORIGIN_SUFFIX));
+    private static Path originFile(Path recoveryFile) {
+        return recoveryFile.resolveSibling(
+                recoveryFile.getFileName().toString().replace(SCENARIO_SUFFIX, ORIGIN_SUFFIX));
     }
 
-    /**
-     * What a process that is gone has left.
-     *
-     * @return empty where there is nothing, or nothing that can be read
-     * @throws IOException if the folder cannot be looked at
-     */
-    public Optional<RecoveredFile> findOrphan() throws IOException {
+    /** Returns the edits of a process that no longer runs; empty if there are none that can be read. */
+    Optional<RecoveredFile> findOrphan() throws IOException {
         if (Files.notExists(folder)) {
             return Optional.empty();
         }
@@ -129,7 +122,7 @@ public final class RecoveryStore {
         }
     }
 
-    /** Whether it was kept by a process that is gone, even where another has its number by now. */
+    /** Returns whether a file is that of a process that no longer runs, even if its id has been reused. */
     private static boolean isOrphan(Path file) {
         Matcher name = FILE_NAME.matcher(file.getFileName().toString());
         return name.matches()
@@ -138,21 +131,20 @@ public final class RecoveryStore {
                         .isEmpty();
     }
 
-    /** Whether a process began at a time; where nobody knows when it did, it may have. */
+    /** Returns whether a process started at a time, or its start time is unknown. */
     private static boolean hasStartTime(ProcessHandle process, long epochMillis) {
         return startTime(process)
-                .map(begun -> Duration.between(begun, Instant.ofEpochMilli(epochMillis))
+                .map(start -> Duration.between(start, Instant.ofEpochMilli(epochMillis))
                                 .abs()
                                 .compareTo(START_TOLERANCE)
                         < 0)
                 .orElse(true);
     }
 
-    private static Optional<RecoveredFile> loadRecovered(Path kept) {
+    private static Optional<RecoveredFile> loadRecovered(Path file) {
         try {
-            String origin = Files.readString(originFile(kept));
-            return Optional.of(new RecoveredFile(
-                    kept, origin.isEmpty() ? Optional.empty() : Optional.of(Path.of(origin)), Scenario.load(kept)));
+            String origin = Files.readString(originFile(file));
+            return Optional.of(new RecoveredFile(file, origin.isEmpty() ? null : Path.of(origin), Scenario.load(file)));
         } catch (IOException | ScenarioException unreadable) {
             return Optional.empty();
         }

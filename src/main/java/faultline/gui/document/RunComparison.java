@@ -3,10 +3,10 @@ package faultline.gui.document;
 import java.util.OptionalLong;
 
 /**
- * How the run on the bench compares with an earlier one.
+ * A comparison of the run with a reference run.
  *
- * @param reference the earlier run
- * @param divergence the first tick in which the two differ, empty while they do not
- * @param seedDiffers whether the earlier run had other random numbers
+ * @param reference the reference run
+ * @param divergence the first tick in which the runs differ, empty while they do not
+ * @param seedDiffers whether the reference run has another seed
  */
 public record RunComparison(NamedReferenceRun reference, OptionalLong divergence, boolean seedDiffers) {}

@@ -1,6 +1,5 @@
 package faultline.gui.document;
 
-import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
@@ -16,161 +15,138 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
-/** What is done to the run on the bench, and what is seen of it. */
-public final class RunController {
+/** Controls the run of the workspace and returns its frames. Event dispatch thread only. */
+public final class RunController implements WorkspaceListener {
 
     private final Workspace workspace;
     private final RunNavigator navigator;
-    private final DirtyTracker dirtyTracker;
-    private final List<Consumer<Session>> deferredRequests = new ArrayList<>();
+    private final List<Consumer<OpenDocument>> deferredRequests = new ArrayList<>();
     private double speed = 1;
 
-    /**
-     * For a bench.
-     *
-     * @param bench whose run
-     */
-    public RunController(Workspace bench) {
-        this.workspace = bench;
-        navigator = new RunNavigator(bench);
-        dirtyTracker = new DirtyTracker(bench);
-        bench.addSessionListener(new SessionInitializer());
+    /** Creates the controller of a workspace's run. */
+    public RunController(Workspace workspace) {
+        this.workspace = workspace;
+        navigator = new RunNavigator(workspace);
+        workspace.addListener(navigator);
+        workspace.addListener(this);
     }
 
-    /** Makes each new session one like the last, and gives it what was meant for it before it was there. */
-    private final class SessionInitializer implements Workspace.SessionListener {
-        @Override
-        public void sessionStarted(TaskKind task, OpenDocument made) {
-            if (task == TaskKind.OPEN) {
-                // They were meant for the scenario before.
-                deferredRequests.clear();
-            }
-            made.session().setSpeed(speed);
-            navigator.sessionStarted(task, made.document().initial());
-            navigator.replayEnd().ifPresent(made.session()::pauseAt);
-            dirtyTracker.markStale();
-        }
+    @Override
+    public void scenarioOpened() {
+        // They were meant for the previous scenario.
+        deferredRequests.clear();
+    }
 
-        @Override
-        public void taskFinished() {
-            List<Consumer<Session>> orders = List.copyOf(deferredRequests);
-            deferredRequests.clear();
-            orders.forEach(RunController.this::submit);
-        }
+    @Override
+    public void sessionStarted() {
+        session().ifPresent(session -> {
+            session.setSpeed(speed);
+            navigator.replayEnd().ifPresent(session::pauseAt);
+        });
+    }
+
+    @Override
+    public void taskFinished() {
+        List<Consumer<OpenDocument>> requests = List.copyOf(deferredRequests);
+        deferredRequests.clear();
+        requests.forEach(this::submit);
     }
 
     /**
-     * Orders something of the run. While the same scenario is on its way to another moment or to a new beginning,
-     * orders wait: what the old session were told now would be lost with it.
+     * Sends a request to the session. While the run is restarted or moved to another tick, requests wait for the new
+     * session: the old one ends, and its changes with it.
      */
-    private void submit(Consumer<Session> order) {
-        if (workspace.taskProgress().filter(way -> way.task() != TaskKind.OPEN).isPresent()) {
-            deferredRequests.add(order);
+    private void submit(Consumer<OpenDocument> request) {
+        if (workspace.task().filter(task -> task.kind() != TaskKind.OPEN).isPresent()) {
+            deferredRequests.add(request);
         } else {
-            session().ifPresent(order);
+            workspace.openDocument().ifPresent(request);
         }
     }
 
-    /**
-     * The way to other moments of the run.
-     *
-     * @return the same for every session
-     */
+    /** Returns the navigator, which moves the run to other ticks. */
     public RunNavigator navigator() {
         return navigator;
     }
 
-    /** Begins anew, soon, with the scenario as it is edited by now. */
+    /** Restarts the run with the edited scenario, asynchronously. */
     public void restart() {
         restart(UnaryOperator.identity());
     }
 
-    /**
-     * Begins anew, soon, with the scenario as it is edited by now and the robot elsewhere.
-     *
-     * @param start where the robot starts; there is room for it
-     */
+    /** Restarts the run with the edited scenario and the robot at another pose, asynchronously. */
     public void restartAt(Pose start) {
         restart(setup -> setup.withStart(start));
     }
 
     private void restart(UnaryOperator<SimulationSetup> change) {
         workspace.openDocument().ifPresent(now -> {
-            CompletableFuture<Journal> journal = now.session().fullJournal();
-            ScenarioDocument document = now.document();
-            workspace.startTask(TaskKind.RESTART, document.displayPath(), way -> {
-                Scenario edited = document.editedBy(journal.join());
-                return OpenDocument.create(ScenarioDocument.create(
-                        document.file(), document.saved(), edited.withSetup(change.apply(edited.setup()))));
+            CompletableFuture<Scenario> edited = now.edited();
+            workspace.start(new WorkspaceTask(TaskKind.RESTART, now.document().displayPath()), () -> {
+                Scenario scenario = edited.join();
+                // The workspace sets the file when the session has started.
+                return OpenDocument.start(
+                        new ScenarioDocument(null, null, scenario.withSetup(change.apply(scenario.setup()))));
             });
         });
     }
 
-    /**
-     * The newest frame; asking orders the next one.
-     *
-     * @return empty before the first session
-     */
+    /** Returns the newest frame; empty before the first session. */
     public Optional<SessionFrame> frame() {
-        dirtyTracker.refresh();
-        Optional<SessionFrame> newest =
-                workspace.openDocument().map(now -> now.session().frame());
-        newest.ifPresent(frame -> navigator.frameReached(frame.frame()));
-        return newest;
+        return session().map(Session::frame);
     }
 
-    /**
-     * How the run is.
-     *
-     * @return empty before the first session
-     */
+    /** Returns the status of the session; empty before the first one. */
     public Optional<Session.Status> status() {
         return session().map(Session::status);
     }
 
     /**
-     * Gives several commands to the run, which are carried out at the start of the same tick.
+     * Sends commands, which are executed at the start of the same tick.
      *
-     * @param commands what is to be done, in order
-     * @param told gets what became of each, on the event dispatch thread, soon; never, where there is no run
+     * @param commands the commands, in order
+     * @param onExecuted receives the result of each command, on the event dispatch thread; not called without a run
      */
-    public void send(List<Command> commands, Consumer<List<CommandResult>> told) {
-        submit(session -> session.send(
-                commands,
-                outcomes -> EventQueue.invokeLater(() -> {
-                    commandsExecuted(outcomes);
-                    told.accept(outcomes);
-                })));
+    public void send(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
+        submit(open -> open.session()
+                .send(
+                        commands,
+                        results -> EventQueue.invokeLater(() -> {
+                            commandsExecuted(open, results);
+                            onExecuted.accept(results);
+                        })));
     }
 
-    private void commandsExecuted(List<CommandResult> outcomes) {
-        if (outcomes.stream().anyMatch(outcome -> outcome.refusal().isEmpty())) {
-            dirtyTracker.markStale();
-            navigator.discardFuture();
-            session().ifPresent(Session::clearPauseTick);
+    private void commandsExecuted(OpenDocument open, List<CommandResult> results) {
+        if (results.stream().anyMatch(result -> result.refusal().isEmpty())) {
+            workspace.commandsExecuted(open.document(), results);
+            if (workspace.openDocument().filter(open::equals).isPresent()) {
+                navigator.discardFuture();
+                open.session().clearPauseTick();
+            }
         }
     }
 
-    /** Lets time run, or holds it. */
+    /** Resumes or pauses the run. */
     public void toggleRunning() {
-        submit(session -> {
-            if (session.status().running()) {
-                session.pause();
+        submit(open -> {
+            if (open.session().status().running()) {
+                open.session().pause();
             } else {
-                session.resume();
+                open.session().resume();
             }
         });
     }
 
-    /** Makes one tick and holds. */
+    /** Makes one tick and pauses. */
     public void step() {
-        submit(Session::step);
+        submit(open -> open.session().step());
     }
 
     /**
-     * Sets the pace of this run and of all that follow.
+     * Sets the speed of this run and of all later ones.
      *
-     * @param factor times real time, positive; positive infinity for as fast as possible
+     * @param factor times real time, positive; positive infinity for unlimited speed
      */
     public void setSpeed(double factor) {
         speed = factor;

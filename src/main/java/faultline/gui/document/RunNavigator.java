@@ -1,92 +1,103 @@
 package faultline.gui.document;
 
-import faultline.engine.Frame;
 import faultline.engine.Journal;
 import faultline.engine.session.Session;
 import faultline.scenario.Scenario;
+import java.awt.EventQueue;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 
-/**
- * Takes the run on the bench to another moment of its own: a new session that replays the old one's journal up to
- * there.
- */
-public final class RunNavigator {
+/** Moves the run to other ticks: a new session replays the journal of the old one. Event dispatch thread only. */
+public final class RunNavigator implements WorkspaceListener {
+
+    private static final long NONE = -1;
 
     private final Workspace workspace;
+    /** The furthest tick of the sessions before the open one. */
     private long furthestTick;
-    private OptionalLong replayEnd = OptionalLong.empty();
 
-    RunNavigator(Workspace bench) {
-        this.workspace = bench;
+    private long replayEnd = NONE;
+
+    RunNavigator(Workspace workspace) {
+        this.workspace = workspace;
     }
 
     /**
-     * Goes to another moment of the run, soon, and holds there. What was done later is done again when its tick comes,
-     * unless something else is done before.
+     * Moves the run to the end of a tick, asynchronously, and pauses it there. Later commands are executed again at
+     * their ticks, unless another command is executed before.
      *
-     * @param tick not negative
+     * @param tick the tick, not negative
      */
     public void seek(long tick) {
         workspace.openDocument().ifPresent(now -> {
             now.session().pause();
             CompletableFuture<Journal> journal = now.session().fullJournal();
-            workspace.startTask(
-                    TaskKind.GO_TO,
-                    now.document().displayPath(),
-                    way -> new OpenDocument(now.document(), Session.replay(journal.join(), tick, reached -> {
-                        way.setFraction((double) reached / tick);
-                        return way.isActive();
+            journal.thenAcceptAsync(past -> sessionLeft(now, past), EventQueue::invokeLater);
+            WorkspaceTask task =
+                    new WorkspaceTask(TaskKind.GO_TO, now.document().displayPath());
+            workspace.start(
+                    task,
+                    () -> new OpenDocument(now.document(), Session.replay(journal.join(), tick, reached -> {
+                        task.progress().setFraction((double) reached / tick);
+                        return true;
                     })));
         });
     }
 
-    /** Goes back by one tick, soon, and holds there; while it is on its way, nothing. */
+    private void sessionLeft(OpenDocument left, Journal journal) {
+        if (workspace
+                .openDocument()
+                .filter(now -> now.document() == left.document())
+                .isPresent()) {
+            furthestTick = Math.max(furthestTick, journal.ticks());
+        }
+    }
+
+    /** Moves the run back by one tick, asynchronously, and pauses it there; does nothing while a task is active. */
     public void stepBack() {
-        if (workspace.taskProgress().isEmpty()) {
-            workspace
-                    .openDocument()
-                    .map(now -> now.session().frame().snapshot().tick())
-                    .filter(tick -> tick > 0)
-                    .ifPresent(tick -> seek(tick - 1));
+        if (workspace.task().isEmpty() && currentTick() > 0) {
+            seek(currentTick() - 1);
         }
     }
 
-    /** A session has begun, by a task: a saved run has been farther than it is now. */
-    void sessionStarted(TaskKind task, Scenario scenario) {
-        if (task != TaskKind.GO_TO) {
-            furthestTick = scenario.recorded() ? scenario.setup().ticks() : 0;
-            replayEnd = scenario.recorded() ? OptionalLong.of(furthestTick) : OptionalLong.empty();
-        }
+    private long currentTick() {
+        return workspace
+                .openDocument()
+                .map(now -> now.session().frame().snapshot().tick())
+                .orElse(0L);
     }
 
-    /** The run has come here. */
-    void frameReached(Frame frame) {
-        furthestTick = Math.max(furthestTick, frame.snapshot().tick());
+    @Override
+    public void scenarioOpened() {
+        workspace.openDocument().map(now -> now.document().initial()).ifPresent(this::runStarted);
     }
 
-    /** Something else is done now than was done before: what came later is no more. */
+    @Override
+    public void scenarioRestarted() {
+        scenarioOpened();
+    }
+
+    /** A recorded run has been further than it is at its start. */
+    private void runStarted(Scenario scenario) {
+        furthestTick = scenario.recorded() ? scenario.setup().ticks() : 0;
+        replayEnd = scenario.recorded() ? furthestTick : NONE;
+    }
+
+    /** Forgets the later ticks, because a command has been executed. */
     void discardFuture() {
         furthestTick = 0;
-        replayEnd = OptionalLong.empty();
+        replayEnd = NONE;
     }
 
-    /**
-     * Where the replay of a saved run ends.
-     *
-     * @return a tick; empty where the run is no replay, or none any more because something was done to it
-     */
+    /** Returns the last tick of a recorded run; empty if the run is not a replay, or has been changed by a command. */
     public OptionalLong replayEnd() {
-        return replayEnd;
+        return replayEnd == NONE ? OptionalLong.empty() : OptionalLong.of(replayEnd);
     }
 
     /**
-     * How far the run has been, whatever moment it was taken back to since; what is done to it there gives it another
-     * future.
-     *
-     * @return ticks
+     * Returns the furthest tick of the run, however often it has been moved back. A command sets it to its own tick.
      */
     public long furthestTick() {
-        return furthestTick;
+        return Math.max(furthestTick, currentTick());
     }
 }

@@ -1,53 +1,95 @@
 package faultline.gui.document;
 
-import faultline.engine.Journal;
 import faultline.scenario.Scenario;
+import faultline.world.CommandResult;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 /**
- * A scenario that is being edited, and what its file holds of it.
- *
- * @param file where it is kept, empty for one that ships with the program
- * @param saved as the file holds it, empty where no file holds it
- * @param initial as the session began
- * @param edited as it is by now
+ * A scenario that is being edited, its file, and what the file holds. It is edited by the results of commands, so it
+ * never waits for the run. Event dispatch thread only, except for {@link #initial}.
  */
-record ScenarioDocument(Optional<Path> file, Optional<Scenario> saved, Scenario initial, Scenario edited) {
+final class ScenarioDocument {
 
-    /** A document whose session begins. */
-    static ScenarioDocument create(Optional<Path> file, Optional<Scenario> saved, Scenario begun) {
-        return new ScenarioDocument(file, saved, begun, begun);
+    private final Scenario initial;
+    private final SetupEditor editor;
+    private Path file;
+    private Scenario saved;
+    /** Null if commands have been executed since it was made. */
+    private Scenario edited;
+
+    /**
+     * Creates a document without edits.
+     *
+     * @param file the file of the scenario, null if it has none
+     * @param saved the scenario that the file holds, null if it holds none
+     * @param initial the scenario at the start of the run
+     */
+    ScenarioDocument(Path file, Scenario saved, Scenario initial) {
+        this.file = file;
+        this.saved = saved;
+        this.initial = initial;
+        this.edited = initial;
+        this.editor = new SetupEditor(initial.setup());
     }
 
-    ScenarioDocument withEdited(Scenario newEdited) {
-        return new ScenarioDocument(file, saved, initial, newEdited);
+    Scenario initial() {
+        return initial;
     }
 
-    ScenarioDocument withSaved(Optional<Scenario> newSaved) {
-        return new ScenarioDocument(file, newSaved, initial, edited);
+    Optional<Path> file() {
+        return Optional.ofNullable(file);
     }
 
-    ScenarioDocument savedAs(Path newFile, Scenario newSaved) {
-        return new ScenarioDocument(Optional.of(newFile), Optional.of(newSaved), initial, edited);
+    Optional<Scenario> saved() {
+        return Optional.ofNullable(saved);
     }
 
-    /** The same in the file of another, as that file holds it. */
-    ScenarioDocument withFileOf(ScenarioDocument other) {
-        return new ScenarioDocument(other.file, other.saved, initial, edited);
+    /** Returns the scenario as edited by all commands, including those that a moved run has still ahead. */
+    Scenario edited() {
+        if (edited == null) {
+            edited = initial.withSetup(editor.setup());
+        }
+        return edited;
     }
 
-    /** The scenario after what was done to its run. */
-    Scenario editedBy(Journal journal) {
-        return initial.withSetup(SetupEditor.setupAfter(journal));
-    }
-
+    /** Returns whether the file holds another scenario than the edited one, or none. */
     boolean isChanged() {
-        return !saved.equals(Optional.of(edited));
+        return !edited().equals(saved);
     }
 
-    /** What to call it by: its file, or its name where it has none. */
+    /** Returns whether the edited scenario holds the effect of every command. */
+    boolean isComplete() {
+        return editor.isComplete();
+    }
+
+    void commandsExecuted(List<CommandResult> results) {
+        results.stream().filter(result -> result.refusal().isEmpty()).forEach(editor::add);
+        edited = null;
+    }
+
+    void runRepositioned(long tick) {
+        editor.moveTo(tick);
+    }
+
+    /** Sets what the file holds, null if it cannot be read. */
+    void setSaved(Scenario newSaved) {
+        saved = newSaved;
+    }
+
+    void savedTo(Path newFile, Scenario newSaved) {
+        file = newFile;
+        saved = newSaved;
+    }
+
+    /** Takes the file of another document, and what it holds. */
+    void takeFileOf(ScenarioDocument other) {
+        savedTo(other.file, other.saved);
+    }
+
+    /** Returns the file, or the name of the scenario if it has none. */
     Path displayPath() {
-        return file.orElseGet(() -> Path.of(FileNames.forScenario(initial.name())));
+        return file().orElseGet(() -> Path.of(FileNames.forScenario(initial.name())));
     }
 }

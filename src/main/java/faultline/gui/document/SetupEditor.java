@@ -6,51 +6,115 @@ import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Clearance;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import faultline.world.WorldSpec;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What a scenario becomes by what was done to its run. Obstacles, platform, and the sensors' range and cone are the
- * scenario's, and a change of them is kept; switching a sensor and breaking it is what happens in one run, and is not.
+ * Applies executed commands to a setup. Changes of obstacles, of the platform and of the sensors' settings are kept;
+ * switching a sensor and injecting a fault belong to one run and are not. When the run is moved to an earlier tick, the
+ * later commands are kept until another one is executed there.
  */
 final class SetupEditor implements Command.Visitor<Boolean> {
 
     private final SimulationSetup base;
-    /**
-     * By id, empty where it was taken away: one that comes back, because that was undone, comes back to its place in
-     * the order.
-     */
-    private final Map<String, Optional<Obstacle>> obstacles = new LinkedHashMap<>();
+    private final List<Journal.Entry> entries = new ArrayList<>();
+    /** The number of entries that the run has passed. */
+    private int position;
+    /** By id, null if removed: an obstacle that is placed again takes its old position in the order. */
+    private final Map<String, Obstacle> obstacles = new LinkedHashMap<>();
 
     private RobotSpec robot;
 
-    private SetupEditor(SimulationSetup base) {
+    SetupEditor(SimulationSetup base) {
         this.base = base;
-        this.robot = base.robot();
-        base.world().obstacles().forEach(obstacle -> obstacles.put(obstacle.id(), Optional.of(obstacle)));
+        reset();
     }
 
-    /**
-     * The setup after what was done to a run of it; whatever would leave the robot no room at its start is left as it
-     * was.
-     *
-     * @param journal what was done, and to which setup
-     * @return the setup to begin anew with
-     */
-    static SimulationSetup setupAfter(Journal journal) {
-        SetupEditor edited = new SetupEditor(journal.setup());
-        journal.entries().forEach(entry -> entry.command().accept(edited));
-        edited.clearStartPose();
-        return edited.setup();
+    private void reset() {
+        robot = base.robot();
+        obstacles.clear();
+        base.world().obstacles().forEach(obstacle -> obstacles.put(obstacle.id(), obstacle));
     }
 
-    /** Returns whether the scenario keeps every command of a journal. */
-    static boolean coversAll(Journal journal) {
-        SetupEditor edited = new SetupEditor(journal.setup());
-        return journal.entries().stream().allMatch(entry -> entry.command().accept(edited));
+    /** Applies an executed command. Commands that the run had not passed when it was executed are dropped. */
+    void add(CommandResult result) {
+        moveTo(result.tick() - 1, position);
+        if (position < entries.size()) {
+            entries.subList(position, entries.size()).clear();
+            reset();
+            entries.forEach(entry -> entry.command().accept(this));
+        }
+        entries.add(new Journal.Entry(result.tick(), result.command()));
+        position = entries.size();
+        result.command().accept(this);
+    }
+
+    /** Follows the run to another tick. */
+    void moveTo(long tick) {
+        moveTo(tick, 0);
+    }
+
+    private void moveTo(long tick, int from) {
+        position = from;
+        while (position < entries.size() && entries.get(position).tick() <= tick) {
+            position++;
+        }
+    }
+
+    /** Returns whether the setup keeps the effect of every command. */
+    boolean isComplete() {
+        SetupEditor copy = new SetupEditor(base);
+        return entries.stream().allMatch(entry -> entry.command().accept(copy));
+    }
+
+    /** Returns the edited setup. Changes that leave the robot no room at its start pose are left out. */
+    SimulationSetup setup() {
+        SetupEditor result = new SetupEditor(base);
+        result.obstacles.putAll(obstacles);
+        result.robot = robot;
+        result.clearStartPose();
+        return base.withWorld(result.world()).withRobot(result.robot);
+    }
+
+    /** Reverts, one by one, the changes that obstruct the start pose. */
+    private void clearStartPose() {
+        Optional<String> obstruction = findObstruction();
+        while (obstruction.isPresent() && revertChange(obstruction.get())) {
+            obstruction = findObstruction();
+        }
+    }
+
+    private Optional<String> findObstruction() {
+        return Clearance.findObstruction(world(), robot, base.start());
+    }
+
+    private boolean revertChange(String id) {
+        Obstacle before = base.world().obstacles().stream()
+                .filter(obstacle -> obstacle.id().equals(id))
+                .findFirst()
+                .orElse(null);
+        if (obstacles.containsKey(id) && !Objects.equals(before, obstacles.get(id))) {
+            obstacles.put(id, before);
+            return true;
+        }
+        RobotSpec smaller =
+                robot.withPlatform(base.robot().length(), base.robot().width(), robot.speed());
+        boolean changed = !smaller.equals(robot);
+        robot = smaller;
+        return changed;
+    }
+
+    private WorldSpec world() {
+        return base.world()
+                .withObstacles(
+                        obstacles.values().stream().filter(Objects::nonNull).toList());
     }
 
     @Override
@@ -60,7 +124,8 @@ final class SetupEditor implements Command.Visitor<Boolean> {
 
     @Override
     public Boolean visit(Command.ConfigureSensor command) {
-        robot = robot.withSensor(withOriginalSwitch(command.sensor()));
+        SensorSpec before = robot.sensor(command.sensor().id()).orElseThrow();
+        robot = robot.withSensor(command.sensor().withOn(before.on()));
         return true;
     }
 
@@ -81,20 +146,19 @@ final class SetupEditor implements Command.Visitor<Boolean> {
 
     @Override
     public Boolean visit(Command.MoveObstacle command) {
-        obstacles.computeIfPresent(
-                command.obstacle(), (id, obstacle) -> obstacle.map(moved -> moved.withPose(command.pose())));
+        obstacles.computeIfPresent(command.obstacle(), (id, obstacle) -> obstacle.withPose(command.pose()));
         return true;
     }
 
     @Override
     public Boolean visit(Command.PlaceObstacle command) {
-        obstacles.put(command.obstacle().id(), Optional.of(command.obstacle()));
+        obstacles.put(command.obstacle().id(), command.obstacle());
         return true;
     }
 
     @Override
     public Boolean visit(Command.RemoveObstacle command) {
-        obstacles.replace(command.obstacle(), Optional.empty());
+        obstacles.replace(command.obstacle(), null);
         return true;
     }
 
@@ -102,47 +166,5 @@ final class SetupEditor implements Command.Visitor<Boolean> {
     public Boolean visit(Command.SetPlatform command) {
         robot = robot.withPlatform(command.length(), command.width(), command.speed());
         return true;
-    }
-
-    /** The switch stays as the scenario has it. */
-    private SensorSpec withOriginalSwitch(SensorSpec wanted) {
-        return wanted.withOn(robot.sensor(wanted.id()).map(SensorSpec::on).orElse(wanted.on()));
-    }
-
-    /** Takes back, one by one, what stands in the way at the start. */
-    private void clearStartPose() {
-        Optional<String> obstructing = findObstruction();
-        while (obstructing.isPresent() && revertChange(obstructing.get())) {
-            obstructing = findObstruction();
-        }
-    }
-
-    private Optional<String> findObstruction() {
-        return Clearance.findObstruction(world(), robot, base.start());
-    }
-
-    private boolean revertChange(String id) {
-        Optional<Obstacle> before = base.world().obstacles().stream()
-                .filter(obstacle -> obstacle.id().equals(id))
-                .findFirst();
-        if (obstacles.containsKey(id) && !before.equals(obstacles.get(id))) {
-            obstacles.put(id, before);
-            return true;
-        }
-        RobotSpec smaller =
-                robot.withPlatform(base.robot().length(), base.robot().width(), robot.speed());
-        boolean changed = !smaller.equals(robot);
-        robot = smaller;
-        return changed;
-    }
-
-    private WorldSpec world() {
-        return base.world()
-                .withObstacles(
-                        obstacles.values().stream().flatMap(Optional::stream).toList());
-    }
-
-    private SimulationSetup setup() {
-        return base.withWorld(world()).withRobot(robot);
     }
 }

@@ -1,17 +1,17 @@
 package faultline.gui.document;
 
-/** What takes a while on the bench. */
+/** The kinds of background tasks. */
 public enum TaskKind {
-    /** Reading a scenario. */
+    /** Opening a scenario. */
     OPEN,
-    /** Writing the scenario. */
+    /** Saving the scenario. */
     SAVE,
-    /** Writing the journal. */
+    /** Saving the journal. */
     SAVE_JOURNAL,
-    /** Beginning anew. */
+    /** Restarting the run. */
     RESTART,
-    /** Going to another moment of the run. */
+    /** Moving the run to another tick. */
     GO_TO,
-    /** Running an earlier run again, to be shown beside this one. */
+    /** Replaying a reference run. */
     GHOST
 }

@@ -1,66 +1,48 @@
 package faultline.gui.document;
 
-import java.nio.file.Path;
 import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 
-/** Something slow on its way to the bench: how far it has come, and whether it is still wanted. For any thread. */
+/** How far a task has come, and whether it has been cancelled. Safe for use by any thread. */
 public final class TaskProgress {
 
     private static final double UNKNOWN = -1;
 
-    private final TaskKind task;
-    private final Path name;
     private volatile double fraction = UNKNOWN;
     private volatile boolean cancelled;
 
-    TaskProgress(TaskKind task, Path name) {
-        this.task = task;
-        this.name = name;
-    }
-
-    /**
-     * What is done.
-     *
-     * @return the task
-     */
-    public TaskKind task() {
-        return task;
-    }
-
-    /**
-     * With what it is done.
-     *
-     * @return a file, or the name of a scenario without one
-     */
-    public Path name() {
-        return name;
-    }
-
-    /**
-     * How far it has come.
-     *
-     * @return in [0, 1], empty where nobody knows
-     */
+    /** Returns the completed fraction, in [0, 1]; empty if it is unknown. */
     public OptionalDouble fraction() {
         return fraction == UNKNOWN ? OptionalDouble.empty() : OptionalDouble.of(fraction);
     }
 
-    void setFraction(double newShare) {
-        fraction = newShare;
+    /**
+     * Sets the completed fraction, in [0, 1].
+     *
+     * @throws CancellationException if the task has been cancelled
+     */
+    public void setFraction(double completed) {
+        throwIfCancelled();
+        if (!(completed >= 0 && completed <= 1)) {
+            throw new IllegalArgumentException("the completed fraction must be in [0, 1]: " + completed);
+        }
+        fraction = completed;
     }
 
-    void cancel() {
+    /** Cancels the task. */
+    public void cancel() {
         cancelled = true;
     }
 
-    boolean isActive() {
+    /** Returns whether the task has not been cancelled. */
+    public boolean isActive() {
         return !cancelled;
     }
 
-    void throwIfCancelled() {
+    /** Throws a {@link CancellationException} if the task has been cancelled. */
+    public void throwIfCancelled() {
         if (cancelled) {
-            throw new CancellationException("no longer wanted");
+            throw new CancellationException("the task has been cancelled");
         }
     }
 }

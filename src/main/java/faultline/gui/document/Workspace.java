@@ -2,211 +2,165 @@ package faultline.gui.document;
 
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
+import faultline.world.CommandResult;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.UnaryOperator;
+import java.util.function.Consumer;
 
 /**
- * Holds the open scenario and its run. A new file, a restart or another moment of the run is a new session; the old one
- * is closed when the new one is there. What is done with files is {@link DocumentStore}'s, what is done to the run
- * {@link RunController}'s.
+ * Holds the open scenario and its run. Opening a file, restarting the run and moving it to another tick start a new
+ * session; the old one is closed when the new one has started. {@link DocumentStore} loads and saves scenarios,
+ * {@link RunController} controls the run. Event dispatch thread only.
  */
 public final class Workspace implements AutoCloseable {
 
-    private final WorkspaceListener listener;
-    private final List<SessionListener> sessionListeners = new ArrayList<>();
-    private Optional<OpenDocument> openDocument = Optional.empty();
-    private Optional<TaskProgress> taskProgress = Optional.empty();
+    private final List<WorkspaceListener> listeners = new ArrayList<>();
+    private OpenDocument open;
+    private WorkspaceTask task;
 
-    /** A part of the bench, told before everybody else. */
-    interface SessionListener {
-
-        /** A new session has begun, by a task. */
-        void sessionStarted(TaskKind task, OpenDocument made);
-
-        /** Nothing is under way any more: the session that is there stays. */
-        default void taskFinished() {}
+    /** Adds a listener; listeners are called in the order in which they were added. */
+    public void addListener(WorkspaceListener listener) {
+        listeners.add(listener);
     }
 
-    /**
-     * An empty bench.
-     *
-     * @param listener told of everything, on the event dispatch thread
-     */
-    public Workspace(WorkspaceListener listener) {
-        this.listener = Objects.requireNonNull(listener, "listener");
+    void fire(Consumer<WorkspaceListener> event) {
+        listeners.forEach(event);
     }
 
-    WorkspaceListener listener() {
-        return listener;
-    }
-
-    /** What lies here, empty before the first session. */
+    /** Returns the open document; empty before the first session. */
     Optional<OpenDocument> openDocument() {
         assert EventQueue.isDispatchThread();
-        return openDocument;
+        return Optional.ofNullable(open);
     }
 
-    /**
-     * What is on its way here.
-     *
-     * @return empty where nothing is
-     */
-    public Optional<TaskProgress> taskProgress() {
+    private Optional<ScenarioDocument> document() {
+        return openDocument().map(OpenDocument::document);
+    }
+
+    /** Returns the active task; empty if there is none. */
+    public Optional<WorkspaceTask> task() {
         assert EventQueue.isDispatchThread();
-        return taskProgress;
+        return Optional.ofNullable(task);
     }
 
-    void addSessionListener(SessionListener desk) {
-        sessionListeners.add(desk);
+    /** Starts a task that makes a document in place of the open one. It cancels the active task. */
+    void start(WorkspaceTask newTask, Callable<OpenDocument> maker) {
+        cancelActiveTask();
+        task = newTask;
+        BackgroundTasks.run(maker, made -> taskDone(newTask, made), failure -> taskFailed(newTask, failure));
     }
 
-    /**
-     * Makes something off the event dispatch thread and puts it in the place of what is here, unless something else is
-     * asked for in between.
-     */
-    void startTask(TaskKind task, Path name, ProgressCallable<OpenDocument> maker) {
-        TaskProgress way = new TaskProgress(task, name);
-        taskProgress.ifPresent(TaskProgress::cancel);
-        taskProgress = Optional.of(way);
-        BackgroundTasks.run(() -> maker.call(way), made -> openResult(made, way), why -> taskFailed(way, why));
-    }
-
-    /** Gives up what is on its way here; all stays as it was before it was asked for. */
+    /** Cancels the active task; everything stays as it is. */
     public void cancelTask() {
-        taskProgress.ifPresent(TaskProgress::cancel);
+        cancelActiveTask();
         finishTask();
+    }
+
+    private void cancelActiveTask() {
+        task().ifPresent(active -> active.progress().cancel());
+        task = null;
     }
 
     private void finishTask() {
-        taskProgress = Optional.empty();
-        sessionListeners.forEach(SessionListener::taskFinished);
+        task = null;
+        fire(WorkspaceListener::taskFinished);
     }
 
-    private void taskFailed(TaskProgress way, Throwable why) {
-        if (way.isActive()) {
+    private void taskFailed(WorkspaceTask ended, Throwable failure) {
+        if (ended.progress().isActive()) {
             finishTask();
-            listener.taskFailed(way.task(), way.name(), why);
+            fire(listener -> listener.taskFailed(ended.kind(), ended.name(), failure));
         }
     }
 
-    private void openResult(OpenDocument made, TaskProgress way) {
-        if (!way.isActive()) {
+    private void taskDone(WorkspaceTask ended, OpenDocument made) {
+        if (!ended.progress().isActive()) {
             made.session().close();
             return;
         }
-        OpenDocument adopted = way.task() == TaskKind.OPEN ? made : withCurrentFile(made);
-        endRun();
-        openDocument = Optional.of(adopted);
-        sessionListeners.forEach(desk -> desk.sessionStarted(way.task(), adopted));
-        notifyListener(way.task(), adopted);
-        listener.sessionStarted();
-        listener.titleChanged();
+        if (ended.kind() == TaskKind.RESTART) {
+            // The scenario may have been saved to another file meanwhile.
+            document().ifPresent(made.document()::takeFileOf);
+        }
+        closeSession();
+        open = made;
+        fireStarted(ended.kind());
+        fire(WorkspaceListener::sessionStarted);
+        fire(WorkspaceListener::titleChanged);
         finishTask();
     }
 
-    /** The same scenario anew; it may have been saved, elsewhere too, since that was asked for. */
-    private OpenDocument withCurrentFile(OpenDocument made) {
-        return document()
-                .map(now -> made.withDocument(made.document().withFileOf(now)))
-                .orElse(made);
-    }
-
-    private void notifyListener(TaskKind task, OpenDocument made) {
-        if (task == TaskKind.OPEN) {
-            listener.scenarioOpened();
-        } else if (task == TaskKind.RESTART) {
-            listener.scenarioRestarted();
+    private void fireStarted(TaskKind kind) {
+        if (kind == TaskKind.OPEN) {
+            fire(WorkspaceListener::scenarioOpened);
+        } else if (kind == TaskKind.RESTART) {
+            fire(WorkspaceListener::scenarioRestarted);
         } else {
-            listener.runRepositioned(made.session().frame().snapshot().tick());
+            long tick = open.session().frame().snapshot().tick();
+            open.document().runRepositioned(tick);
+            fire(listener -> listener.runRepositioned(tick));
         }
     }
 
-    /**
-     * Changes the document, unless another session than that of the work given has begun since; a restart, too, has
-     * another document.
-     */
-    void updateDocument(OpenDocument before, UnaryOperator<ScenarioDocument> change) {
-        openDocument = openDocument.map(
-                now -> now.session() == before.session() ? now.withDocument(change.apply(now.document())) : now);
+    /** Applies the results of commands to the document that they were sent to. */
+    void commandsExecuted(ScenarioDocument document, List<CommandResult> results) {
+        boolean changedBefore = document.isChanged();
+        document.commandsExecuted(results);
+        if (document.isChanged() != changedBefore) {
+            fire(WorkspaceListener::titleChanged);
+        }
     }
 
-    /**
-     * Somebody else has written the file, or broken it: what is here is unsaved from now on, unless it is the same or
-     * read again.
-     */
-    void setSavedScenario(Optional<Scenario> found) {
-        openDocument = openDocument.map(now -> now.withDocument(now.document().withSaved(found)));
-        listener.titleChanged();
+    /** Sets what another program has written to the file; null if it cannot be read. */
+    void setSavedScenario(Scenario found) {
+        document().ifPresent(document -> document.setSaved(found));
+        fire(WorkspaceListener::titleChanged);
     }
 
-    /**
-     * Where the scenario is kept.
-     *
-     * @return empty where it has no file
-     */
+    /** Returns the file of the scenario; empty if it has none. */
     public Optional<Path> file() {
         return document().flatMap(ScenarioDocument::file);
     }
 
-    /**
-     * The scenario as it is edited by now.
-     *
-     * @return empty before the first session
-     */
+    /** Returns the scenario with all edits; empty before the first session. */
     public Optional<Scenario> scenario() {
         return document().map(ScenarioDocument::edited);
     }
 
-    /**
-     * The scenario as its file holds it, as far as is known here.
-     *
-     * @return empty before the first session, and where no file holds it
-     */
+    /** Returns the scenario that the file holds, as far as is known; empty if there is none. */
     public Optional<Scenario> savedScenario() {
         return document().flatMap(ScenarioDocument::saved);
     }
 
-    /**
-     * Whether the scenario differs from its file.
-     *
-     * @return true where a save would change the file
-     */
+    /** Returns whether the scenario differs from its file. */
     public boolean isChanged() {
         return document().filter(ScenarioDocument::isChanged).isPresent();
     }
 
     /**
-     * The scenario that replays the run so far, to the bit.
-     *
-     * @return completed soon, off the event dispatch thread; exceptionally if the session is closed before; empty
-     *     before the first session
+     * Returns a scenario that replays the run so far exactly; empty before the first session. The future completes on a
+     * background thread, exceptionally if the session is closed before.
      */
     public Optional<CompletableFuture<Scenario>> replayScenario() {
-        return openDocument.map(now -> now.session()
+        return openDocument().map(now -> now.session()
                 .journal()
                 .thenApplyAsync(journal -> JournalScenario.create(now.document().initial(), journal)));
     }
 
-    private Optional<ScenarioDocument> document() {
-        return openDocument.map(OpenDocument::document);
-    }
-
-    /** Ends the run, and gives up what is on its way here. */
+    /** Ends the run and cancels the active task. */
     @Override
     public void close() {
-        taskProgress.ifPresent(TaskProgress::cancel);
-        taskProgress = Optional.empty();
-        endRun();
+        cancelActiveTask();
+        closeSession();
     }
 
-    private void endRun() {
-        openDocument.ifPresent(now -> now.session().close());
-        openDocument = Optional.empty();
+    private void closeSession() {
+        openDocument().ifPresent(now -> now.session().close());
+        open = null;
     }
 }

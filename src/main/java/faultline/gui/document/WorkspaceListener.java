@@ -2,49 +2,48 @@ package faultline.gui.document;
 
 import java.nio.file.Path;
 
-/** Told of what happens on the bench. */
+/** Receives events of a workspace, on the event dispatch thread. */
 public interface WorkspaceListener {
 
-    /** A new session has begun: of another file, or of the same scenario anew. */
-    void sessionStarted();
-
-    /** The name of the file, or whether there are unsaved changes, is another now. */
-    void titleChanged();
-
-    /**
-     * Something asked for could not be done; all is as it was before.
-     *
-     * @param what was being done
-     * @param file with which file
-     * @param why the exception
-     */
-    void taskFailed(TaskKind what, Path file, Throwable why);
-
-    /** Another scenario is on the bench; told before its session begins. */
+    /** Another scenario has been opened. Followed by {@link #sessionStarted}. */
     default void scenarioOpened() {}
 
-    /** The same scenario begins anew as it is edited by now; told before its session begins. */
+    /** The edited scenario has been restarted. Followed by {@link #sessionStarted}. */
     default void scenarioRestarted() {}
 
     /**
-     * The run stands at another moment of its own; what was done later is still ahead. Told before its session begins.
+     * The run has been moved to another tick; later edits are still ahead. Followed by {@link #sessionStarted}.
      *
-     * @param tick that has passed
+     * @param tick the number of ticks that have passed
      */
     default void runRepositioned(long tick) {}
 
-    /**
-     * A scenario is in its file as it was edited when that was asked for.
-     *
-     * @param file that one; by now another may be open
-     * @param whole whether that is all that was done to the run; switches and faults are no part of a scenario
-     */
-    default void scenarioSaved(Path file, boolean whole) {}
+    /** A new session has started. */
+    default void sessionStarted() {}
+
+    /** No task is active any more: one has ended or has been cancelled. */
+    default void taskFinished() {}
+
+    /** The name of the file, or whether there are unsaved changes, may have changed. */
+    default void titleChanged() {}
 
     /**
-     * The journal is in a file.
+     * A task has failed and has changed nothing.
      *
-     * @param file that one
+     * @param task the kind of task
+     * @param file the file that it worked on
+     * @param failure what it has thrown
      */
+    default void taskFailed(TaskKind task, Path file, Throwable failure) {}
+
+    /**
+     * The scenario has been saved.
+     *
+     * @param file the file; another one may be open by now
+     * @param complete whether the file holds all edits; switched sensors and faults are not part of a scenario
+     */
+    default void scenarioSaved(Path file, boolean complete) {}
+
+    /** The journal has been saved to a file. */
     default void journalSaved(Path file) {}
 }

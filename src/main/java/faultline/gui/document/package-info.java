@@ -1,5 +1,5 @@
 /**
- * The scenario that is open, the run that is made of it, and what of it is changed. Event dispatch thread only,
- * asserted; files are read and written, and sessions made, in the background.
+ * The open scenario, its file and its run: loading, saving, crash recovery, restarting and moving the run to other
+ * ticks. Event dispatch thread only; files are read and written, and sessions started, on background threads.
  */
 package faultline.gui.document;

@@ -2,6 +2,7 @@ package faultline.gui.export;
 
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
+import faultline.gui.document.TaskProgress;
 import faultline.paint.export.AnimatedGifWriter;
 import faultline.paint.export.RenderRequest;
 import faultline.scenario.Scenario;
@@ -10,34 +11,33 @@ import java.io.OutputStream;
 import java.util.concurrent.CompletableFuture;
 
 /**
- * A film of a stretch of the run so far, as fast as real time. It is made of the run's own ticks, so no picture is lost
- * however fast the run was.
+ * Writes an animated GIF of the run so far, at real time. It is made from the ticks of a replay, so no image is missing
+ * at any speed of the run.
  *
- * @param renderRequest how each picture is taken; its own frame does not matter
- * @param run completed with the scenario that replays it
- * @param firstTick the first tick that shows
+ * @param renderRequest how each image is rendered; its frame is replaced
+ * @param run completes with the scenario that replays the run
+ * @param firstTick the first tick that is shown
  */
 record AnimatedGifExport(RenderRequest renderRequest, CompletableFuture<Scenario> run, long firstTick)
         implements FileExport {
 
-    /** Hundredths of a second between two pictures: twenty of them in a second, more than enough for a robot. */
+    /** The time between two images, hundredths of a second: twenty images per second are enough for a robot. */
     static final int FRAME_DELAY = 5;
 
     @Override
-    public void write(OutputStream out, ProgressListener progress) throws IOException {
-        HeadlessReplay replay = HeadlessReplay.of(run);
-        try (AnimatedGifWriter film = new AnimatedGifWriter(out, renderRequest.palette(), FRAME_DELAY)) {
-            replay.run(simulation -> addFrame(film, simulation), progress);
+    public void write(OutputStream out, TaskProgress progress) throws IOException {
+        try (AnimatedGifWriter gif = new AnimatedGifWriter(out, renderRequest.palette(), FRAME_DELAY)) {
+            HeadlessReplay.run(run, simulation -> addFrame(gif, simulation), progress);
         }
     }
 
-    private void addFrame(AnimatedGifWriter film, Simulation simulation) throws IOException {
+    private void addFrame(AnimatedGifWriter gif, Simulation simulation) throws IOException {
         if (isDue(simulation.ticks(), simulation.setup())) {
-            film.addFrame(renderRequest.withFrame(simulation.frame()).toImage(1));
+            gif.addFrame(renderRequest.withFrame(simulation.frame()).toImage(1));
         }
     }
 
-    /** Whether a picture is taken at a tick: the first one, and the first of each stretch of the delay's length. */
+    /** Returns whether a tick is shown: the first one, and the first of each interval between two images. */
     boolean isDue(long tick, SimulationSetup setup) {
         return tick == firstTick || tick > firstTick && frameIndex(tick, setup) > frameIndex(tick - 1, setup);
     }

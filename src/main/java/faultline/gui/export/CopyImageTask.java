@@ -1,46 +1,28 @@
 package faultline.gui.export;
 
+import faultline.gui.document.BackgroundTasks;
 import faultline.gui.text.Messages;
 import faultline.paint.export.RenderRequest;
 import java.awt.datatransfer.Clipboard;
 import java.awt.image.BufferedImage;
-import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
-import javax.swing.SwingWorker;
 
-/**
- * Puts a picture on the clipboard; it is painted off the event dispatch thread, because so fine a one takes as long as
- * several frames.
- */
-final class CopyImageTask extends SwingWorker<BufferedImage, Void> {
+/** Copies an image to the clipboard. It is painted in the background, because that takes as long as several frames. */
+final class CopyImageTask {
 
-    private final RenderRequest renderRequest;
-    private final double resolutionScale;
-    private final Clipboard clipboard;
-    private final Consumer<Throwable> onFailed;
+    private CopyImageTask() {}
 
-    CopyImageTask(RenderRequest shot, double fineness, Clipboard clipboard, Consumer<Throwable> failed) {
-        this.renderRequest = shot;
-        this.resolutionScale = fineness;
-        this.clipboard = clipboard;
-        this.onFailed = failed;
+    static void start(
+            RenderRequest request, double resolutionScale, Clipboard clipboard, Consumer<Throwable> onFailed) {
+        BackgroundTasks.run(
+                () -> request.toImage(resolutionScale), image -> copy(image, clipboard, onFailed), onFailed);
     }
 
-    @Override
-    protected BufferedImage doInBackground() {
-        return renderRequest.toImage(resolutionScale);
-    }
-
-    @Override
-    protected void done() {
+    private static void copy(BufferedImage image, Clipboard clipboard, Consumer<Throwable> onFailed) {
         try {
-            clipboard.setContents(new TransferableImage(get()), null);
-        } catch (ExecutionException broken) {
-            onFailed.accept(broken.getCause());
+            clipboard.setContents(new TransferableImage(image), null);
         } catch (IllegalStateException busy) {
             onFailed.accept(new IllegalStateException(Messages.get("note.clipboardBusy"), busy));
-        } catch (InterruptedException broken) {
-            Thread.currentThread().interrupt();
         }
     }
 }

@@ -4,6 +4,7 @@ import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
@@ -16,23 +17,24 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import javax.swing.JOptionPane;
 
 /**
- * Gives out what the canvas shows and what the run has come to. Pictures are light, on a dark window too, unless dark
- * ones are asked for.
+ * Exports what the canvas shows, and the run. Images have the light theme, even in a dark window, unless dark ones are
+ * chosen.
  */
-public final class ExportController {
+public final class ExportController implements WorkspaceListener {
 
-    /** Pictures have so many pixels on each side of one of the window's. */
+    /** Pixels of an image per pixel of the canvas, in each direction. */
     private static final double RESOLUTION_SCALE = 2;
 
     private final Component parent;
     private final Workspace workspace;
     private final SimulationCanvas canvas;
-    private final FileSelector fileSelector;
+    private final BiFunction<String, String, Optional<Path>> fileSelector;
     private final Consumer<Path> onWritten;
     private final UiAction recordGif = UiAction.toggle("record", false, this::recordGif)
             .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_M))
@@ -40,48 +42,37 @@ public final class ExportController {
     private Palette palette = Palette.LIGHT;
     private long recordingStart;
 
-    /** Asks which file to write. */
-    public interface FileSelector {
-
-        /**
-         * Asks the user.
-         *
-         * @param action the key of its title
-         * @param extension of the file, with its dot
-         * @return empty where the user thinks better of it
-         */
-        Optional<Path> selectFile(String action, String extension);
-    }
-
     /**
-     * A desk.
+     * Creates a controller.
      *
-     * @param parent of dialogs
-     * @param bench whose run is given out
-     * @param canvas whose view is
-     * @param choice asks for files
-     * @param written told of each file that was written, on the event dispatch thread
+     * @param parent the parent of dialogs
+     * @param workspace the workspace whose run is exported
+     * @param canvas the canvas whose view is exported
+     * @param fileSelector asks for a file, given the key of the dialog's title and the extension with its dot; empty if
+     *     cancelled
+     * @param onWritten called with each file that has been written, on the event dispatch thread
      */
     public ExportController(
-            Component parent, Workspace bench, SimulationCanvas canvas, FileSelector choice, Consumer<Path> written) {
+            Component parent,
+            Workspace workspace,
+            SimulationCanvas canvas,
+            BiFunction<String, String, Optional<Path>> fileSelector,
+            Consumer<Path> onWritten) {
         this.parent = parent;
-        this.workspace = bench;
+        this.workspace = workspace;
         this.canvas = canvas;
-        this.fileSelector = choice;
-        this.onWritten = written;
+        this.fileSelector = fileSelector;
+        this.onWritten = onWritten;
+        workspace.addListener(this);
     }
 
-    /**
-     * What can be asked of it.
-     *
-     * @return the actions
-     */
+    /** Returns the actions of the controller. */
     public List<UiAction> actions() {
         return List.of(
                 UiAction.of("exportPng", () -> withRenderRequest(this::exportPng))
                         .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_E)),
                 UiAction.of("exportSvg", () -> withRenderRequest(this::exportSvg)),
-                UiAction.of("exportGif", () -> withRenderRequest(shot -> exportGif(shot, 0))),
+                UiAction.of("exportGif", () -> withRenderRequest(request -> exportGif(request, 0))),
                 UiAction.of("exportCsv", this::exportCsv),
                 UiAction.toggle("exportDark", false, dark -> palette = dark ? Palette.DARK : Palette.LIGHT),
                 UiAction.of("copyPicture", () -> withRenderRequest(this::copyImage))
@@ -91,20 +82,22 @@ public final class ExportController {
                 recordGif);
     }
 
-    private void withRenderRequest(Consumer<RenderRequest> deed) {
-        canvas.renderRequest(palette).ifPresent(deed);
+    private void withRenderRequest(Consumer<RenderRequest> action) {
+        canvas.renderRequest(palette).ifPresent(action);
     }
 
-    private void exportPng(RenderRequest shot) {
-        write("exportPng", ".png", (out, progress) -> ImageIO.write(shot.toImage(RESOLUTION_SCALE), "png", out));
+    private void exportPng(RenderRequest request) {
+        write("exportPng", ".png", (out, progress) -> ImageIO.write(request.toImage(RESOLUTION_SCALE), "png", out));
     }
 
-    private void exportSvg(RenderRequest shot) {
-        write("exportSvg", ".svg", (out, progress) -> out.write(shot.toSvg().getBytes(StandardCharsets.UTF_8)));
+    private void exportSvg(RenderRequest request) {
+        write("exportSvg", ".svg", (out, progress) -> out.write(request.toSvg().getBytes(StandardCharsets.UTF_8)));
     }
 
-    private void exportGif(RenderRequest shot, long from) {
-        workspace.replayScenario().ifPresent(run -> write("exportGif", ".gif", new AnimatedGifExport(shot, run, from)));
+    private void exportGif(RenderRequest request, long from) {
+        workspace
+                .replayScenario()
+                .ifPresent(run -> write("exportGif", ".gif", new AnimatedGifExport(request, run, from)));
     }
 
     private void exportCsv() {
@@ -115,12 +108,12 @@ public final class ExportController {
         if (on) {
             recordingStart = tick();
         } else {
-            // A run that was begun anew since has nothing before its own beginning.
-            withRenderRequest(shot -> exportGif(shot, recordingStart <= tick() ? recordingStart : 0));
+            // A run that has been restarted since is exported from its start.
+            withRenderRequest(request -> exportGif(request, recordingStart <= tick() ? recordingStart : 0));
         }
     }
 
-    /** Another scenario is on the bench, and none of what was being recorded. */
+    @Override
     public void scenarioOpened() {
         recordingStart = 0;
     }
@@ -129,26 +122,26 @@ public final class ExportController {
         return canvas.frame().map(frame -> frame.snapshot().tick()).orElse(0L);
     }
 
-    private void copyImage(RenderRequest shot) {
-        new CopyImageTask(shot, RESOLUTION_SCALE, Toolkit.getDefaultToolkit().getSystemClipboard(), this::showError)
-                .execute();
+    private void copyImage(RenderRequest request) {
+        CopyImageTask.start(
+                request, RESOLUTION_SCALE, Toolkit.getDefaultToolkit().getSystemClipboard(), this::showError);
     }
 
-    private void print(RenderRequest shot) {
+    private void print(RenderRequest request) {
         PrintTask.showDialogAndPrint(
-                shot, workspace.scenario().map(scenario -> scenario.name()).orElse(""), this::showError);
+                request, workspace.scenario().map(scenario -> scenario.name()).orElse(""), this::showError);
     }
 
     private void write(String action, String extension, FileExport export) {
         fileSelector
-                .selectFile(action, extension)
+                .apply(action, extension)
                 .ifPresent(file -> new ExportTask(parent, export, file, onWritten, this::showError).start());
     }
 
-    private void showError(Throwable why) {
+    private void showError(Throwable failure) {
         JOptionPane.showMessageDialog(
                 parent,
-                Messages.get("export.failed", ErrorMessages.describe(why)),
+                Messages.get("export.failed", ErrorMessages.describe(failure)),
                 Messages.get("failed.title"),
                 JOptionPane.ERROR_MESSAGE);
     }

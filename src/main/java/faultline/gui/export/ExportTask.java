@@ -1,6 +1,7 @@
 package faultline.gui.export;
 
-import faultline.gui.document.ExitGuard;
+import faultline.gui.document.BackgroundTasks;
+import faultline.gui.document.TaskProgress;
 import faultline.gui.text.Messages;
 import faultline.io.AtomicFile;
 import java.awt.Component;
@@ -8,82 +9,81 @@ import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import javax.swing.ProgressMonitor;
-import javax.swing.SwingWorker;
+import javax.swing.Timer;
 
-/**
- * Writes one export off the event dispatch thread; what takes long shows how far it is and can be cancelled, which
- * leaves no file.
- */
-final class ExportTask extends SwingWorker<Void, Void> {
+/** Writes an export in the background. A long one shows its progress and can be cancelled, which leaves no file. */
+final class ExportTask {
 
     private static final int MAX_PROGRESS = 100;
+    private static final int POLL_MILLIS = 50;
 
     private final FileExport export;
     private final Path file;
     private final Consumer<Path> onWritten;
     private final Consumer<Throwable> onFailed;
+    private final TaskProgress progress = new TaskProgress();
     private final ProgressMonitor monitor;
+    private final Timer timer = new Timer(POLL_MILLIS, event -> updateMonitor());
+    private int shownPercent;
 
-    ExportTask(Component parent, FileExport export, Path file, Consumer<Path> written, Consumer<Throwable> failed) {
+    ExportTask(Component parent, FileExport export, Path file, Consumer<Path> onWritten, Consumer<Throwable> onFailed) {
         assert EventQueue.isDispatchThread();
         this.export = export;
         this.file = file;
-        this.onWritten = written;
-        this.onFailed = failed;
+        this.onWritten = onWritten;
+        this.onFailed = onFailed;
         monitor = new ProgressMonitor(
                 parent, Messages.get("export.writing", String.valueOf(file.getFileName())), "", 0, MAX_PROGRESS);
-        addPropertyChangeListener(change -> {
-            if (change.getPropertyName().equals("progress")) {
-                updateMonitor((Integer) change.getNewValue());
-            }
-        });
     }
 
-    /** Begins, and keeps the program from ending before it is done: a window may be closed meanwhile. */
+    /** Starts the task, and keeps the program from exiting before it has ended. */
     void start() {
-        execute();
-        ExitGuard.keepAliveUntilDone(this);
+        timer.start();
+        BackgroundTasks.runBeforeExit(this::write, this::written, this::failed);
     }
 
-    private void updateMonitor(int percent) {
-        // The last step closes the monitor, and is left to the end.
-        monitor.setProgress(Math.min(percent, MAX_PROGRESS - 1));
+    /** Returns whether the task has ended. */
+    boolean isDone() {
+        return !timer.isRunning();
+    }
+
+    private void updateMonitor() {
+        int percent = (int) (MAX_PROGRESS * progress.fraction().orElse(0));
+        if (percent > shownPercent) {
+            shownPercent = percent;
+            // The last step would close the monitor before the file is complete.
+            monitor.setProgress(Math.min(percent, MAX_PROGRESS - 1));
+        }
         if (monitor.isCanceled()) {
-            cancel(false);
+            progress.cancel();
         }
     }
 
-    @Override
-    protected Void doInBackground() throws IOException {
+    private Path write() throws IOException {
         try (AtomicFile out = AtomicFile.create(file)) {
-            export.write(out.stream(), this::reportProgress);
+            export.write(out.stream(), progress);
+            progress.throwIfCancelled();
             out.commit();
         }
-        return null;
+        return file;
     }
 
-    private void reportProgress(double share) {
-        if (isCancelled()) {
-            throw new CancellationException();
+    private void written(Path path) {
+        end();
+        onWritten.accept(path);
+    }
+
+    private void failed(Throwable failure) {
+        end();
+        if (!(failure instanceof CancellationException)) {
+            onFailed.accept(failure);
         }
-        setProgress((int) (MAX_PROGRESS * share));
     }
 
-    @Override
-    protected void done() {
+    private void end() {
+        timer.stop();
         monitor.close();
-        try {
-            get();
-            onWritten.accept(file);
-        } catch (ExecutionException broken) {
-            onFailed.accept(broken.getCause());
-        } catch (CancellationException cancelled) {
-            // As the user wanted.
-        } catch (InterruptedException broken) {
-            Thread.currentThread().interrupt();
-        }
     }
 }

@@ -1,18 +1,20 @@
 package faultline.gui.export;
 
+import faultline.gui.document.TaskProgress;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/** Something that can be written to a file, off the event dispatch thread. */
+/** Writes an export to a file, on a background thread. */
+@FunctionalInterface
 interface FileExport {
 
     /**
-     * Writes it.
+     * Writes the export.
      *
-     * @param out where to; not closed
-     * @param progress to be told how far it is
-     * @throws IOException if it cannot be written
-     * @throws java.util.concurrent.CancellationException if the user thinks better of it
+     * @param out the file; not closed
+     * @param progress receives the completed fraction
+     * @throws IOException if the export cannot be written
+     * @throws java.util.concurrent.CancellationException if the user cancels the export
      */
-    void write(OutputStream out, ProgressListener progress) throws IOException;
+    void write(OutputStream out, TaskProgress progress) throws IOException;
 }

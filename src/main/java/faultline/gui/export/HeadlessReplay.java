@@ -2,8 +2,8 @@ package faultline.gui.export;
 
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
-import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
+import faultline.gui.document.TaskProgress;
 import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -11,51 +11,44 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 
-/** The run so far made once more, to the bit and without a window, for whoever has to see each of its ticks. */
+/** Replays the run so far exactly and without a window, for exports that need every tick. */
 final class HeadlessReplay {
 
-    private final SimulationSetup setup;
-
-    private HeadlessReplay(SimulationSetup setup) {
-        this.setup = setup;
-    }
-
-    /** Waits until the run says what was done to it so far. */
-    static HeadlessReplay of(CompletableFuture<Scenario> run) throws IOException {
-        try {
-            return new HeadlessReplay(run.join().setup());
-        } catch (CompletionException closed) {
-            throw new IOException(closed.getCause().getMessage(), closed);
-        }
-    }
-
-    SimulationSetup setup() {
-        return setup;
-    }
-
-    /** Something that looks at a tick and writes. */
+    /** Writes the state of a simulation after a tick. */
+    @FunctionalInterface
     interface TickWriter {
         void write(Simulation simulation) throws IOException;
     }
 
-    /** Makes every tick, tick 0 included, and tells how far it is. */
-    void run(TickWriter writer, ProgressListener progress) throws IOException {
-        double ticks = Math.max(1, setup.ticks());
+    private HeadlessReplay() {}
+
+    /** Makes every tick of a scenario, including tick 0, and reports the progress. Waits for the scenario. */
+    static void run(CompletableFuture<Scenario> scenario, TickWriter writer, TaskProgress progress) throws IOException {
+        Scenario replayed = join(scenario);
+        double ticks = Math.max(1, replayed.setup().ticks());
         try {
-            HeadlessRun.run(setup, ControllerMode.DIRECT, List.of(simulation -> {
-                progress.progressed(simulation.ticks() / ticks);
+            HeadlessRun.run(replayed.setup(), ControllerMode.DIRECT, List.of(simulation -> {
+                progress.setFraction(simulation.ticks() / ticks);
                 write(writer, simulation);
             }));
-        } catch (UncheckedIOException failed) {
-            throw failed.getCause();
+        } catch (UncheckedIOException failure) {
+            throw failure.getCause();
+        }
+    }
+
+    private static Scenario join(CompletableFuture<Scenario> scenario) throws IOException {
+        try {
+            return scenario.join();
+        } catch (CompletionException closed) {
+            throw new IOException(closed.getCause().getMessage(), closed);
         }
     }
 
     private static void write(TickWriter writer, Simulation simulation) {
         try {
             writer.write(simulation);
-        } catch (IOException failed) {
-            throw new UncheckedIOException(failed);
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
         }
     }
 }

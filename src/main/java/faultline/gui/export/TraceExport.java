@@ -1,6 +1,7 @@
 package faultline.gui.export;
 
 import faultline.engine.metrics.TraceWriter;
+import faultline.gui.document.TaskProgress;
 import faultline.scenario.Scenario;
 import java.io.BufferedWriter;
 import java.io.IOException;
@@ -11,17 +12,17 @@ import java.nio.charset.StandardCharsets;
 import java.util.concurrent.CompletableFuture;
 
 /**
- * One row for every tick of the run so far, as {@code run --trace} writes it.
+ * Writes one row for every tick of the run so far, as {@code run --trace} does.
  *
- * @param run completed with the scenario that replays it
+ * @param run completes with the scenario that replays the run
  */
 record TraceExport(CompletableFuture<Scenario> run) implements FileExport {
 
     @Override
-    public void write(OutputStream out, ProgressListener progress) throws IOException {
+    public void write(OutputStream out, TaskProgress progress) throws IOException {
         Writer text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
         TraceWriter trace = new TraceWriter(text);
-        HeadlessReplay.of(run).run(trace::observe, progress);
+        HeadlessReplay.run(run, trace::observe, progress);
         text.flush();
     }
 }

@@ -6,9 +6,9 @@ import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
 
 /**
- * A picture for the clipboard.
+ * An image for the clipboard.
  *
- * @param image the picture
+ * @param image the image
  */
 record TransferableImage(Image image) implements Transferable {
 

@@ -1,5 +1,5 @@
 /**
- * What leaves the program: pictures, films, tables, the clipboard and the printer. Asked for on the event dispatch
- * thread, made off it; files are there whole or not at all.
+ * Exports: images, animated GIFs, tables, the clipboard and the printer. They are started on the event dispatch thread
+ * and written on background threads; a file is complete or does not exist.
  */
 package faultline.gui.export;

@@ -21,12 +21,12 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * One example.
+ * An example scenario.
  *
- * @param file its name, for {@link Scenario#loadShipped(String)}
- * @param title for people
- * @param description for people
- * @param thumbnail some while into its run, {@link #WIDTH} by {@link #HEIGHT} at {@link #RESOLUTION_SCALE}
+ * @param file its file name, for {@link Scenario#loadShipped(String)}
+ * @param title the title in the user's language
+ * @param description the description in the user's language
+ * @param thumbnail an image of the run, {@link #WIDTH} by {@link #HEIGHT} times {@link #RESOLUTION_SCALE}
  */
 record Example(String file, String title, String description, BufferedImage thumbnail) {
 
@@ -34,14 +34,14 @@ record Example(String file, String title, String description, BufferedImage thum
     static final int HEIGHT = 136;
     static final int RESOLUTION_SCALE = 2;
 
-    /** How long the robot drives before its picture is taken, seconds: far enough to show what it is about. */
+    /** The simulated time of the thumbnail, seconds: late enough to show the point of the example. */
     private static final double SIMULATED_SECONDS = 25;
-    /** Small enough for the report of a collision to have room in any language. */
+    /** Small enough to leave room for the report of a collision in every language. */
     private static final Font FONT = DrawContext.DEFAULT_FONT.deriveFont(0.9F * DrawContext.DEFAULT_FONT.getSize2D());
 
     private static final Set<Layer> LAYERS = EnumSet.of(Layer.PATH, Layer.CONES, Layer.ROUTES);
 
-    /** Reads and runs an example; slow. */
+    /** Loads an example and renders its thumbnail; takes some time. */
     static Example load(String file, Palette palette) throws ScenarioException {
         Scenario scenario = Scenario.loadShipped(file);
         String key = file.substring(0, file.lastIndexOf('.'));

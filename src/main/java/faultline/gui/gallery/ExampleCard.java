@@ -8,7 +8,6 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.RenderingHints;
-import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -16,13 +15,15 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.ListCellRenderer;
 
-/** An example in the gallery: its picture, and its title below. */
+/** Renders an example: its thumbnail, and its title below. */
 final class ExampleCard extends JPanel implements ListCellRenderer<Example> {
 
     static final Dimension SIZE = new Dimension(Example.WIDTH + 28, Example.HEIGHT + 54);
 
     private final JLabel title = new JLabel("", JLabel.CENTER);
-    private transient Optional<Example> example = Optional.empty();
+    /** The example to be painted; null before the first. */
+    private transient Example example;
+
     private boolean highlighted;
 
     ExampleCard() {
@@ -35,7 +36,7 @@ final class ExampleCard extends JPanel implements ListCellRenderer<Example> {
     @Override
     public Component getListCellRendererComponent(
             JList<? extends Example> list, Example value, int index, boolean selected, boolean focused) {
-        example = Optional.of(value);
+        example = value;
         highlighted = selected;
         title.setText(value.title());
         title.setForeground(
@@ -60,13 +61,15 @@ final class ExampleCard extends JPanel implements ListCellRenderer<Example> {
         }
     }
 
-    /** The picture, as fine as the screen is. */
+    /** Paints the thumbnail at the resolution of the screen. */
     private final class ThumbnailView extends JComponent {
         @Override
         protected void paintComponent(Graphics graphics) {
             Antialiasing.paint(graphics, g -> {
                 g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
-                example.ifPresent(shown -> g.drawImage(shown.thumbnail(), 0, 0, getWidth(), getHeight(), null));
+                if (example != null) {
+                    g.drawImage(example.thumbnail(), 0, 0, getWidth(), getHeight(), null);
+                }
                 Color edge = highlighted
                         ? Theme.currentColours().onAccent()
                         : Theme.currentColours().line();

@@ -1,61 +1,53 @@
 package faultline.gui.gallery;
 
+import faultline.gui.document.BackgroundTasks;
+import faultline.gui.document.TaskProgress;
 import faultline.paint.surface.Palette;
 import faultline.scenario.ShippedScenarios;
-import faultline.scenario.xml.ScenarioException;
+import java.awt.EventQueue;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
-import javax.swing.SwingWorker;
 
-/** Reads the examples and takes their pictures off the event dispatch thread, one by one. */
-final class ExampleLoader extends SwingWorker<Void, Example> {
+/** Loads the examples and renders their thumbnails, one by one, in the background. */
+final class ExampleLoader {
 
-    /** Shown first, because it has a bit of everything. */
+    /** Shown first, because it has some of everything. */
     private static final String FIRST_FILE = "office.xml";
 
-    private final Palette palette;
-    private final Consumer<Example> onLoaded;
-    private final Consumer<Throwable> onFailed;
+    private final TaskProgress progress = new TaskProgress();
 
-    ExampleLoader(Palette palette, Consumer<Example> loaded, Consumer<Throwable> failed) {
-        this.palette = palette;
-        this.onLoaded = loaded;
-        this.onFailed = failed;
+    /** Starts loading; callbacks are called on the event dispatch thread. */
+    ExampleLoader(Palette palette, Consumer<Example> onLoaded, Consumer<Throwable> onFailed) {
+        BackgroundTasks.run(
+                () -> {
+                    for (String name : fileNames()) {
+                        if (progress.isActive()) {
+                            Example example = Example.load(name, palette);
+                            EventQueue.invokeLater(() -> ifActive(() -> onLoaded.accept(example)));
+                        }
+                    }
+                    return progress;
+                },
+                done -> {},
+                failure -> ifActive(() -> onFailed.accept(failure)));
     }
 
-    @Override
-    protected Void doInBackground() throws IOException, ScenarioException {
-        List<String> names = ShippedScenarios.names();
-        for (String name : Stream.concat(Stream.of(FIRST_FILE), names.stream().filter(name -> !name.equals(FIRST_FILE)))
-                .toList()) {
-            if (isCancelled()) {
-                break;
-            }
-            publish(Example.load(name, palette));
-        }
-        return null;
+    private static List<String> fileNames() throws IOException {
+        List<String> names = new ArrayList<>(ShippedScenarios.names());
+        names.remove(FIRST_FILE);
+        names.add(0, FIRST_FILE);
+        return names;
     }
 
-    @Override
-    protected void process(List<Example> examples) {
-        if (!isCancelled()) {
-            examples.forEach(onLoaded);
+    private void ifActive(Runnable callback) {
+        if (progress.isActive()) {
+            callback.run();
         }
     }
 
-    @Override
-    protected void done() {
-        try {
-            if (!isCancelled()) {
-                get();
-            }
-        } catch (ExecutionException broken) {
-            onFailed.accept(broken.getCause());
-        } catch (InterruptedException broken) {
-            Thread.currentThread().interrupt();
-        }
+    void cancel() {
+        progress.cancel();
     }
 }

@@ -27,7 +27,7 @@ import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
 
-/** A window of examples to choose from; the window behind it stays in use. */
+/** A non-modal dialog that shows the examples and opens the selected one. */
 public final class Gallery extends JDialog {
 
     private static final int COLUMNS = 3;
@@ -40,17 +40,17 @@ public final class Gallery extends JDialog {
     private final transient ExampleLoader loader;
 
     /**
-     * A gallery, not yet shown, whose pictures come one by one.
+     * Creates a gallery, which fills while it is shown.
      *
-     * @param owner the window behind it
-     * @param opener gets the name of the file that is chosen
-     * @param atStart whether the gallery shows at start
-     * @param atStartChanged told how that stands from now on
+     * @param owner the owner of the dialog
+     * @param onOpen called with the file name of the selected example
+     * @param atStart whether the gallery is shown at start
+     * @param atStartChanged called when the user changes that
      */
-    public Gallery(Window owner, Consumer<String> opener, boolean atStart, Consumer<Boolean> atStartChanged) {
+    public Gallery(Window owner, Consumer<String> onOpen, boolean atStart, Consumer<Boolean> atStartChanged) {
         super(owner, Messages.get("gallery.title"), ModalityType.MODELESS);
         assert EventQueue.isDispatchThread();
-        this.onOpen = opener;
+        this.onOpen = onOpen;
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
         content.add(heading(), BorderLayout.NORTH);
@@ -63,7 +63,6 @@ public final class Gallery extends JDialog {
         pack();
         setLocationRelativeTo(owner);
         loader = new ExampleLoader(Theme.current().palette(), this::add, this::failed);
-        loader.execute();
     }
 
     private static JLabel heading() {
@@ -146,14 +145,13 @@ public final class Gallery extends JDialog {
         }
     }
 
-    private void failed(Throwable why) {
-        description.setText(Messages.get("gallery.failed", ErrorMessages.describe(why)));
+    private void failed(Throwable failure) {
+        description.setText(Messages.get("gallery.failed", ErrorMessages.describe(failure)));
     }
 
-    /** Ends the taking of pictures too. */
     @Override
     public void dispose() {
-        loader.cancel(false);
+        loader.cancel();
         super.dispose();
     }
 }

@@ -50,7 +50,7 @@ public final class MainWindow extends JFrame {
 
     private static final int POLL_MILLIS = 16;
 
-    private final transient Workspace workspace = new Workspace(new WorkspaceEvents());
+    private final transient Workspace workspace = new Workspace();
     private final transient RunController runController = new RunController(workspace);
     private final transient UndoController undoController =
             new UndoController(runController::send, this::updateEditActions);
@@ -106,6 +106,7 @@ public final class MainWindow extends JFrame {
         EditNotifier editNotifier = new EditNotifier(runController, actionRegistry, this::showNote);
         undoController.setForkListener(editNotifier::timelineForked);
         undoController.setUndoListener(editNotifier::editUndone);
+        workspace.addListener(new WorkspaceEvents());
         poll.start();
     }
 
@@ -245,7 +246,7 @@ public final class MainWindow extends JFrame {
     }
 
     private void poll() {
-        progressDialogs.update(workspace.taskProgress());
+        progressDialogs.update(workspace.task());
         // Status before frame: if the status says paused, the frame is the one at which the run is paused.
         runController.status().ifPresent(status -> runController.frame().ifPresent(frame -> {
             mainPanel.setFrame(frame, status);
@@ -267,7 +268,6 @@ public final class MainWindow extends JFrame {
         @Override
         public void scenarioOpened() {
             undoController.clear();
-            exportController.scenarioOpened();
             workspace.file().ifPresent(preferences.recentFiles()::add);
         }
 

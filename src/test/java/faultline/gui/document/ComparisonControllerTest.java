@@ -43,7 +43,8 @@ class ComparisonControllerTest {
     @BeforeEach
     void runAndCaptureReference() {
         runOnEdt(() -> {
-            workspace = new Workspace(new FailureRecorder());
+            workspace = new Workspace();
+            workspace.addListener(new FailureRecorder());
             run = new RunController(workspace);
             controller = new ComparisonController(workspace, run.navigator());
         });
@@ -207,16 +208,6 @@ class ComparisonControllerTest {
     }
 
     private final class FailureRecorder implements WorkspaceListener {
-        @Override
-        public void sessionStarted() {
-            // The test looks.
-        }
-
-        @Override
-        public void titleChanged() {
-            // The test has no title.
-        }
-
         @Override
         public void taskFailed(TaskKind what, Path file, Throwable why) {
             failures.add(what + " " + file.getFileName());

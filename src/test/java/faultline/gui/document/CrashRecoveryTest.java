@@ -48,8 +48,9 @@ class CrashRecoveryTest {
     @BeforeEach
     void openAFile() throws IOException {
         file = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("room.xml"));
-        workspace = callOnEdt(() -> new Workspace(new FailingListener()));
+        workspace = callOnEdt(Workspace::new);
         runOnEdt(() -> {
+            workspace.addListener(new FailingListener());
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
             documentStore.open(file);
@@ -88,7 +89,7 @@ class CrashRecoveryTest {
     @Test
     void theEditsOfAWindowThatStillRunsAreNotOffered() throws IOException {
         RecoveryStore own = new RecoveryStore(folder.resolve("kept"));
-        own.save(Optional.empty(), callOnEdt(() -> workspace.scenario().orElseThrow()));
+        own.save(null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         assertEquals(Optional.empty(), own.findOrphan());
     }
 
@@ -96,9 +97,9 @@ class CrashRecoveryTest {
     void editsOfADeadProcessWhoseIdWasReusedAreOfferedUntilAnswered() throws IOException {
         RecoveryStore before = new RecoveryStore(
                 folder.resolve("kept"), ProcessHandle.current().pid(), Instant.EPOCH);
-        before.save(Optional.of(file), callOnEdt(() -> workspace.scenario().orElseThrow()));
+        before.save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
         RecoveryStore own = new RecoveryStore(folder.resolve("kept"));
-        own.save(Optional.empty(), callOnEdt(() -> workspace.scenario().orElseThrow()));
+        own.save(null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         own.delete();
         RecoveryStore.RecoveredFile rescue = own.findOrphan().orElseThrow();
         assertEquals(Optional.of(file.toAbsolutePath()), rescue.origin());
@@ -150,7 +151,7 @@ class CrashRecoveryTest {
         Await.until("the kept edits", () -> dying.findOrphan().isPresent());
         runOnEdt(autosave::close);
         Await.until("an empty folder", () -> recoveryFiles().isEmpty());
-        autosave.write(Optional.empty(), callOnEdt(workspace::scenario));
+        autosave.write(null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         assertEquals(List.of(), recoveryFiles());
     }
 
@@ -248,16 +249,6 @@ class CrashRecoveryTest {
 
     /** Nothing here fails. */
     private static final class FailingListener implements WorkspaceListener {
-        @Override
-        public void sessionStarted() {
-            // Asked for.
-        }
-
-        @Override
-        public void titleChanged() {
-            // Asked for.
-        }
-
         @Override
         public void taskFailed(TaskKind what, Path with, Throwable why) {
             throw new AssertionError(why);

@@ -50,10 +50,11 @@ class RunNavigatorTest {
     @BeforeEach
     void editTwice() {
         runOnEdt(() -> {
-            workspace = new Workspace(new NavigationForwarder());
+            workspace = new Workspace();
             run = new RunController(workspace);
             documentStore = new DocumentStore(workspace);
             edits = new UndoController(run::send, () -> {});
+            workspace.addListener(new NavigationForwarder());
             edits.setForkListener(forks::add);
             edits.setUndoListener(undone::add);
             documentStore.open(Path.of("scenarios/collision-on-purpose.xml"));
@@ -95,6 +96,7 @@ class RunNavigatorTest {
         Await.until("the restart", () -> run.frame().orElseThrow().snapshot().tick() == 0);
         runOnEdt(edits::undo);
         waitForPole(original);
+        Await.until("both reports", () -> undone.size() == 2);
         assertEquals(List.of(21L, 0L), undone);
     }
 
@@ -200,9 +202,9 @@ class RunNavigatorTest {
         runOnEdt(() -> run.navigator().seek(FAR));
         Await.until(
                 "some of the way",
-                () -> workspace.taskProgress().orElseThrow().fraction().orElse(0) > 1e-6);
+                () -> workspace.task().orElseThrow().progress().fraction().orElse(0) > 1e-6);
         runOnEdt(workspace::cancelTask);
-        assertEquals(Optional.empty(), callOnEdt(workspace::taskProgress));
+        assertEquals(Optional.empty(), callOnEdt(workspace::task));
         assertEquals(30, tick());
         runOnEdt(run::step);
         Await.until(
@@ -241,7 +243,7 @@ class RunNavigatorTest {
         runOnEdt(() -> run.navigator().seek(tick));
         Await.until(
                 "tick " + tick,
-                () -> workspace.taskProgress().isEmpty()
+                () -> workspace.task().isEmpty()
                         && run.frame().orElseThrow().snapshot().tick() == tick);
     }
 
@@ -286,16 +288,6 @@ class RunNavigatorTest {
 
     /** Passes on what the edit desk must know, as the window does. */
     private final class NavigationForwarder implements WorkspaceListener {
-        @Override
-        public void sessionStarted() {
-            // Frames are asked for.
-        }
-
-        @Override
-        public void titleChanged() {
-            // Nobody reads the title.
-        }
-
         @Override
         public void scenarioRestarted() {
             edits.runRestarted();

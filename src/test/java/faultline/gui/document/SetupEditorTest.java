@@ -1,15 +1,17 @@
 package faultline.gui.document;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
@@ -85,10 +87,51 @@ class SetupEditorTest {
                 after(new Command.SetPlatform(3, 3, 0.9)).robot());
     }
 
+    @Test
+    void anObstacleThatComesBackTakesItsOldPlaceInTheOrder() {
+        assertEquals(
+                List.of(BOX, POLE),
+                after(
+                                new Command.PlaceObstacle(POLE),
+                                new Command.RemoveObstacle("box"),
+                                new Command.PlaceObstacle(BOX))
+                        .world()
+                        .obstacles());
+    }
+
+    @Test
+    void laterCommandsAreKeptUntilTheMovedRunIsEdited() {
+        SetupEditor editor = new SetupEditor(BASE);
+        add(editor, 10, new Command.PlaceObstacle(POLE));
+        add(editor, 20, new Command.SetPlatform(0.3, 0.25, 0.4));
+        add(editor, 30, new Command.RemoveObstacle("box"));
+        editor.moveTo(5);
+        assertEquals(List.of(POLE), editor.setup().world().obstacles());
+        add(editor, 15, new Command.MoveObstacle("box", new Pose(3, 3, 1)));
+        assertEquals(
+                List.of(BOX.withPose(new Pose(3, 3, 1)), POLE),
+                editor.setup().world().obstacles());
+        assertEquals(BASE.robot(), editor.setup().robot());
+    }
+
+    @Test
+    void aSetupIsCompleteUnlessACommandBelongsToOneRun() {
+        SetupEditor editor = new SetupEditor(BASE);
+        add(editor, 10, new Command.PlaceObstacle(POLE));
+        assertTrue(editor.isComplete());
+        add(editor, 10, new Command.InjectFault("front", new Fault.Stuck(0.4)));
+        assertFalse(editor.isComplete());
+        editor.moveTo(5);
+        assertFalse(editor.isComplete());
+    }
+
     private static SimulationSetup after(Command... commands) {
-        List<Journal.Entry> entries = Stream.of(commands)
-                .map(command -> new Journal.Entry(7, command))
-                .toList();
-        return SetupEditor.setupAfter(new Journal(BASE, entries, 9));
+        SetupEditor editor = new SetupEditor(BASE);
+        Stream.of(commands).forEach(command -> add(editor, 7, command));
+        return editor.setup();
+    }
+
+    private static void add(SetupEditor editor, long tick, Command command) {
+        editor.add(new CommandResult.Executed(tick, command, List.of()));
     }
 }

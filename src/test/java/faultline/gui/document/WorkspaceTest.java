@@ -51,7 +51,8 @@ class WorkspaceTest {
     @BeforeEach
     void openAFile() throws IOException {
         file = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("room.xml"));
-        workspace = callOnEdt(() -> new Workspace(new WorkspaceListener() {
+        workspace = callOnEdt(Workspace::new);
+        runOnEdt(() -> workspace.addListener(new WorkspaceListener() {
             @Override
             public void sessionStarted() {
                 sessionCount++;
@@ -203,10 +204,11 @@ class WorkspaceTest {
     @Test
     void whatIsEditedWhileAFileIsWrittenStaysUnsaved() {
         OpenDocument asked = callOnEdt(() -> workspace.openDocument().orElseThrow());
+        Scenario initial = callOnEdt(asked.document()::edited);
         move();
         waitFor("the mark", workspace::isChanged);
         Scenario edited = callOnEdt(() -> workspace.scenario().orElseThrow());
-        runOnEdt(() -> documentStore.markSaved(asked, file, asked.document().edited(), true));
+        runOnEdt(() -> documentStore.markSaved(asked.document(), file, initial));
         assertTrue(callOnEdt(workspace::isChanged));
         assertEquals(edited, callOnEdt(() -> workspace.scenario().orElseThrow()));
     }
@@ -217,9 +219,9 @@ class WorkspaceTest {
         CompletableFuture<OpenDocument> made = new CompletableFuture<>();
         runOnEdt(() -> {
             OpenDocument now = workspace.openDocument().orElseThrow();
-            workspace.startTask(TaskKind.RESTART, file, way -> made.get());
-            documentStore.markSaved(now, other, now.document().edited(), true);
-            made.complete(OpenDocument.create(now.document()));
+            workspace.start(new WorkspaceTask(TaskKind.RESTART, file), made::get);
+            documentStore.markSaved(now.document(), other, now.document().edited());
+            made.complete(OpenDocument.start(now.document()));
         });
         waitFor("the second session", () -> sessionCount == 2);
         assertEquals(Optional.of(other), callOnEdt(workspace::file));
@@ -231,8 +233,8 @@ class WorkspaceTest {
         CompletableFuture<OpenDocument> made = new CompletableFuture<>();
         runOnEdt(() -> {
             ScenarioDocument document = workspace.openDocument().orElseThrow().document();
-            workspace.startTask(TaskKind.OPEN, file, way -> {
-                made.complete(OpenDocument.create(document));
+            workspace.start(new WorkspaceTask(TaskKind.OPEN, file), () -> {
+                made.complete(OpenDocument.start(document));
                 return made.join();
             });
             workspace.close();

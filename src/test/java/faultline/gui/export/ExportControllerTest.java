@@ -17,6 +17,7 @@ import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.document.DocumentStore;
 import faultline.gui.document.RunController;
 import faultline.gui.document.TaskKind;
+import faultline.gui.document.TaskProgress;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.UndoController;
@@ -41,6 +42,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.Stream;
@@ -75,7 +77,8 @@ class ExportControllerTest {
     void runAFewTicks() {
         runOnEdt(() -> {
             Theme.LIGHT.install();
-            workspace = new Workspace(new FailingListener());
+            workspace = new Workspace();
+            workspace.addListener(new FailingListener());
             run = new RunController(workspace);
             canvas = new SimulationCanvas(new UndoController(run::send, () -> {}));
             canvas.setSize(300, 200);
@@ -164,8 +167,9 @@ class ExportControllerTest {
                 ControllerMode.DIRECT,
                 List.of(new TraceWriter(expected)));
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        new TraceExport(callOnEdt(() -> workspace.replayScenario().orElseThrow()))
-                .write(out, share -> assertTrue(share >= 0 && share <= 1));
+        TaskProgress progress = new TaskProgress();
+        new TraceExport(callOnEdt(() -> workspace.replayScenario().orElseThrow())).write(out, progress);
+        assertEquals(OptionalDouble.of(1), progress.fraction());
         assertEquals(expected.toString(), out.toString(StandardCharsets.UTF_8));
     }
 
@@ -218,7 +222,7 @@ class ExportControllerTest {
 
     private static int frameCount(AnimatedGifExport film) throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        film.write(out, share -> {});
+        film.write(out, new TaskProgress());
         return frameCount(out.toByteArray());
     }
 
@@ -231,11 +235,9 @@ class ExportControllerTest {
     @Test
     void aCancelledGifExportStopsAtOnce() {
         AnimatedGifExport film = gifExport(0);
-        assertThrows(
-                CancellationException.class,
-                () -> film.write(new ByteArrayOutputStream(), share -> {
-                    throw new CancellationException();
-                }));
+        TaskProgress progress = new TaskProgress();
+        progress.cancel();
+        assertThrows(CancellationException.class, () -> film.write(new ByteArrayOutputStream(), progress));
     }
 
     @Test
@@ -254,13 +256,13 @@ class ExportControllerTest {
                 file,
                 written::add,
                 why -> {}));
-        task.start();
+        runOnEdt(task::start);
         assertTrue(Thread.getAllStackTraces().keySet().stream()
-                .anyMatch(thread -> thread.getName().equals("faultline-guard") && !thread.isDaemon()));
+                .anyMatch(thread -> thread.getName().equals("faultline-background") && !thread.isDaemon()));
         released.countDown();
         Await.until("the word that it is written", () -> written.contains(file));
         Await.until("the end of the thread that keeps the program", () -> Thread.getAllStackTraces().keySet().stream()
-                .noneMatch(thread -> thread.getName().equals("faultline-guard")));
+                .noneMatch(thread -> thread.getName().equals("faultline-background") && !thread.isDaemon()));
     }
 
     @Test
@@ -275,7 +277,7 @@ class ExportControllerTest {
                 file,
                 written::add,
                 why -> {}));
-        task.start();
+        runOnEdt(task::start);
         Await.until("the end of the task", task::isDone);
         assertFalse(Files.exists(file));
         assertEquals(List.of(), written);
@@ -306,8 +308,8 @@ class ExportControllerTest {
     }
 
     private void copyTo(Clipboard clipboard) {
-        runOnEdt(() -> new CopyImageTask(canvas.renderRequest(Palette.LIGHT).orElseThrow(), 2, clipboard, failures::add)
-                .execute());
+        runOnEdt(() ->
+                CopyImageTask.start(canvas.renderRequest(Palette.LIGHT).orElseThrow(), 2, clipboard, failures::add));
     }
 
     private Path exportToFile(String action, String extension) {
@@ -330,16 +332,6 @@ class ExportControllerTest {
 
     /** Nothing here fails. */
     private static final class FailingListener implements WorkspaceListener {
-        @Override
-        public void sessionStarted() {
-            // Frames are asked for.
-        }
-
-        @Override
-        public void titleChanged() {
-            // Nobody reads the title.
-        }
-
         @Override
         public void taskFailed(TaskKind what, Path file, Throwable why) {
             throw new AssertionError(why);

@@ -94,7 +94,8 @@ class MainPanelTest {
             Theme.LIGHT.install();
             DefaultBoundedRangeModel speed =
                     new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
-            Workspace bench = new Workspace(new NoOpWorkspaceListener());
+            Workspace bench = new Workspace();
+            bench.addListener(new NoOpWorkspaceListener());
             RunController run = new RunController(bench);
             UndoController edits = new UndoController(run::send, () -> {});
             canvas = new SimulationCanvas(edits);

@@ -45,7 +45,8 @@ class TimeBarTest {
     void runAWhile() {
         runOnEdt(() -> {
             Theme.LIGHT.install();
-            workspace = new Workspace(new NoOpListener());
+            workspace = new Workspace();
+            workspace.addListener(new NoOpListener());
             run = new RunController(workspace);
             bar = new TimeBar(run.navigator()::seek, previews::add);
             slider = ComponentFinder.findAll(bar, JSlider.class).findFirst().orElseThrow();
@@ -138,16 +139,6 @@ class TimeBarTest {
 
     /** Nothing here fails. */
     private static final class NoOpListener implements WorkspaceListener {
-        @Override
-        public void sessionStarted() {
-            // Frames are asked for.
-        }
-
-        @Override
-        public void titleChanged() {
-            // Nobody reads the title.
-        }
-
         @Override
         public void taskFailed(TaskKind what, Path file, Throwable why) {
             throw new AssertionError(why);

@@ -1,0 +1,17 @@
+package faultline.gui.document;
+
+import java.nio.file.Path;
+
+/**
+ * A background task of the workspace.
+ *
+ * @param kind what it does
+ * @param name the file that it works on, or the name of a scenario without a file
+ * @param progress how far it has come
+ */
+public record WorkspaceTask(TaskKind kind, Path name, TaskProgress progress) {
+
+    WorkspaceTask(TaskKind kind, Path name) {
+        this(kind, name, new TaskProgress());
+    }
+}

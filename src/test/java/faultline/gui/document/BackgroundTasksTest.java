@@ -1,0 +1,73 @@
+package faultline.gui.document;
+
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.Await;
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class BackgroundTasksTest {
+
+    private final List<String> outcomes = new ArrayList<>();
+    private final CompletableFuture<Thread> worker = new CompletableFuture<>();
+    private final CompletableFuture<Void> released = new CompletableFuture<>();
+
+    static Stream<Callable<String>> works() {
+        return Stream.of(
+                () -> "written",
+                () -> {
+                    throw new IOException("full");
+                },
+                () -> {
+                    throw new CancellationException("cancelled");
+                },
+                () -> {
+                    throw new AssertionError("broken");
+                });
+    }
+
+    private String perform(Callable<String> work) throws Exception {
+        worker.complete(Thread.currentThread());
+        released.join();
+        return work.call();
+    }
+
+    private void addOutcome(String outcome) {
+        assertTrue(EventQueue.isDispatchThread());
+        outcomes.add(outcome);
+    }
+
+    @ParameterizedTest
+    @MethodSource("works")
+    void theProgramDoesNotExitBeforeTheWorkHasEndedInAnyWay(Callable<String> work) throws Exception {
+        runOnEdt(() -> BackgroundTasks.runBeforeExit(
+                () -> perform(work), this::addOutcome, failure -> addOutcome(failure.getMessage())));
+        assertFalse(worker.get().isDaemon(), "a daemon thread would not keep the program from exiting");
+        assertTrue(worker.get().isAlive());
+        released.complete(null);
+        worker.get().join();
+        Await.until("the outcome", () -> outcomes.size() == 1);
+        assertTrue(List.of("written", "full", "cancelled", "broken").containsAll(outcomes));
+    }
+
+    @Test
+    void otherWorkEndsWithTheProgram() throws Exception {
+        runOnEdt(() -> BackgroundTasks.run(() -> perform(() -> "read"), this::addOutcome, failure -> {}));
+        assertTrue(worker.get().isDaemon());
+        released.complete(null);
+        Await.until("the outcome", () -> !outcomes.isEmpty());
+        assertEquals(List.of("read"), outcomes);
+    }
+}
