@@ -27,6 +27,8 @@ final class CommandLine {
         this.output = output;
         commands.put("run", new RunCommand(output)::run);
         commands.put("check", new CheckCommand(output)::run);
+        commands.put("campaign", new CampaignCommand(output)::run);
+        commands.put("merge", new CampaignCommand(output)::merge);
         commands.put("figures", new FiguresCommand(output)::run);
         commands.put("serve", new ServeCommand(output)::run);
         commands.put("controller", new ControllerCommand(output)::run);

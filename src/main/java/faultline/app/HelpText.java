@@ -24,6 +24,11 @@ final class HelpText {
             faultline serve FILE [--truth] step a scenario from outside, over standard input and output
             faultline controller FILE      act as the child of --controller, with the controller of a scenario
             faultline check FILE...        tell everything that is wrong with scenario files
+            faultline campaign PLAN --out DIR make all runs of a campaign plan, one row each in DIR/runs.csv
+              --jobs N                     on N threads (default: one for each processor)
+              --shard I/N                  only the I-th of N parts
+              --resume                     go on with what is in DIR, if anything is
+            faultline merge DIR... --out DIR put the parts of a campaign together
             faultline figures --out DIR    make the paper's figures and the studies behind its claims
               --theme light|dark|adaptive  their colours; adaptive follows the reader's screen (default: adaptive)
             faultline --startup-time [FILE] open the window, print how long that took, and close it

@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 
 /** Runs a setup to its end without a window. */
 public final class HeadlessRun {
@@ -45,6 +46,26 @@ public final class HeadlessRun {
      */
     public static RunResult run(
             SimulationSetup setup, Controller controller, ControllerMode mode, List<TickObserver> observers) {
+        return run(setup, controller, mode, observers, () -> false);
+    }
+
+    /**
+     * Runs to the setup's duration or until a condition holds, as fast as possible.
+     *
+     * @param setup what to run
+     * @param controller drives the robot; not closed with the run
+     * @param mode where the controller runs
+     * @param observers called at tick 0 and after every tick, in order
+     * @param finished asked after every tick
+     * @return the result
+     * @throws RunFailedException if the run broke
+     */
+    public static RunResult run(
+            SimulationSetup setup,
+            Controller controller,
+            ControllerMode mode,
+            List<TickObserver> observers,
+            BooleanSupplier finished) {
         WallFollowingMetrics wall = new WallFollowingMetrics(setup);
         Set<String> states = new LinkedHashSet<>();
         List<TickObserver> all = new ArrayList<>(observers);
@@ -57,7 +78,7 @@ public final class HeadlessRun {
         try (Simulation simulation = new Simulation(setup, controller, mode, noting)) {
             long ticks = setup.ticks();
             all.forEach(observer -> observer.observe(simulation));
-            while (simulation.ticks() < ticks) {
+            while (simulation.ticks() < ticks && !finished.getAsBoolean()) {
                 simulation.tick();
                 for (TickObserver observer : all) {
                     observer.observe(simulation);

@@ -69,15 +69,31 @@ public final class WallReference {
      * @return samples in the order of the walls
      */
     public List<Sample> samples(double distance, double spacing) {
+        return samples(distance, spacing, 0);
+    }
+
+    /**
+     * Returns the places from which walls can be followed, spaced along the robot's way rather than along the walls, so
+     * that those around a pole are as close together as any.
+     *
+     * @param distance from the wall to the robot's centre, metres
+     * @param spacing of the samples along the way, metres
+     * @return samples in the order of the walls
+     */
+    public List<Sample> samplesAlongWay(double distance, double spacing) {
+        return samples(distance, spacing, distance);
+    }
+
+    private List<Sample> samples(double distance, double spacing, double reach) {
         List<Sample> places = new ArrayList<>();
         for (int i = 0; i < shapes.size(); i++) {
             ConvexShape figure = shapes.shape(i);
             if (figure instanceof Segment segment) {
                 sampleAlongSegment(segment, distance, spacing, places);
             } else if (figure instanceof Disc disc) {
-                sampleAroundEllipse(disc.toEllipse(), distance, spacing, places);
+                sampleAroundEllipse(disc.toEllipse(), distance, spacing, reach, places);
             } else {
-                sampleAroundEllipse((Ellipse) figure, distance, spacing, places);
+                sampleAroundEllipse((Ellipse) figure, distance, spacing, reach, places);
             }
         }
         return places;
@@ -114,8 +130,9 @@ public final class WallReference {
         }
     }
 
-    private void sampleAroundEllipse(Ellipse oval, double distance, double spacing, List<Sample> places) {
-        int pieces = Math.max(8, (int) Math.ceil(2 * StrictMath.PI * oval.boundingRadius() / spacing));
+    /** Samples are spaced on the curve that is {@code reach} metres outside of the ellipse. */
+    private void sampleAroundEllipse(Ellipse oval, double distance, double spacing, double reach, List<Sample> places) {
+        int pieces = Math.max(8, (int) Math.ceil(2 * StrictMath.PI * (oval.boundingRadius() + reach) / spacing));
         Vector2 before = oval.frame().toParent(new Vector2(oval.rx(), 0));
         for (int i = 1; i <= pieces; i++) {
             Vector2 unit = Vector2.direction(2 * StrictMath.PI * i / pieces);

@@ -19,7 +19,7 @@ import java.util.function.Supplier;
  * that reading goes on and finds the next fault too; whoever reads throws everything away at the end if there were
  * complaints.
  */
-final class AttributeReader {
+public final class AttributeReader {
 
     /** Where to find the schema; editors put it in, and it says nothing to us. */
     private static final Set<String> SCHEMA_LOCATION_ATTRIBUTES =
@@ -36,19 +36,24 @@ final class AttributeReader {
     private final Set<String> requested = new LinkedHashSet<>();
     private final Map<String, Supplier<String>> missing = new LinkedHashMap<>();
 
-    AttributeReader(XmlElement node, Problems complaints) {
+    public AttributeReader(XmlElement node, Problems complaints) {
         this.node = node;
         this.problems = complaints;
     }
 
-    boolean isPresent(String name) {
+    public boolean isPresent(String name) {
         requested.add(name);
         return node.attributes().containsKey(name);
     }
 
-    Optional<String> text(String name) {
+    public Optional<String> text(String name) {
         requested.add(name);
         return Optional.ofNullable(node.attributes().get(name));
+    }
+
+    /** A text that must be there; empty, with a complaint, where it is not. */
+    public String requiredText(String name, String allowed) {
+        return required(name, () -> allowed).orElse("");
     }
 
     /** A number that must be there. */
@@ -89,7 +94,7 @@ final class AttributeReader {
                 .orElse(false);
     }
 
-    boolean flag(String name, boolean fallback) {
+    public boolean flag(String name, boolean fallback) {
         return text(name).map(text -> flag(name, text)).orElse(fallback);
     }
 
@@ -98,7 +103,7 @@ final class AttributeReader {
                 .orElse(false);
     }
 
-    long integer(String name, long least, long most, long fallback) {
+    public long integer(String name, long least, long most, long fallback) {
         return text(name).map(text -> integer(name, text, least, most)).orElse(fallback);
     }
 
@@ -116,7 +121,7 @@ final class AttributeReader {
     }
 
     /** A name of something, which must be there. */
-    String id(String name) {
+    public String id(String name) {
         Optional<String> given = required(name, () -> ID_RULE);
         given.filter(text -> !isValidId(text)).ifPresent(text -> report(name, text, ID_RULE));
         return given.filter(AttributeReader::isValidId).orElse("?");
@@ -134,7 +139,7 @@ final class AttributeReader {
         return required(name, () -> MessageText.joinNames(words)).flatMap(text -> choice(name, text, options, words));
     }
 
-    <T> T choice(String name, Map<String, T> options, T fallback) {
+    public <T> T choice(String name, Map<String, T> options, T fallback) {
         List<String> words = List.copyOf(options.keySet());
         return text(name).flatMap(text -> choice(name, text, options, words)).orElse(fallback);
     }
@@ -183,7 +188,7 @@ final class AttributeReader {
     }
 
     /** Complains of a value that is there. */
-    void report(String name, String given, String allowed) {
+    public void report(String name, String given, String allowed) {
         problems.add(node, describeAttribute(name) + " is " + MessageText.quoted(given) + ", allowed is " + allowed);
     }
 
@@ -191,7 +196,7 @@ final class AttributeReader {
      * Complains of every attribute that was given and never asked for, and of every one that must be there and is not.
      * One that looks like a misspelt name of the other kind is told of once.
      */
-    void reportUnknownAndMissing() {
+    public void reportUnknownAndMissing() {
         for (String name : node.attributes().keySet()) {
             if (!requested.contains(name) && !SCHEMA_LOCATION_ATTRIBUTES.contains(name)) {
                 problems.add(

@@ -9,12 +9,12 @@ import java.util.Map;
 import java.util.Set;
 
 /** What may stand inside an element. */
-final class ElementRules {
+public final class ElementRules {
 
     private ElementRules() {}
 
     /** Complains of text, and of every child that is not among the allowed ones. */
-    static void checkChildren(XmlElement node, Collection<String> allowed, Problems complaints) {
+    public static void checkChildren(XmlElement node, Collection<String> allowed, Problems complaints) {
         if (!node.text().isBlank()) {
             complaints.add(
                     node,
@@ -34,7 +34,7 @@ final class ElementRules {
     }
 
     /** The text of an element that holds nothing else. */
-    static String readText(XmlElement node, Problems complaints) {
+    public static String readText(XmlElement node, Problems complaints) {
         new AttributeReader(node, complaints).reportUnknownAndMissing();
         for (XmlElement child : node.children()) {
             complaints.add(
@@ -46,7 +46,7 @@ final class ElementRules {
     }
 
     /** Complains of every second child of a name. */
-    static void checkAtMostOne(XmlElement node, List<String> names, Problems complaints) {
+    public static void checkAtMostOne(XmlElement node, List<String> names, Problems complaints) {
         Set<String> seen = new HashSet<>();
         for (XmlElement child : node.children()) {
             if (names.contains(child.name()) && !seen.add(child.name())) {

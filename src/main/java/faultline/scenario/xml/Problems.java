@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 
 /** Gathers all that is wrong with one file, so that it is told at once. */
-final class Problems {
+public final class Problems {
 
     /** No more than this is told of one file. */
     static final int MAX_LISTED = 100;
@@ -14,15 +14,15 @@ final class Problems {
     private final List<Problem> problems = new ArrayList<>();
     private int omitted;
 
-    Problems(String file) {
+    public Problems(String file) {
         this.file = file;
     }
 
-    void add(XmlElement node, String text) {
+    public void add(XmlElement node, String text) {
         add(node.location(), text);
     }
 
-    void add(SourceLocation place, String text) {
+    public void add(SourceLocation place, String text) {
         Problem complaint = new Problem(file, place, text);
         if (problems.size() == MAX_LISTED) {
             omitted++;
@@ -31,12 +31,12 @@ final class Problems {
         }
     }
 
-    boolean isEmpty() {
+    public boolean isEmpty() {
         return problems.isEmpty();
     }
 
     /** Throws what was gathered, in the file's order; does nothing where nothing was. */
-    void throwIfAny() throws ScenarioException {
+    public void throwIfAny() throws ScenarioException {
         if (!problems.isEmpty()) {
             throw new ScenarioException(sorted());
         }

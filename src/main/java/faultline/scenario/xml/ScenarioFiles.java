@@ -23,9 +23,19 @@ public final class ScenarioFiles {
     }
 
     static byte[] readBytes(Path file) throws ScenarioException {
+        return readBytes(file, "scenario file");
+    }
+
+    /**
+     * Returns the bytes of a file.
+     *
+     * @param kind what the file is to be, such as "scenario file", for problems
+     * @throws ScenarioException if the file cannot be read, or is too large
+     */
+    public static byte[] readBytes(Path file, String kind) throws ScenarioException {
         String name = file.toString();
         try {
-            checkRegularFile(name, file);
+            checkRegularFile(name, file, kind);
             return Files.readAllBytes(file);
         } catch (NoSuchFileException e) {
             throw problem(name, "there is no such file");
@@ -35,12 +45,12 @@ public final class ScenarioFiles {
     }
 
     /** A device or a pipe could go on for ever, so this comes before anything is read. */
-    private static void checkRegularFile(String name, Path file) throws ScenarioException, IOException {
+    private static void checkRegularFile(String name, Path file, String kind) throws ScenarioException, IOException {
         if (Files.isDirectory(file)) {
-            throw problem(name, "this is a folder, allowed is a scenario file");
+            throw problem(name, "this is a folder, allowed is a " + kind);
         }
         if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw problem(name, "this is no regular file, allowed is a scenario file");
+            throw problem(name, "this is no regular file, allowed is a " + kind);
         }
         if (Files.size(file) > ScenarioLimits.MAX_BYTES) {
             throw problem(name, "the file has " + Files.size(file) + " bytes, allowed is " + ScenarioLimits.MAX_BYTES);

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** Makes a scenario of a file's bytes, or says all that is wrong with them. */
-final class ScenarioReader {
+public final class ScenarioReader {
 
     private static final List<String> CHILD_ELEMENTS =
             List.of("description", "world", "robot", "controller", "timeline", "expect");
@@ -38,11 +38,26 @@ final class ScenarioReader {
      */
     static ScenarioContent read(String file, byte[] bytes) throws ScenarioException {
         Problems complaints = new Problems(file);
-        XmlParser parsing = new XmlParser(bytes, complaints);
+        XmlParser parsing = new XmlParser(bytes, complaints, XmlFormat.SCENARIO);
         Optional<ScenarioContent> scenario = parsing.parse().flatMap(root -> new ScenarioReader(complaints).read(root));
         if (complaints.isEmpty()) {
             parsing.reportSchemaError();
         }
+        complaints.throwIfAny();
+        return scenario.orElseThrow();
+    }
+
+    /**
+     * Reads a scenario from its tree of elements.
+     *
+     * @param file the name that complaints give it
+     * @param root the root element
+     * @return the scenario
+     * @throws ScenarioException with everything that is wrong
+     */
+    public static ScenarioContent read(String file, XmlElement root) throws ScenarioException {
+        Problems complaints = new Problems(file);
+        Optional<ScenarioContent> scenario = new ScenarioReader(complaints).read(root);
         complaints.throwIfAny();
         return scenario.orElseThrow();
     }

@@ -7,7 +7,7 @@ import javax.xml.validation.SchemaFactory;
 import org.xml.sax.SAXException;
 
 /** The schema of scenario files, compiled once and only when a file is read. */
-final class ScenarioSchema {
+public final class ScenarioSchema {
 
     /** The namespace of every element. */
     static final String NAMESPACE = "urn:faultline:scenario:1";
@@ -24,14 +24,18 @@ final class ScenarioSchema {
         private static final Schema SCHEMA = compile();
 
         private static Schema compile() {
-            URL file = ScenarioSchema.class.getResource(RESOURCE);
-            try {
-                SchemaFactory factory = SchemaFactory.newDefaultInstance();
-                factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
-                return factory.newSchema(file);
-            } catch (SAXException e) {
-                throw new IllegalStateException("the schema in the jar is broken", e);
-            }
+            return ScenarioSchema.compile(ScenarioSchema.class.getResource(RESOURCE));
+        }
+    }
+
+    /** Compiles a schema that ships with the program. */
+    public static Schema compile(URL file) {
+        try {
+            SchemaFactory factory = SchemaFactory.newDefaultInstance();
+            factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
+            return factory.newSchema(file);
+        } catch (SAXException e) {
+            throw new IllegalStateException("the schema in the jar is broken", e);
         }
     }
 }

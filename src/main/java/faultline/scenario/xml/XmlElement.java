@@ -14,16 +14,16 @@ import java.util.stream.Stream;
  * @param children in the file's order
  * @param text all text directly inside it
  */
-record XmlElement(
+public record XmlElement(
         String name, SourceLocation location, Map<String, String> attributes, List<XmlElement> children, String text) {
 
     /** The children of a name. */
-    Stream<XmlElement> childrenNamed(String child) {
+    public Stream<XmlElement> childrenNamed(String child) {
         return children.stream().filter(node -> node.name.equals(child));
     }
 
     /** The first child of a name. */
-    Optional<XmlElement> firstChild(String child) {
+    public Optional<XmlElement> firstChild(String child) {
         return childrenNamed(child).findFirst();
     }
 }

@@ -12,6 +12,7 @@ import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParser;
 import javax.xml.parsers.SAXParserFactory;
+import javax.xml.validation.Schema;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 
@@ -19,7 +20,7 @@ import org.xml.sax.SAXParseException;
  * Parses a file to its tree of elements: no document type, nothing fetched from outside, nothing expanded. The parser's
  * own texts depend on the language of the machine, so that none of them is shown.
  */
-final class XmlParser {
+public final class XmlParser {
 
     private static final int EXCERPT_LENGTH = 40;
     private static final String ENCODING_PROBLEM =
@@ -27,17 +28,21 @@ final class XmlParser {
 
     private final byte[] bytes;
     private final Problems problems;
-    private final XmlTreeBuilder tree = new XmlTreeBuilder();
+    private final XmlFormat format;
+    private final XmlTreeBuilder tree;
 
-    XmlParser(byte[] bytes, Problems complaints) {
+    /** Creates a parser of one file. */
+    public XmlParser(byte[] bytes, Problems complaints, XmlFormat format) {
         this.bytes = bytes;
         this.problems = complaints;
+        this.format = format;
+        this.tree = new XmlTreeBuilder(format.namespace());
     }
 
     /** The root element; empty, with a complaint, where the file is no XML that we take. */
-    Optional<XmlElement> parse() {
+    public Optional<XmlElement> parse() {
         try {
-            newParser().parse(new ByteArrayInputStream(bytes), tree);
+            newParser(Optional.of(format.schema())).parse(new ByteArrayInputStream(bytes), tree);
             return tree.root();
         } catch (XmlTreeBuilder.LimitExceededException e) {
             problems.add(
@@ -56,11 +61,12 @@ final class XmlParser {
     }
 
     /** What the schema still minds in a file that we found nothing wrong with. */
-    void reportSchemaError() {
+    public void reportSchemaError() {
         tree.schemaError()
                 .ifPresent(offence -> problems.add(
                         new SourceLocation(offence.getLineNumber(), offence.getColumnNumber()),
-                        "this is not as the schema scenario-1.xsd has it (rule " + schemaRule(offence) + ")"));
+                        "this is not as the schema " + format.schemaFile() + " has it (rule " + schemaRule(offence)
+                                + ")"));
     }
 
     /** The rule of the XML Schema standard that was broken; the parser puts it before its text in every language. */
@@ -68,22 +74,18 @@ final class XmlParser {
         return offence.getMessage().split(":", 2)[0];
     }
 
-    private static SAXParser newParser() {
-        return newParser(true);
-    }
-
     /** A parser that takes the same documents, but holds them to no schema. */
     static SAXParser newNonValidatingParser() {
-        return newParser(false);
+        return newParser(Optional.empty());
     }
 
-    private static SAXParser newParser(boolean schema) {
+    private static SAXParser newParser(Optional<Schema> schema) {
         try {
             SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
             factory.setNamespaceAware(true);
             factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
             factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
-            factory.setSchema(schema ? ScenarioSchema.get() : null);
+            factory.setSchema(schema.orElse(null));
             SAXParser parser = factory.newSAXParser();
             parser.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
             parser.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
@@ -105,7 +107,8 @@ final class XmlParser {
             return "the file goes beyond a limit of the XML parser";
         }
         if (tree.openElements().isEmpty() && tree.root().isEmpty()) {
-            return "this is not XML, allowed is a document that begins with <scenario>" + excerpt(e);
+            return "this is not XML, allowed is a document that begins with <" + format.rootElement() + ">"
+                    + excerpt(e);
         }
         return "this is not well-formed XML" + excerpt(e) + enclosingElement(tree.openElements());
     }

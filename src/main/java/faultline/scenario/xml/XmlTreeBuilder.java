@@ -36,10 +36,16 @@ final class XmlTreeBuilder extends DefaultHandler {
     private static final Attributes2 NO_ATTRIBUTES = new org.xml.sax.ext.Attributes2Impl();
 
     private final Deque<PendingElement> pendingElements = new ArrayDeque<>();
+    private final String namespace;
     private Locator locator;
     private int elementCount;
     private Optional<XmlElement> root = Optional.empty();
     private Optional<SAXParseException> schemaError = Optional.empty();
+
+    /** Creates a builder for documents whose elements are in a namespace. */
+    XmlTreeBuilder(String namespace) {
+        this.namespace = namespace;
+    }
 
     @Override
     public void setDocumentLocator(Locator parserLocator) {
@@ -56,7 +62,7 @@ final class XmlTreeBuilder extends DefaultHandler {
             throw new LimitExceededException(
                     "the elements are nested too deep, allowed is " + ScenarioLimits.MAX_DEPTH);
         }
-        String name = uri.equals(ScenarioSchema.NAMESPACE) ? localName : foreignName(uri, qName);
+        String name = uri.equals(namespace) ? localName : foreignName(uri, qName);
         pendingElements.push(new PendingElement(
                 new XmlElement(name, location(), specifiedAttributes(attributes), new ArrayList<>(), ""),
                 new StringBuilder()));

@@ -1,0 +1,133 @@
+package faultline.app;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.PlanFiles;
+import faultline.campaign.run.CampaignFolder;
+import faultline.campaign.run.CampaignMerge;
+import faultline.campaign.run.CampaignRunner;
+import faultline.campaign.run.Shard;
+import faultline.io.MessageText;
+import faultline.scenario.xml.ScenarioException;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+
+/** {@code campaign} and {@code merge}: makes the runs of a plan, and puts the parts of a divided campaign together. */
+final class CampaignCommand {
+
+    private static final int MAX_JOBS = 1024;
+
+    /** How long the end of the process waits for the last rows, seconds. */
+    private static final int STOP_SECONDS = 30;
+
+    private final CommandOutput output;
+
+    CampaignCommand(CommandOutput output) {
+        this.output = output;
+    }
+
+    int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
+        List<String> valued = new ArrayList<>(arguments);
+        boolean resume = valued.removeIf("--resume"::equals);
+        Arguments sorted = new Arguments(valued, List.of("--out", "--jobs", "--shard"));
+        if (sorted.files().size() != 1) {
+            throw new UsageException("campaign takes one plan, not "
+                    + (sorted.files().isEmpty() ? "none" : sorted.files().size()));
+        }
+        Path folder = folder(sorted);
+        int jobs = jobs(sorted.value("--jobs"));
+        Shard shard = shard(sorted.value("--shard"));
+        CampaignPlan plan = PlanFiles.read(Arguments.parsePath(sorted.files().get(0)));
+        CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(folder), shard, jobs);
+        return run(runner, resume, folder);
+    }
+
+    private int run(CampaignRunner runner, boolean resume, Path folder) throws IOException {
+        AtomicBoolean cancelled = new AtomicBoolean();
+        CountDownLatch ended = new CountDownLatch(1);
+        Thread hook = new Thread(() -> cancel(cancelled, ended));
+        Runtime.getRuntime().addShutdownHook(hook);
+        TerminalProgress progress = TerminalProgress.on(output.err());
+        try {
+            CampaignRunner.Result result = runner.run(resume, progress::update, cancelled::get);
+            progress.end();
+            return report(result, folder);
+        } finally {
+            ended.countDown();
+            removeHook(hook);
+        }
+    }
+
+    /** Waits until the rows that are finished are on the disk, because the process ends after this. */
+    private static void cancel(AtomicBoolean cancelled, CountDownLatch ended) {
+        cancelled.set(true);
+        try {
+            ended.await(STOP_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private static void removeHook(Thread hook) {
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException e) {
+            // The process is ending.
+        }
+    }
+
+    private int report(CampaignRunner.Result result, Path folder) {
+        if (!result.isComplete()) {
+            output.printError("faultline: stopped after " + result.made() + " of " + result.runs()
+                    + " runs; --resume makes the rest");
+            return ExitCode.RUN_FAILED;
+        }
+        output.println("campaign: " + folder);
+        output.println("runs: " + result.runs());
+        output.println("broken: " + result.broken());
+        return result.broken() == 0 ? ExitCode.SUCCESS : ExitCode.RUN_FAILED;
+    }
+
+    int merge(List<String> arguments) throws UsageException, ScenarioException, IOException {
+        Arguments sorted = new Arguments(arguments, List.of("--out"));
+        if (sorted.files().isEmpty()) {
+            throw new UsageException("merge takes the folders of one or more parts, not none");
+        }
+        List<CampaignFolder> parts = new ArrayList<>();
+        for (String file : sorted.files()) {
+            parts.add(new CampaignFolder(Arguments.parsePath(file)));
+        }
+        Path folder = folder(sorted);
+        return report(new CampaignMerge(parts).writeTo(new CampaignFolder(folder)), folder);
+    }
+
+    private static Path folder(Arguments sorted) throws UsageException {
+        return sorted.fileOption("--out")
+                .orElseThrow(() -> new UsageException("--out DIR is missing, the folder that the tables go to"));
+    }
+
+    private static int jobs(Optional<String> text) throws UsageException {
+        if (text.isEmpty()) {
+            return Runtime.getRuntime().availableProcessors();
+        }
+        if (!text.get().matches("[1-9]\\d{0,3}") || Integer.parseInt(text.get()) > MAX_JOBS) {
+            throw new UsageException("--jobs is " + MessageText.quoted(text.get())
+                    + ", allowed is a whole number from 1 to " + MAX_JOBS);
+        }
+        return Integer.parseInt(text.get());
+    }
+
+    private static Shard shard(Optional<String> text) throws UsageException {
+        if (text.isEmpty()) {
+            return Shard.ALL;
+        }
+        return Shard.parse(text.get())
+                .orElseThrow(() -> new UsageException("--shard is " + MessageText.quoted(text.get())
+                        + ", allowed is I/N with I from 1 to N, such as 2/4"));
+    }
+}

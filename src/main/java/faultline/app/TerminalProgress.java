@@ -1,0 +1,73 @@
+package faultline.app;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/** A bar that grows in its line, with the time left; shown only if a person can see it on a terminal. */
+final class TerminalProgress {
+
+    private static final int BAR_WIDTH = 40;
+    private static final long INTERVAL = 200_000_000;
+    private static final double NANOS_PER_SECOND = 1e9;
+
+    private final PrintStream out;
+    private final boolean visible;
+    private final long start = System.nanoTime();
+    private long shown = start - INTERVAL;
+    private long first = -1;
+
+    private TerminalProgress(PrintStream out, boolean visible) {
+        this.out = out;
+        this.visible = visible;
+    }
+
+    /** Returns a bar for standard error, which shows nothing if that is no terminal. */
+    static TerminalProgress on(PrintStream err) {
+        return new TerminalProgress(err, err == System.err && isTerminal());
+    }
+
+    /** Looks at where standard error goes; where the system does not say, at whether there is a console. */
+    private static boolean isTerminal() {
+        Path standardError = Path.of("/proc/self/fd/2");
+        try {
+            if (Files.isSymbolicLink(standardError)) {
+                String target = Files.readSymbolicLink(standardError).toString();
+                return target.startsWith("/dev/pts/") || target.startsWith("/dev/tty");
+            }
+        } catch (IOException e) {
+            return false;
+        }
+        return System.console() != null;
+    }
+
+    /** Shows how far the work has come, a few times a second. */
+    void update(long done, long all) {
+        first = first < 0 ? done - 1 : first;
+        long now = System.nanoTime();
+        if (visible && (now - shown >= INTERVAL || done == all)) {
+            shown = now;
+            int filled = (int) (BAR_WIDTH * done / Math.max(1, all));
+            double rate = (done - first) * NANOS_PER_SECOND / Math.max(1, now - start);
+            out.print("\r[" + "#".repeat(filled) + ".".repeat(BAR_WIDTH - filled) + "] " + done + "/" + all + ", "
+                    + timeText((all - done) / rate) + " left   ");
+            out.flush();
+        }
+    }
+
+    /** Ends the line. */
+    void end() {
+        if (visible && first >= 0) {
+            out.println();
+        }
+    }
+
+    private static String timeText(double seconds) {
+        long whole = Math.round(seconds);
+        return whole < 3600
+                ? String.format(Locale.ROOT, "%d:%02d", whole / 60, whole % 60)
+                : String.format(Locale.ROOT, "%d:%02d:%02d", whole / 3600, whole / 60 % 60, whole % 60);
+    }
+}

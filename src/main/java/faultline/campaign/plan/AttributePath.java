@@ -1,0 +1,127 @@
+package faultline.campaign.plan;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The place of an attribute in a scenario file: {@code robot/sensor[front]/@cone}, {@code controller/@distance},
+ * {@code @duration}, or {@code timeline/fault[2]/@at}, with an id or a number from 1 in the brackets.
+ *
+ * @param steps from the root element's child down to the element that has the attribute; empty for the root element
+ * @param attribute its name
+ */
+record AttributePath(List<Step> steps, String attribute) {
+
+    /** What a plan may give. */
+    static final String RULE =
+            "a path in a scenario file, such as robot/sensor[front]/@cone, controller/@distance or @duration";
+
+    private static final Pattern STEP = Pattern.compile("([a-zA-Z]+)(?:\\[([^\\[\\]]+)])?");
+    private static final Pattern ATTRIBUTE = Pattern.compile("@([a-zA-Z]+)");
+
+    /** The units of attributes, by the suffix that a column's name gets. */
+    private static final Map<String, String> UNITS = Map.ofEntries(
+            Map.entry("width", "m"),
+            Map.entry("height", "m"),
+            Map.entry("length", "m"),
+            Map.entry("track", "m"),
+            Map.entry("x", "m"),
+            Map.entry("y", "m"),
+            Map.entry("range", "m"),
+            Map.entry("noise", "m"),
+            Map.entry("radius", "m"),
+            Map.entry("rx", "m"),
+            Map.entry("ry", "m"),
+            Map.entry("distance", "m"),
+            Map.entry("heading", "deg"),
+            Map.entry("bearing", "deg"),
+            Map.entry("cone", "deg"),
+            Map.entry("specular", "deg"),
+            Map.entry("speed", "m/s"),
+            Map.entry("turnRate", "deg/s"),
+            Map.entry("duration", "s"),
+            Map.entry("tick", "s"),
+            Map.entry("period", "s"),
+            Map.entry("timeConstant", "s"),
+            Map.entry("at", "s"),
+            Map.entry("until", "s"),
+            Map.entry("left", "V"),
+            Map.entry("right", "V"),
+            Map.entry("maxVoltage", "V"),
+            Map.entry("speedConstant", "m/s/V"));
+
+    AttributePath {
+        steps = List.copyOf(steps);
+    }
+
+    /**
+     * An element by its name and its id or number.
+     *
+     * @param element the element's name
+     * @param key its id, or its number among those of its name, from 1; empty for the only one
+     */
+    record Step(String element, String key) {}
+
+    /** Parses a path, empty if the text is none. A leading {@code scenario/} may be there. */
+    static Optional<AttributePath> parse(String text) {
+        List<String> parts = new ArrayList<>(List.of(text.strip().split("/", -1)));
+        if (parts.size() > 1 && parts.get(0).equals("scenario")) {
+            parts.remove(0);
+        }
+        Matcher attribute = ATTRIBUTE.matcher(parts.remove(parts.size() - 1));
+        List<Step> steps = new ArrayList<>();
+        for (String part : parts) {
+            Matcher step = STEP.matcher(part);
+            if (!step.matches()) {
+                return Optional.empty();
+            }
+            steps.add(new Step(step.group(1), step.group(2) == null ? "" : step.group(2)));
+        }
+        return attribute.matches() ? Optional.of(new AttributePath(steps, attribute.group(1))) : Optional.empty();
+    }
+
+    /** Returns the unit of the attribute's values, empty if it has none. */
+    String unit() {
+        return UNITS.getOrDefault(attribute, "");
+    }
+
+    /** Returns the name of its column, such as {@code front_cone_deg}. */
+    String columnName() {
+        String name = snake(attribute) + unitSuffix(unit());
+        if (steps.isEmpty()) {
+            return name;
+        }
+        Step last = steps.get(steps.size() - 1);
+        String owner = last.key.isEmpty() ? last.element : last.key;
+        return (owner.matches("\\d.*") ? snake(last.element + "_" + owner) : snake(owner)) + "_" + name;
+    }
+
+    /** Returns the end of a column's name for a unit: {@code _m_s} for "m/s". */
+    static String unitSuffix(String unit) {
+        return unit.isEmpty() ? "" : "_" + unit.toLowerCase(Locale.ROOT).replace('/', '_');
+    }
+
+    /** Returns a name in lower_snake. */
+    static String snake(String name) {
+        return name.replaceAll("([a-z0-9])([A-Z])", "$1_$2")
+                .toLowerCase(Locale.ROOT)
+                .replaceAll("[^a-z0-9]+", "_")
+                .replaceAll("^_|_$", "");
+    }
+
+    @Override
+    public String toString() {
+        StringBuilder text = new StringBuilder();
+        for (Step step : steps) {
+            text.append(step.element)
+                    .append(step.key.isEmpty() ? "" : "[" + step.key + "]")
+                    .append('/');
+        }
+        return text + "@" + attribute;
+    }
+}

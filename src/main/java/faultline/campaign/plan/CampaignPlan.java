@@ -1,0 +1,203 @@
+package faultline.campaign.plan;
+
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioReader;
+import faultline.scenario.xml.SourceLocation;
+import faultline.scenario.xml.XmlElement;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Which runs a study makes. A <em>block</em> is a world with a seed and one value of everything that is drawn; a
+ * <em>cell</em> is one combination of the levels of all factors. Every cell is run in every block, so that two cells
+ * are compared on the same worlds, seeds and draws. Runs are numbered from 0, block by block.
+ */
+public final class CampaignPlan {
+
+    /** The columns before those of the factors. */
+    public static final List<Column> RUN_COLUMNS = List.of(
+            new Column("run", "", "number of the run in the plan, from 0"),
+            new Column("block", "", "runs of one block have the same world, seed and draws"),
+            new Column("world", "", "scenario or generated room"),
+            new Column("seed", "", "seed of the simulation"));
+
+    /** The names that no factor may give its columns: those above and those of the results. */
+    public static final Set<String> RESERVED_COLUMNS = Set.of(
+            "run",
+            "block",
+            "world",
+            "seed",
+            "outcome",
+            "carried_on",
+            "collided",
+            "collision_time_s",
+            "collided_with",
+            "wall_share",
+            "laps",
+            "clock_start_s",
+            "coverage",
+            "distance_rms_m",
+            "final_state",
+            "simulated_s",
+            "trajectory_hash",
+            "failure");
+
+    private final String file;
+    private final PlanHeader header;
+    private final PlanFiles files;
+    private final PlanWorlds worlds;
+    private final Seeds seeds;
+    private final List<Edit> constants;
+    private final List<Factor> factors;
+    private final Sampler sampler;
+    private final long cells;
+
+    CampaignPlan(
+            String file,
+            PlanHeader header,
+            PlanFiles files,
+            PlanWorlds worlds,
+            Seeds seeds,
+            List<Edit> constants,
+            List<Factor> factors) {
+        this.file = file;
+        this.header = header;
+        this.files = files;
+        this.worlds = worlds;
+        this.seeds = seeds;
+        this.constants = List.copyOf(constants);
+        this.factors = List.copyOf(factors);
+        this.sampler = new Sampler(header.seed(), header.latin(), worlds.count() * seeds.count());
+        this.cells =
+                factors.stream().mapToLong(factor -> factor.levels().size()).reduce(1, (a, b) -> a * b);
+    }
+
+    /** Returns the files that the plan was read from. */
+    public PlanFiles files() {
+        return files;
+    }
+
+    /** Returns what the root element says. */
+    public PlanHeader header() {
+        return header;
+    }
+
+    /** Returns how many worlds there are. */
+    public int worldCount() {
+        return worlds.count();
+    }
+
+    /** Returns with how many seeds each world is run. */
+    public int seedCount() {
+        return seeds.count();
+    }
+
+    /** Returns how many combinations of levels there are. */
+    public long cellCount() {
+        return cells;
+    }
+
+    /** Returns how many runs there are. */
+    public long runCount() {
+        return (long) worlds.count() * seeds.count() * cells;
+    }
+
+    /** Returns what varies, in the order of the plan. */
+    public List<FactorSummary> factors() {
+        return factors.stream()
+                .map(factor ->
+                        new FactorSummary(factor.columns(), factor.levels().size()))
+                .toList();
+    }
+
+    /**
+     * A factor as a report needs it.
+     *
+     * @param columns its columns in {@code runs.csv}
+     * @param levelCount how many levels it has; 1 if it is drawn only
+     */
+    public record FactorSummary(List<Column> columns, int levelCount) {}
+
+    /** Returns the columns of everything that varies, in the order of the plan. */
+    public List<Column> factorColumns() {
+        return factors.stream().flatMap(factor -> factor.columns().stream()).toList();
+    }
+
+    /**
+     * Returns a run.
+     *
+     * @param index from 0 to less than {@link #runCount}
+     */
+    public PlannedRun run(long index) {
+        long block = index / cells;
+        List<String> texts = new ArrayList<>();
+        for (Factor.Level level : levels(index % cells)) {
+            level.cells().forEach(value -> texts.add(value.text(sampler, block)));
+        }
+        return new PlannedRun(index, block, worlds.label(world(block)), seed(block), texts);
+    }
+
+    private int world(long block) {
+        return (int) (block / seeds.count());
+    }
+
+    private long seed(long block) {
+        return seeds.first() + block % seeds.count();
+    }
+
+    /** The levels of a cell; those of the last factor change fastest. */
+    private List<Factor.Level> levels(long cell) {
+        Factor.Level[] levels = new Factor.Level[factors.size()];
+        long rest = cell;
+        for (int i = levels.length - 1; i >= 0; i--) {
+            int count = factors.get(i).levels().size();
+            levels[i] = factors.get(i).levels().get((int) (rest % count));
+            rest /= count;
+        }
+        return List.of(levels);
+    }
+
+    /**
+     * Returns the scenario of a run.
+     *
+     * @param run one of this plan's runs
+     * @throws ScenarioException if the plan's values, each good by itself, make no good scenario together
+     */
+    public Scenario scenario(PlannedRun run) throws ScenarioException {
+        List<Edit> edits = new ArrayList<>(constants);
+        levels(run.index() % cells).forEach(level -> edits.addAll(level.edits()));
+        XmlElement tree = apply(worlds.root(world(run.block())), edits, sampler, run.block());
+        return Scenario.of(ScenarioReader.read(file, withSeed(tree, run)));
+    }
+
+    private XmlElement withSeed(XmlElement tree, PlannedRun run) throws ScenarioException {
+        AttributePath seed = new AttributePath(List.of(), "seed");
+        AttributePath name = new AttributePath(List.of(), "name");
+        XmlElement seeded = ScenarioTree.set(tree, seed, Long.toString(run.seed()), file, SourceLocation.NONE);
+        return ScenarioTree.set(seeded, name, "Run " + run.index(), file, SourceLocation.NONE);
+    }
+
+    /** Makes changes in a tree, in their order. */
+    XmlElement apply(XmlElement root, List<Edit> edits, Value.Uniforms numbers, long block) throws ScenarioException {
+        XmlElement tree = root;
+        for (Edit edit : edits) {
+            if (edit instanceof Edit.SetAttribute set) {
+                tree = ScenarioTree.set(tree, set.path(), set.value().text(numbers, block), file, set.location());
+            } else if (edit instanceof Edit.AddFault fault) {
+                Map<String, String> attributes = new LinkedHashMap<>();
+                fault.attributes().forEach((name, value) -> attributes.put(name, value.text(numbers, block)));
+                tree = ScenarioTree.addFault(tree, attributes, fault.location());
+            }
+        }
+        return tree;
+    }
+
+    /** Checks every level of every factor in every kind of world, one at a time. */
+    void check() throws ScenarioException {
+        new PlanCheck(file, this).check(worlds, constants, factors);
+    }
+}

@@ -1,0 +1,39 @@
+package faultline.campaign.plan;
+
+import faultline.io.DecimalText;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.List;
+
+/** What a drawn value can be. */
+sealed interface DrawRange {
+
+    /** Returns the value that belongs to a uniform number in [0, 1), increasing with it. */
+    String at(double uniform);
+
+    /** Uniform between two numbers, rounded to six digits. */
+    record Interval(BigDecimal from, BigDecimal to) implements DrawRange {
+
+        private static final MathContext SIX_DIGITS = new MathContext(6);
+
+        @Override
+        public String at(double uniform) {
+            BigDecimal exact = from.add(to.subtract(from).multiply(new BigDecimal(uniform)));
+            BigDecimal rounded = exact.round(SIX_DIGITS).max(from).min(to);
+            return DecimalText.format(rounded.doubleValue());
+        }
+    }
+
+    /** One of several words, each equally likely. */
+    record Choice(List<String> words) implements DrawRange {
+
+        public Choice {
+            words = List.copyOf(words);
+        }
+
+        @Override
+        public String at(double uniform) {
+            return words.get((int) (uniform * words.size()));
+        }
+    }
+}

@@ -1,0 +1,22 @@
+package faultline.campaign.plan;
+
+import faultline.scenario.xml.SourceLocation;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** One change of a scenario that a plan asks for. */
+sealed interface Edit {
+
+    /** Returns where the plan asks for it. */
+    SourceLocation location();
+
+    /** Sets an attribute. */
+    record SetAttribute(AttributePath path, Value value, SourceLocation location) implements Edit {}
+
+    /** Adds a {@code fault} with these attributes at the end of the timeline. */
+    record AddFault(Map<String, Value> attributes, SourceLocation location) implements Edit {
+        public AddFault {
+            attributes = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
+        }
+    }
+}

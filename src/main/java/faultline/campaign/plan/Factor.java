@@ -1,0 +1,30 @@
+package faultline.campaign.plan;
+
+import java.util.List;
+
+/**
+ * Something that a plan varies. Every level of a factor is combined with every level of the others.
+ *
+ * @param columns what it adds to {@code runs.csv}
+ * @param levels at least one
+ */
+record Factor(List<Column> columns, List<Level> levels) {
+
+    Factor {
+        columns = List.copyOf(columns);
+        levels = List.copyOf(levels);
+    }
+
+    /**
+     * One level of a factor.
+     *
+     * @param cells what it writes in the factor's columns
+     * @param edits what it changes in the scenario
+     */
+    record Level(List<Value> cells, List<Edit> edits) {
+        Level {
+            cells = List.copyOf(cells);
+            edits = List.copyOf(edits);
+        }
+    }
+}

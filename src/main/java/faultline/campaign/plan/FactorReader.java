@@ -1,0 +1,190 @@
+package faultline.campaign.plan;
+
+import faultline.io.MessageText;
+import faultline.robot.RobotSpec;
+import faultline.scenario.xml.AttributeReader;
+import faultline.scenario.xml.ElementRules;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.XmlElement;
+import faultline.sensor.SensorSpec;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** Makes factors of {@code set}, {@code variants} and {@code masks}. */
+final class FactorReader {
+
+    private static final String NAME_RULE = "lower-case letters, digits and underscores, beginning with a letter";
+
+    /** All masks of more sensors than this are too many. */
+    private static final int MAX_MASKED = 16;
+
+    private final Problems problems;
+
+    FactorReader(Problems problems) {
+        this.problems = problems;
+    }
+
+    /** The name that a factor gives its columns. */
+    static String columnName(AttributeReader fields, String fallback) {
+        String name = fields.text("name").orElse(fallback);
+        if (!name.matches("[a-z][a-z0-9_]{0,60}")) {
+            fields.report("name", name, NAME_RULE);
+        }
+        return name;
+    }
+
+    /** An attribute and the values that it is given. */
+    Optional<Factor> readSet(XmlElement node) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        Optional<AttributePath> path = readPath(fields);
+        String name = columnName(fields, path.map(AttributePath::columnName).orElse("unnamed"));
+        Optional<List<Value>> values = readValues(fields, name);
+        fields.reportUnknownAndMissing();
+        if (path.isEmpty() || values.isEmpty()) {
+            return Optional.empty();
+        }
+        List<Factor.Level> levels = values.get().stream()
+                .map(value -> new Factor.Level(
+                        List.of(value), List.of(new Edit.SetAttribute(path.get(), value, node.location()))))
+                .toList();
+        String meaning = path.get() + " of the scenario" + (isDrawn(values.get()) ? ", drawn for each block" : "");
+        return Optional.of(new Factor(List.of(new Column(name, path.get().unit(), meaning)), levels));
+    }
+
+    private static boolean isDrawn(List<Value> values) {
+        return values.get(0) instanceof Value.Drawn;
+    }
+
+    private static Optional<AttributePath> readPath(AttributeReader fields) {
+        String text = fields.id("attribute");
+        Optional<AttributePath> path = AttributePath.parse(text);
+        if (path.isEmpty() && !text.equals("?")) {
+            fields.report("attribute", text, AttributePath.RULE);
+        }
+        return path;
+    }
+
+    private static Optional<List<Value>> readValues(AttributeReader fields, String stream) {
+        String text = fields.requiredText("value", ValueSyntax.RULE);
+        Optional<List<Value>> values = ValueSyntax.parse(text, stream);
+        if (values.isEmpty() && fields.isPresent("value")) {
+            fields.report("value", text, ValueSyntax.RULE);
+        }
+        return values;
+    }
+
+    /** Named sets of attributes, each of which gets one fixed value. */
+    Optional<Factor> readVariants(XmlElement node) {
+        ElementRules.checkChildren(node, List.of("variant"), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        String name = columnName(fields, "variant");
+        fields.reportUnknownAndMissing();
+        Set<String> names = new HashSet<>();
+        List<Factor.Level> levels = new ArrayList<>();
+        node.childrenNamed("variant").forEach(child -> levels.add(readVariant(child, names)));
+        if (levels.isEmpty()) {
+            problems.add(node, "<variants> holds no variant, allowed is one or more");
+            return Optional.empty();
+        }
+        return Optional.of(new Factor(List.of(new Column(name, "", "which of the plan's variants")), levels));
+    }
+
+    private Factor.Level readVariant(XmlElement node, Set<String> names) {
+        ElementRules.checkChildren(node, List.of("set"), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        String name = fields.id("name");
+        if (!names.add(name)) {
+            fields.report("name", name, "each name once");
+        }
+        fields.reportUnknownAndMissing();
+        List<Edit> edits = new ArrayList<>();
+        node.childrenNamed("set").forEach(child -> readLiteral(child).ifPresent(edits::add));
+        return new Factor.Level(List.of(new Value.Fixed(name)), edits);
+    }
+
+    private Optional<Edit> readLiteral(XmlElement node) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        Optional<AttributePath> path = readPath(fields);
+        String value = fields.requiredText("value", "what the attribute of the scenario may be");
+        fields.reportUnknownAndMissing();
+        return path.map(found -> new Edit.SetAttribute(found, new Value.Fixed(value), node.location()));
+    }
+
+    /** Which sensors are on: every combination of the given ones, or those that are listed. */
+    Optional<Factor> readMasks(XmlElement node) {
+        ElementRules.checkChildren(node, List.of("mask"), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        String name = columnName(fields, "sensors_on");
+        List<String> sensors = fields.text("sensors").map(FactorReader::words).orElse(standardSensors());
+        fields.reportUnknownAndMissing();
+        List<List<String>> masks = new ArrayList<>();
+        node.childrenNamed("mask").forEach(child -> masks.add(readMask(child, sensors)));
+        if (masks.isEmpty()) {
+            if (sensors.size() > MAX_MASKED) {
+                fields.report("sensors", String.join(" ", sensors), "at most " + MAX_MASKED + " of them");
+                return Optional.empty();
+            }
+            masks.addAll(subsets(sensors));
+        }
+        Column column = new Column(name, "", "which of the masked sensors are on, with blanks between them, or none");
+        Column count = new Column(name + "_count", "", "how many of the masked sensors are on");
+        return Optional.of(new Factor(
+                List.of(column, count),
+                masks.stream().map(on -> maskLevel(on, sensors, node)).toList()));
+    }
+
+    private List<String> readMask(XmlElement node, List<String> sensors) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        List<String> on = words(fields.requiredText("on", "the sensors that are on"));
+        if (!sensors.containsAll(on)) {
+            fields.report("on", String.join(" ", on), "some of " + MessageText.joinNames(sensors));
+        }
+        fields.reportUnknownAndMissing();
+        return on;
+    }
+
+    private static Factor.Level maskLevel(List<String> on, List<String> sensors, XmlElement node) {
+        List<Edit> edits = sensors.stream()
+                .<Edit>map(sensor -> new Edit.SetAttribute(
+                        new AttributePath(
+                                List.of(new AttributePath.Step("robot", ""), new AttributePath.Step("sensor", sensor)),
+                                "on"),
+                        new Value.Fixed(String.valueOf(on.contains(sensor))),
+                        node.location()))
+                .toList();
+        String text = on.isEmpty() ? "none" : String.join(" ", on);
+        return new Factor.Level(List.of(new Value.Fixed(text), new Value.Fixed(String.valueOf(on.size()))), edits);
+    }
+
+    private static List<List<String>> subsets(List<String> sensors) {
+        List<List<String>> subsets = new ArrayList<>();
+        for (int bits = 0; bits < 1 << sensors.size(); bits++) {
+            List<String> on = new ArrayList<>();
+            for (int i = 0; i < sensors.size(); i++) {
+                if ((bits >> i & 1) == 1) {
+                    on.add(sensors.get(i));
+                }
+            }
+            subsets.add(on);
+        }
+        return subsets;
+    }
+
+    private static List<String> standardSensors() {
+        return RobotSpec.DEFAULT.sensors().stream().map(SensorSpec::id).collect(Collectors.toList());
+    }
+
+    private static List<String> words(String text) {
+        return text.isBlank()
+                ? List.of()
+                : Arrays.stream(text.strip().split("\\s+")).distinct().toList();
+    }
+}

@@ -1,0 +1,123 @@
+package faultline.campaign.plan;
+
+import faultline.scenario.xml.AttributeReader;
+import faultline.scenario.xml.ElementRules;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.XmlElement;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Makes a factor of {@code faults}. Each {@code fault} in it takes the attributes of a fault in a scenario's timeline;
+ * one with a list of values makes a level of each of them.
+ */
+final class FaultsReader {
+
+    /** Attributes whose columns are not called after them. */
+    private static final Map<String, String> COLUMN_NAMES = Map.of("at", "onset_s", "until", "end_s");
+
+    private static final Map<String, String> MEANINGS = Map.of(
+            "kind", "kind of the fault, none in a healthy run",
+            "sensor", "the sensor that fails",
+            "value", "the fault's number, in the unit of its kind: m for distances, none for shares",
+            "at", "when the fault begins",
+            "until", "when the fault ends, empty if it does not");
+
+    private final Problems problems;
+    /** The attributes that any fault has, in the order of the columns. */
+    private final Set<String> attributes = new LinkedHashSet<>(List.of("kind", "sensor", "value", "at", "until"));
+
+    /** One level before its columns are known. */
+    private record Draft(Map<String, Value> attributes, XmlElement node) {}
+
+    FaultsReader(Problems problems) {
+        this.problems = problems;
+    }
+
+    Optional<Factor> read(XmlElement node) {
+        ElementRules.checkChildren(node, List.of("healthy", "fault"), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        String name = FactorReader.columnName(fields, "fault");
+        fields.reportUnknownAndMissing();
+        List<Draft> drafts = new ArrayList<>();
+        for (XmlElement child : node.children()) {
+            if (child.name().equals("healthy")) {
+                ElementRules.checkChildren(child, List.of(), problems);
+                new AttributeReader(child, problems).reportUnknownAndMissing();
+                drafts.add(new Draft(Map.of(), child));
+            } else if (child.name().equals("fault")) {
+                readFault(child, name).forEach(values -> drafts.add(new Draft(values, child)));
+            }
+        }
+        if (drafts.isEmpty()) {
+            problems.add(node, "<faults> holds no fault, allowed is one or more <fault> or <healthy>");
+            return Optional.empty();
+        }
+        List<Column> columns = attributes.stream().map(key -> column(name, key)).toList();
+        return Optional.of(new Factor(columns, drafts.stream().map(this::level).toList()));
+    }
+
+    private static Column column(String factor, String attribute) {
+        String name = factor + "_" + COLUMN_NAMES.getOrDefault(attribute, AttributePath.snake(attribute));
+        String unit = name.endsWith("_s") ? "s" : "";
+        return new Column(name, unit, MEANINGS.getOrDefault(attribute, attribute + " of the fault"));
+    }
+
+    /** Every combination of the values of one element; those of the last attribute change fastest. */
+    private List<Map<String, Value>> readFault(XmlElement node, String factor) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        List<Map<String, Value>> levels = List.of(new LinkedHashMap<>());
+        for (Map.Entry<String, String> attribute : node.attributes().entrySet()) {
+            String key = attribute.getKey();
+            Optional<List<Value>> values = ValueSyntax.parse(attribute.getValue(), factor + "_" + key);
+            if (values.isEmpty()) {
+                fields.report(key, attribute.getValue(), ValueSyntax.RULE);
+            }
+            levels = combine(levels, key, values.orElse(List.of(Value.NONE)));
+        }
+        List<Map<String, Value>> timed =
+                levels.stream().map(FaultsReader::withEnd).toList();
+        timed.forEach(level -> attributes.addAll(level.keySet()));
+        return timed;
+    }
+
+    private static List<Map<String, Value>> combine(List<Map<String, Value>> levels, String key, List<Value> values) {
+        List<Map<String, Value>> combined = new ArrayList<>();
+        for (Map<String, Value> level : levels) {
+            for (Value value : values) {
+                Map<String, Value> longer = new LinkedHashMap<>(level);
+                longer.put(key, value);
+                combined.add(longer);
+            }
+        }
+        return combined;
+    }
+
+    /** How long a fault lasts gives its end. */
+    private static Map<String, Value> withEnd(Map<String, Value> level) {
+        Map<String, Value> timed = new LinkedHashMap<>(level);
+        Value lasts = timed.remove("lasts");
+        if (lasts != null) {
+            timed.put("until", new Value.Sum(timed.getOrDefault("at", Value.NONE), lasts));
+        }
+        return timed;
+    }
+
+    private Factor.Level level(Draft draft) {
+        List<Value> cells = new ArrayList<>();
+        for (String key : attributes) {
+            Value missing = key.equals("kind") ? new Value.Fixed("none") : Value.NONE;
+            cells.add(draft.attributes.getOrDefault(key, missing));
+        }
+        List<Edit> edits = draft.attributes.isEmpty()
+                ? List.of()
+                : List.of(new Edit.AddFault(draft.attributes, draft.node.location()));
+        return new Factor.Level(cells, edits);
+    }
+}

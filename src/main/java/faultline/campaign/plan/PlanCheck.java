@@ -1,0 +1,86 @@
+package faultline.campaign.plan;
+
+import faultline.scenario.xml.Problem;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioReader;
+import faultline.scenario.xml.SourceLocation;
+import faultline.scenario.xml.XmlElement;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * Tries every level of every factor in every scenario of a plan, one level at a time, so that a bad value is reported
+ * at its place in the plan before anything runs. Draws are tried at the ends of their ranges.
+ */
+final class PlanCheck {
+
+    private final CampaignPlan plan;
+    private final Problems problems;
+
+    PlanCheck(String file, CampaignPlan plan) {
+        this.plan = plan;
+        this.problems = new Problems(file);
+    }
+
+    void check(PlanWorlds worlds, List<Edit> constants, List<Factor> factors) throws ScenarioException {
+        Set<String> reported = new HashSet<>();
+        for (WorldSource source : worlds.sources()) {
+            XmlElement root = source.root(0);
+            check(source.label(0), root, constants, reported);
+            for (Factor factor : factors) {
+                for (Factor.Level level : factor.levels()) {
+                    List<Edit> edits = new ArrayList<>(constants);
+                    edits.addAll(level.edits());
+                    check(source.label(0), root, edits, reported);
+                }
+            }
+        }
+        problems.throwIfAny();
+    }
+
+    private void check(String world, XmlElement root, List<Edit> edits, Set<String> reported) {
+        for (double uniform : uniforms(edits)) {
+            try {
+                ScenarioReader.read("", plan.apply(root, edits, (stream, block) -> uniform, 0));
+            } catch (ScenarioException e) {
+                for (Problem problem : e.problems()) {
+                    report(world, problem, edits, reported);
+                }
+            }
+        }
+    }
+
+    /** Both ends of every interval, and every word of every choice. */
+    private static Set<Double> uniforms(List<Edit> edits) {
+        Set<Double> uniforms = new TreeSet<>(Set.of(0.0, Math.nextDown(1.0)));
+        edits.forEach(edit -> values(edit).forEach(value -> {
+            if (value instanceof Value.Drawn drawn && drawn.range() instanceof DrawRange.Choice choice) {
+                for (int i = 0; i < choice.words().size(); i++) {
+                    uniforms.add((i + 0.5) / choice.words().size());
+                }
+            }
+        }));
+        return uniforms;
+    }
+
+    private static List<Value> values(Edit edit) {
+        return edit instanceof Edit.SetAttribute set
+                ? List.of(set.value())
+                : List.copyOf(((Edit.AddFault) edit).attributes().values());
+    }
+
+    /** A problem whose place is in the scenario, not in the plan, is reported at the level's first change. */
+    private void report(String world, Problem problem, List<Edit> edits, Set<String> reported) {
+        boolean inPlan = edits.stream().anyMatch(edit -> edit.location().equals(problem.location()));
+        SourceLocation location = inPlan || edits.isEmpty()
+                ? problem.location()
+                : edits.get(edits.size() - 1).location();
+        if (reported.add(location + problem.message())) {
+            problems.add(location, problem.message() + " (in " + world + ")");
+        }
+    }
+}

@@ -1,0 +1,79 @@
+package faultline.campaign.plan;
+
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioFiles;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * The files that make a plan: the plan itself and the scenarios that it names.
+ *
+ * @param name of the plan, for messages
+ * @param plan its bytes
+ * @param scenarios the bytes of the scenarios, by their names in the plan, in its order
+ */
+public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios) {
+
+    private static final String KIND = "campaign plan";
+
+    /** The plan's name in a folder that holds a copy of all files. */
+    private static final String COPY = "plan.xml";
+
+    /** Gets the bytes of a scenario by its number in the plan, from 1, and its name there. */
+    interface Resolver {
+        byte[] read(int number, String name) throws ScenarioException;
+    }
+
+    /**
+     * Reads a plan whose scenarios are where it says, relative to its own folder.
+     *
+     * @throws ScenarioException with everything that is wrong
+     */
+    public static CampaignPlan read(Path file) throws ScenarioException {
+        Path folder = file.toAbsolutePath().getParent();
+        return read(file.toString(), file, (number, name) -> readScenario(folder, name));
+    }
+
+    private static byte[] readScenario(Path folder, String name) throws ScenarioException {
+        try {
+            return ScenarioFiles.readBytes(folder.resolve(name).normalize(), "scenario file");
+        } catch (InvalidPathException e) {
+            return ScenarioFiles.readBytes(folder, "scenario file");
+        }
+    }
+
+    /**
+     * Reads the copy of a plan that a campaign keeps.
+     *
+     * @param folder that holds {@link #copies}
+     * @throws ScenarioException with everything that is wrong
+     */
+    public static CampaignPlan readCopy(Path folder) throws ScenarioException {
+        Path file = folder.resolve(COPY);
+        return read(
+                file.toString(),
+                file,
+                (number, name) -> ScenarioFiles.readBytes(folder.resolve(copyName(number)), "scenario file"));
+    }
+
+    private static CampaignPlan read(String name, Path file, Resolver resolver) throws ScenarioException {
+        return PlanReader.read(name, ScenarioFiles.readBytes(file, KIND), resolver);
+    }
+
+    private static String copyName(int number) {
+        return "scenario-" + number + ".xml";
+    }
+
+    /** Returns the bytes of all files by the names that a copy gives them, the plan first. */
+    public Map<String, byte[]> copies() {
+        Map<String, byte[]> copies = new LinkedHashMap<>();
+        copies.put(COPY, plan);
+        int number = 0;
+        for (byte[] bytes : scenarios.values()) {
+            copies.put(copyName(++number), bytes);
+        }
+        return copies;
+    }
+}

@@ -1,0 +1,180 @@
+package faultline.campaign.plan;
+
+import faultline.io.MessageText;
+import faultline.scenario.xml.AttributeReader;
+import faultline.scenario.xml.ElementRules;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioSchema;
+import faultline.scenario.xml.XmlElement;
+import faultline.scenario.xml.XmlFormat;
+import faultline.scenario.xml.XmlParser;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** Makes a plan of a file's bytes, or reports everything that is wrong with them. */
+final class PlanReader {
+
+    /** More runs than this are a mistake. */
+    static final long MAX_RUNS = 10_000_000;
+
+    private static final List<String> CHILD_ELEMENTS =
+            List.of("description", "worlds", "seeds", "set", "variants", "faults", "masks");
+    private static final List<String> SINGLE_ELEMENTS = List.of("description", "worlds", "seeds");
+
+    private final Problems problems;
+    private final Map<String, byte[]> scenarios = new LinkedHashMap<>();
+    private final List<Edit> constants = new ArrayList<>();
+    private final List<Factor> factors = new ArrayList<>();
+
+    private PlanReader(Problems problems) {
+        this.problems = problems;
+    }
+
+    /** The format of plans; its schema is compiled when the first plan is read. */
+    private static final class Format {
+        static final XmlFormat FORMAT = new XmlFormat(
+                "urn:faultline:campaign:1",
+                "campaign",
+                "campaign-1.xsd",
+                ScenarioSchema.compile(PlanReader.class.getResource("campaign-1.xsd")));
+    }
+
+    /**
+     * Reads a plan.
+     *
+     * @param name the name that complaints give it
+     * @param bytes its content
+     * @param resolver gets the scenarios that it names
+     * @throws ScenarioException with everything that is wrong
+     */
+    static CampaignPlan read(String name, byte[] bytes, PlanFiles.Resolver resolver) throws ScenarioException {
+        Problems problems = new Problems(name);
+        XmlParser parser = new XmlParser(bytes, problems, Format.FORMAT);
+        PlanReader reader = new PlanReader(problems);
+        Optional<CampaignPlan> plan = parser.parse().flatMap(root -> reader.read(name, bytes, root, resolver));
+        if (problems.isEmpty()) {
+            parser.reportSchemaError();
+        }
+        problems.throwIfAny();
+        plan.orElseThrow().check();
+        return plan.get();
+    }
+
+    private Optional<CampaignPlan> read(String name, byte[] bytes, XmlElement root, PlanFiles.Resolver resolver) {
+        if (!root.name().equals("campaign")) {
+            problems.add(
+                    root,
+                    "the root element is <" + MessageText.oneLine(root.name()) + ">, allowed is <campaign xmlns=\""
+                            + Format.FORMAT.namespace() + "\">");
+            return Optional.empty();
+        }
+        ElementRules.checkChildren(root, CHILD_ELEMENTS, problems);
+        ElementRules.checkAtMostOne(root, SINGLE_ELEMENTS, problems);
+        PlanHeader header = readHeader(root);
+        List<WorldSource> worlds = new WorldsReader(problems, resolver, scenarios).read(root);
+        Seeds seeds = root.firstChild("seeds").map(this::readSeeds).orElse(Seeds.DEFAULT);
+        root.children().forEach(this::readFactor);
+        checkColumns(root);
+        checkSize(root, worlds, seeds);
+        return problems.isEmpty()
+                ? Optional.of(new CampaignPlan(
+                        name,
+                        header,
+                        new PlanFiles(name, bytes, scenarios),
+                        new PlanWorlds(worlds),
+                        seeds,
+                        constants,
+                        factors))
+                : Optional.empty();
+    }
+
+    private PlanHeader readHeader(XmlElement root) {
+        AttributeReader fields = new AttributeReader(root, problems);
+        PlanHeader header = new PlanHeader(
+                fields.text("name").orElse(""),
+                root.firstChild("description")
+                        .map(node -> ElementRules.readText(node, problems).strip())
+                        .orElse(""),
+                fields.integer("seed", Long.MIN_VALUE, Long.MAX_VALUE, 1),
+                fields.choice("sampling", ordered("random", false, "latin", true), false),
+                fields.choice("end", ordered("duration", false, "verdict", true), false));
+        fields.reportUnknownAndMissing();
+        return header;
+    }
+
+    private static Map<String, Boolean> ordered(String one, boolean first, String other, boolean second) {
+        Map<String, Boolean> words = new LinkedHashMap<>();
+        words.put(one, first);
+        words.put(other, second);
+        return words;
+    }
+
+    private Seeds readSeeds(XmlElement node) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        Seeds seeds = new Seeds(fields.integer("first", -1_000_000_000_000L, 1_000_000_000_000L, 1), (int)
+                fields.integer("count", 1, MAX_RUNS, 1));
+        fields.reportUnknownAndMissing();
+        return seeds;
+    }
+
+    private void readFactor(XmlElement node) {
+        FactorReader reader = new FactorReader(problems);
+        switch (node.name()) {
+            case "set" -> addSet(node, reader);
+            case "variants" -> reader.readVariants(node).ifPresent(factors::add);
+            case "faults" -> new FaultsReader(problems).read(node).ifPresent(factors::add);
+            case "masks" -> reader.readMasks(node).ifPresent(factors::add);
+            default -> {
+                // Not a factor.
+            }
+        }
+    }
+
+    /** A single fixed value is no factor. */
+    private void addSet(XmlElement node, FactorReader reader) {
+        reader.readSet(node).ifPresent(factor -> {
+            Factor.Level first = factor.levels().get(0);
+            boolean constant = factor.levels().size() == 1 && first.cells().get(0) instanceof Value.Fixed;
+            if (constant) {
+                constants.addAll(first.edits());
+            } else {
+                factors.add(factor);
+            }
+        });
+    }
+
+    private void checkColumns(XmlElement root) {
+        Set<String> names = new HashSet<>(CampaignPlan.RESERVED_COLUMNS);
+        for (Factor factor : factors) {
+            for (Column column : factor.columns()) {
+                if (!names.add(column.name())) {
+                    problems.add(
+                            root,
+                            "two columns of runs.csv would be called " + MessageText.quoted(column.name())
+                                    + ", allowed is each name once; name gives another one");
+                }
+            }
+        }
+    }
+
+    private void checkSize(XmlElement root, List<WorldSource> worlds, Seeds seeds) {
+        double runs = seeds.count();
+        runs *= worlds.stream().mapToDouble(WorldSource::count).sum();
+        for (Factor factor : factors) {
+            runs *= factor.levels().size();
+        }
+        if (runs > MAX_RUNS) {
+            problems.add(
+                    root,
+                    "the plan has " + String.format(java.util.Locale.ROOT, "%.0f", runs) + " runs, allowed is "
+                            + MAX_RUNS + " or fewer");
+        }
+    }
+}

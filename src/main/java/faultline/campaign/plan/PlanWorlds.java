@@ -1,0 +1,62 @@
+package faultline.campaign.plan;
+
+import faultline.scenario.xml.XmlElement;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** All worlds of a plan under one numbering. Trees of generated worlds are kept for a while; safe on any thread. */
+final class PlanWorlds {
+
+    private static final int MAX_KEPT = 64;
+
+    private final List<WorldSource> sources;
+    private final int count;
+    private final Map<Integer, XmlElement> kept = new LinkedHashMap<>(MAX_KEPT, 0.75f, true) {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Integer, XmlElement> eldest) {
+            return size() > MAX_KEPT;
+        }
+    };
+
+    PlanWorlds(List<WorldSource> sources) {
+        this.sources = List.copyOf(sources);
+        this.count = sources.stream().mapToInt(WorldSource::count).sum();
+    }
+
+    List<WorldSource> sources() {
+        return sources;
+    }
+
+    int count() {
+        return count;
+    }
+
+    String label(int index) {
+        int rest = index;
+        for (WorldSource source : sources) {
+            if (rest < source.count()) {
+                return source.label(rest);
+            }
+            rest -= source.count();
+        }
+        throw new IndexOutOfBoundsException(index);
+    }
+
+    synchronized XmlElement root(int index) {
+        return kept.computeIfAbsent(index, this::makeRoot);
+    }
+
+    private XmlElement makeRoot(int index) {
+        int rest = index;
+        for (WorldSource source : sources) {
+            if (rest < source.count()) {
+                return source.root(rest);
+            }
+            rest -= source.count();
+        }
+        throw new IndexOutOfBoundsException(index);
+    }
+}

@@ -1,0 +1,75 @@
+package faultline.campaign.plan;
+
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+
+/**
+ * Makes the draws of a plan. A number follows from the plan's seed, the name of its stream and the block alone, so that
+ * runs can be made in any order and anywhere; all runs of a block have the same draws, which pairs them.
+ */
+final class Sampler implements Value.Uniforms {
+
+    private static final long GAMMA = 0x9E3779B97F4A7C15L;
+
+    private final long seed;
+    private final boolean latin;
+    private final int blocks;
+    private final Map<String, int[]> strata = new ConcurrentHashMap<>();
+
+    /**
+     * Creates a sampler.
+     *
+     * @param seed of all draws
+     * @param latin whether each stream is a Latin hypercube: every one of {@code blocks} equal parts of its range is
+     *     drawn from exactly once
+     * @param blocks how many blocks the plan has
+     */
+    Sampler(long seed, boolean latin, int blocks) {
+        this.seed = seed;
+        this.latin = latin;
+        this.blocks = blocks;
+    }
+
+    @Override
+    public double uniform(String stream, long block) {
+        long key = key(stream);
+        double plain = toUnit(mix(key ^ mix(block * GAMMA + 1)));
+        if (!latin) {
+            return plain;
+        }
+        int stratum = strata.computeIfAbsent(stream, name -> permutation(key))[(int) block];
+        return Math.min((stratum + plain) / blocks, Math.nextDown(1.0));
+    }
+
+    private long key(String stream) {
+        long hash = mix(seed + GAMMA);
+        for (int i = 0; i < stream.length(); i++) {
+            hash = mix(hash + GAMMA + stream.charAt(i));
+        }
+        return hash;
+    }
+
+    /** A random order of all strata, by Fisher and Yates. */
+    private int[] permutation(long key) {
+        int[] order = new int[blocks];
+        long state = mix(key + 1);
+        for (int i = 0; i < blocks; i++) {
+            state += GAMMA;
+            int j = (int) (toUnit(mix(state)) * (i + 1));
+            order[i] = order[j];
+            order[j] = i;
+        }
+        return order;
+    }
+
+    private static double toUnit(long bits) {
+        return (bits >>> 11) * 0x1.0p-53;
+    }
+
+    /** The output function of SplitMix64 (Steele, Lea and Flood 2014), which no JDK can change. */
+    private static long mix(long z) {
+        long first = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
+        long second = (first ^ (first >>> 27)) * 0x94D049BB133111EBL;
+        return second ^ (second >>> 31);
+    }
+}

@@ -1,0 +1,122 @@
+package faultline.campaign.plan;
+
+import faultline.io.DidYouMean;
+import faultline.io.MessageText;
+import faultline.scenario.xml.Problem;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.SourceLocation;
+import faultline.scenario.xml.XmlElement;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Changes a scenario's tree of elements. Trees are values: a change makes another tree. */
+final class ScenarioTree {
+
+    /** Elements of a scenario that a path may name though the file leaves them out. */
+    private static final List<String> OPTIONAL_ELEMENTS = List.of("controller", "motor", "timeline", "expect");
+
+    private ScenarioTree() {}
+
+    /** Signals a path that leads nowhere. */
+    private static final class NoSuchElementException extends Exception {
+        private static final long serialVersionUID = 1L;
+
+        NoSuchElementException(String message) {
+            super(message);
+        }
+    }
+
+    /**
+     * Sets an attribute. The changed element gets the location, so that a complaint about its value is one about the
+     * plan.
+     *
+     * @param file the plan's name, for messages
+     */
+    static XmlElement set(XmlElement root, AttributePath path, String text, String file, SourceLocation location)
+            throws ScenarioException {
+        try {
+            return set(root, path.steps(), path.attribute(), text, location);
+        } catch (NoSuchElementException e) {
+            String message = "attribute of <set> is " + MessageText.quoted(path.toString()) + ", but " + e.getMessage();
+            throw new ScenarioException(List.of(new Problem(file, location, message)));
+        }
+    }
+
+    private static XmlElement set(
+            XmlElement node, List<AttributePath.Step> steps, String attribute, String text, SourceLocation location)
+            throws NoSuchElementException {
+        if (steps.isEmpty()) {
+            Map<String, String> attributes = new LinkedHashMap<>(node.attributes());
+            attributes.put(attribute, text);
+            return new XmlElement(node.name(), location, attributes, node.children(), node.text());
+        }
+        AttributePath.Step step = steps.get(0);
+        List<AttributePath.Step> rest = steps.subList(1, steps.size());
+        Optional<XmlElement> child = find(node, step);
+        if (child.isEmpty()) {
+            return append(node, set(create(node, step, location), rest, attribute, text, location));
+        }
+        List<XmlElement> children = new ArrayList<>(node.children());
+        children.set(children.indexOf(child.get()), set(child.get(), rest, attribute, text, location));
+        return new XmlElement(node.name(), node.location(), node.attributes(), children, node.text());
+    }
+
+    private static Optional<XmlElement> find(XmlElement node, AttributePath.Step step) {
+        List<XmlElement> named = node.childrenNamed(step.element()).toList();
+        Optional<XmlElement> withId = named.stream()
+                .filter(child -> step.key().equals(child.attributes().getOrDefault("id", "")))
+                .findFirst();
+        if (withId.isPresent() || !step.key().matches("|[1-9]\\d{0,5}")) {
+            return withId;
+        }
+        int index = step.key().isEmpty() ? 0 : Integer.parseInt(step.key()) - 1;
+        return index < named.size() ? Optional.of(named.get(index)) : Optional.empty();
+    }
+
+    /** A sensor or an element that stands for its defaults when it is left out. */
+    private static XmlElement create(XmlElement node, AttributePath.Step step, SourceLocation location)
+            throws NoSuchElementException {
+        boolean sensor = node.name().equals("robot")
+                && step.element().equals("sensor")
+                && !step.key().isEmpty();
+        if (!sensor
+                && !(OPTIONAL_ELEMENTS.contains(step.element()) && step.key().isEmpty())) {
+            throw new NoSuchElementException("<" + node.name() + "> has no " + step.element()
+                    + (step.key().isEmpty() ? "" : "[" + step.key() + "]") + suggestion(node, step));
+        }
+        Map<String, String> attributes = sensor ? Map.of("id", step.key()) : Map.of();
+        return new XmlElement(step.element(), location, attributes, List.of(), "");
+    }
+
+    private static String suggestion(XmlElement node, AttributePath.Step step) {
+        List<String> ids = node.childrenNamed(step.element())
+                .map(child -> child.attributes().getOrDefault("id", ""))
+                .toList();
+        return ids.isEmpty()
+                ? DidYouMean.hint(
+                        step.element(),
+                        node.children().stream().map(XmlElement::name).toList())
+                : DidYouMean.hint(step.key(), ids);
+    }
+
+    private static XmlElement append(XmlElement node, XmlElement child) {
+        List<XmlElement> children = new ArrayList<>(node.children());
+        children.add(child);
+        return new XmlElement(node.name(), node.location(), node.attributes(), children, node.text());
+    }
+
+    /** Adds a fault at the end of the timeline, which is added too if there is none. */
+    static XmlElement addFault(XmlElement root, Map<String, String> attributes, SourceLocation location) {
+        XmlElement fault = new XmlElement("fault", location, attributes, List.of(), "");
+        Optional<XmlElement> timeline = root.firstChild("timeline");
+        if (timeline.isEmpty()) {
+            return append(root, new XmlElement("timeline", location, Map.of(), List.of(fault), ""));
+        }
+        List<XmlElement> children = new ArrayList<>(root.children());
+        children.set(children.indexOf(timeline.get()), append(timeline.get(), fault));
+        return new XmlElement(root.name(), root.location(), root.attributes(), children, root.text());
+    }
+}

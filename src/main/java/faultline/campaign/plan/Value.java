@@ -1,0 +1,61 @@
+package faultline.campaign.plan;
+
+import faultline.io.DecimalText;
+import java.math.BigDecimal;
+import java.util.Optional;
+
+/** The text that an attribute gets in a run: the same in every run, or drawn for each block of runs. */
+sealed interface Value {
+
+    /** Nothing, as in the columns of a fault in a run without one. */
+    Value NONE = new Fixed("");
+
+    /**
+     * Returns the text for a block of runs.
+     *
+     * @param numbers makes the draws of the plan
+     * @param block the number of the block, from 0
+     */
+    String text(Uniforms numbers, long block);
+
+    /** A text that is the same in every run. */
+    record Fixed(String text) implements Value {
+        @Override
+        public String text(Uniforms numbers, long block) {
+            return text;
+        }
+    }
+
+    /**
+     * A text that is drawn.
+     *
+     * @param stream names the random numbers: draws of the same stream are equal in all runs of a block
+     * @param range what the text is drawn from
+     */
+    record Drawn(String stream, DrawRange range) implements Value {
+        @Override
+        public String text(Uniforms numbers, long block) {
+            return range.at(numbers.uniform(stream, block));
+        }
+    }
+
+    /** The sum of two numbers, exact; the first text as it is if either is no number. */
+    record Sum(Value first, Value second) implements Value {
+        @Override
+        public String text(Uniforms numbers, long block) {
+            String text = first.text(numbers, block);
+            Optional<BigDecimal> a = DecimalText.parse(text);
+            Optional<BigDecimal> b = DecimalText.parse(second.text(numbers, block));
+            return a.isEmpty() || b.isEmpty()
+                    ? text
+                    : a.get().add(b.get()).stripTrailingZeros().toPlainString();
+        }
+    }
+
+    /** Where draws get their random numbers from. */
+    interface Uniforms {
+
+        /** Returns the number of a stream for a block, in [0, 1). */
+        double uniform(String stream, long block);
+    }
+}

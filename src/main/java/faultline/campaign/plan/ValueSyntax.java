@@ -1,0 +1,84 @@
+package faultline.campaign.plan;
+
+import faultline.io.DecimalText;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The four ways in which a plan gives values: {@code 0.1 0.2 0.4} lists them, {@code 0.1..0.4/4} spaces them evenly,
+ * {@code 0.1..0.4} draws one between two bounds, {@code any of left right} draws one of several words.
+ */
+final class ValueSyntax {
+
+    /** What a plan may give. */
+    static final String RULE = "one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C";
+
+    /** More values than this make no sense in one list. */
+    static final int MAX_VALUES = 100_000;
+
+    private static final Pattern INTERVAL = Pattern.compile("(\\S+?)\\.\\.([^\\s/]+)(?:/(\\d{1,6}))?");
+    private static final Pattern CHOICE = Pattern.compile("any of\\s+(.+)");
+    private static final MathContext TWELVE_DIGITS = new MathContext(12);
+
+    private ValueSyntax() {}
+
+    /**
+     * Parses the values of an attribute.
+     *
+     * @param text as in the plan
+     * @param stream names the random numbers if they are drawn
+     * @return the values that are all tried, a drawn one counting as one; empty if the text is none of the four
+     */
+    static Optional<List<Value>> parse(String text, String stream) {
+        String trimmed = text.strip();
+        Matcher choice = CHOICE.matcher(trimmed);
+        if (choice.matches()) {
+            return Optional.of(List.of(new Value.Drawn(stream, new DrawRange.Choice(words(choice.group(1))))));
+        }
+        Matcher interval = INTERVAL.matcher(trimmed);
+        if (interval.matches()) {
+            return parseInterval(interval, stream);
+        }
+        if (trimmed.isEmpty() || trimmed.contains("..")) {
+            return Optional.empty();
+        }
+        return Optional.of(words(trimmed).stream().<Value>map(Value.Fixed::new).toList());
+    }
+
+    private static List<String> words(String text) {
+        return Arrays.stream(text.strip().split("\\s+")).distinct().toList();
+    }
+
+    private static Optional<List<Value>> parseInterval(Matcher interval, String stream) {
+        Optional<BigDecimal> from = DecimalText.parse(interval.group(1));
+        Optional<BigDecimal> to = DecimalText.parse(interval.group(2));
+        if (from.isEmpty() || to.isEmpty() || from.get().compareTo(to.get()) >= 0) {
+            return Optional.empty();
+        }
+        if (interval.group(3) == null) {
+            return Optional.of(List.of(new Value.Drawn(stream, new DrawRange.Interval(from.get(), to.get()))));
+        }
+        int count = Integer.parseInt(interval.group(3));
+        return count < 2 || count > MAX_VALUES
+                ? Optional.empty()
+                : Optional.of(evenlySpaced(from.get(), to.get(), count));
+    }
+
+    /** Values with both bounds among them, exact to twelve digits. */
+    private static List<Value> evenlySpaced(BigDecimal from, BigDecimal to, int count) {
+        List<Value> values = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            BigDecimal step = to.subtract(from)
+                    .multiply(BigDecimal.valueOf(i))
+                    .divide(BigDecimal.valueOf(count - 1), TWELVE_DIGITS);
+            values.add(new Value.Fixed(DecimalText.format(from.add(step).doubleValue())));
+        }
+        return values;
+    }
+}

@@ -1,0 +1,74 @@
+package faultline.campaign.plan;
+
+import faultline.scenario.xml.ScenarioContent;
+import faultline.scenario.xml.ScenarioFiles;
+import faultline.scenario.xml.XmlElement;
+import faultline.scenario.xml.XmlFormat;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.XmlParser;
+import java.io.IOException;
+
+/** Where a plan's worlds come from. */
+sealed interface WorldSource {
+
+    /** Returns how many worlds there are. */
+    int count();
+
+    /** Returns the name of a world in {@code runs.csv}, from 0. */
+    String label(int index);
+
+    /** Returns the scenario of a world as a tree of elements. */
+    XmlElement root(int index);
+
+    /**
+     * A scenario file.
+     *
+     * @param label its name in {@code runs.csv}
+     * @param file as the plan names it
+     * @param tree the whole file
+     */
+    record File(String label, String file, XmlElement tree) implements WorldSource {
+        @Override
+        public int count() {
+            return 1;
+        }
+
+        @Override
+        public String label(int index) {
+            return label;
+        }
+
+        @Override
+        public XmlElement root(int index) {
+            return tree;
+        }
+    }
+
+    /**
+     * Generated rooms.
+     *
+     * @param first the seed of the first; the following have the following seeds
+     * @param count how many
+     */
+    record Rooms(long first, int count) implements WorldSource {
+        @Override
+        public String label(int index) {
+            return "room-" + (first + index);
+        }
+
+        @Override
+        public XmlElement root(int index) {
+            return toTree(label(index), RoomGenerator.room(first + index));
+        }
+
+        private static XmlElement toTree(String name, ScenarioContent room) {
+            try {
+                return new XmlParser(ScenarioFiles.toBytes(room), new Problems(name), XmlFormat.SCENARIO)
+                        .parse()
+                        .orElseThrow();
+            } catch (IOException e) {
+                throw new IllegalStateException(name + " cannot be a scenario", e);
+            }
+        }
+    }
+}

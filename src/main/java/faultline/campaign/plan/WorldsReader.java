@@ -1,0 +1,107 @@
+package faultline.campaign.plan;
+
+import faultline.io.MessageText;
+import faultline.scenario.xml.AttributeReader;
+import faultline.scenario.xml.ElementRules;
+import faultline.scenario.xml.Problem;
+import faultline.scenario.xml.Problems;
+import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.ScenarioReader;
+import faultline.scenario.xml.XmlElement;
+import faultline.scenario.xml.XmlFormat;
+import faultline.scenario.xml.XmlParser;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** Makes the worlds of a plan of its {@code worlds} element. */
+final class WorldsReader {
+
+    private final Problems problems;
+    private final PlanFiles.Resolver resolver;
+    private final Map<String, byte[]> scenarios;
+    private final Set<String> labels = new HashSet<>();
+
+    /** Creates a reader that puts the bytes of the scenarios into a map, by their names. */
+    WorldsReader(Problems problems, PlanFiles.Resolver resolver, Map<String, byte[]> scenarios) {
+        this.problems = problems;
+        this.resolver = resolver;
+        this.scenarios = scenarios;
+    }
+
+    List<WorldSource> read(XmlElement root) {
+        List<WorldSource> sources = new ArrayList<>();
+        Optional<XmlElement> worlds = root.firstChild("worlds");
+        worlds.ifPresent(node -> {
+            ElementRules.checkChildren(node, List.of("scenario", "rooms"), problems);
+            new AttributeReader(node, problems).reportUnknownAndMissing();
+            node.children().forEach(child -> readSource(child).ifPresent(sources::add));
+        });
+        if (worlds.isEmpty() || worlds.get().children().isEmpty()) {
+            problems.add(
+                    worlds.orElse(root),
+                    "<campaign> has no worlds, allowed is <worlds> with <scenario> or <rooms> in it");
+        }
+        return sources;
+    }
+
+    private Optional<WorldSource> readSource(XmlElement node) {
+        return switch (node.name()) {
+            case "scenario" -> readScenario(node);
+            case "rooms" -> Optional.of(readRooms(node));
+            default -> Optional.empty();
+        };
+    }
+
+    private WorldSource readRooms(XmlElement node) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        WorldSource rooms = new WorldSource.Rooms(fields.integer("first", 0, 1_000_000_000_000L, 1), (int)
+                fields.integer("count", 1, PlanReader.MAX_RUNS, 1));
+        fields.reportUnknownAndMissing();
+        return rooms;
+    }
+
+    private Optional<WorldSource> readScenario(XmlElement node) {
+        ElementRules.checkChildren(node, List.of(), problems);
+        AttributeReader fields = new AttributeReader(node, problems);
+        String file = fields.id("file");
+        String label = fields.text("name").orElse(stem(file));
+        fields.reportUnknownAndMissing();
+        if (!labels.add(label) || scenarios.containsKey(file)) {
+            problems.add(
+                    node,
+                    "name of <scenario> is " + MessageText.quoted(label)
+                            + ", which another scenario has already, allowed is each name and each file once");
+            return Optional.empty();
+        }
+        try {
+            byte[] bytes = resolver.read(scenarios.size() + 1, file);
+            scenarios.put(file, bytes);
+            return Optional.of(new WorldSource.File(label, file, parse(file, bytes)));
+        } catch (ScenarioException e) {
+            for (Problem problem : e.problems()) {
+                problems.add(node, "file of <scenario> is " + MessageText.quoted(file) + ": " + problem);
+            }
+            return Optional.empty();
+        }
+    }
+
+    /** Returns a valid scenario as a tree. */
+    private static XmlElement parse(String file, byte[] bytes) throws ScenarioException {
+        Problems complaints = new Problems(file);
+        XmlParser parser = new XmlParser(bytes, complaints, XmlFormat.SCENARIO);
+        Optional<XmlElement> root = parser.parse();
+        complaints.throwIfAny();
+        ScenarioReader.read(file, root.orElseThrow());
+        return root.get();
+    }
+
+    private static String stem(String file) {
+        String name = file.substring(Math.max(file.lastIndexOf('/'), file.lastIndexOf('\\')) + 1);
+        return name.endsWith(".xml") ? name.substring(0, name.length() - ".xml".length()) : name;
+    }
+}

@@ -1,0 +1,125 @@
+package faultline.campaign.run;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.Column;
+import java.io.IOException;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The text of {@code campaign.json}: what was run, by which program, and what the columns of the tables mean. One
+ * member a line, so that two campaigns can be compared line by line.
+ */
+final class CampaignManifest {
+
+    private static final String JAVA = "  \"java\": ";
+    private static final String SHARD = "  \"shard\": ";
+    private static final Pattern SHARD_LINE = Pattern.compile("\"shard\": \"(\\d+/\\d+)\"");
+
+    private CampaignManifest() {}
+
+    /** Returns the manifest of a part of a campaign. */
+    static String text(CampaignPlan plan, Shard shard) {
+        List<String> lines = new ArrayList<>();
+        lines.add("  \"format\": \"faultline-campaign-1\"");
+        lines.add("  \"program\": " + quoted("faultline " + version()));
+        lines.add("  \"program_sha256\": " + quoted(programHash()));
+        lines.add(JAVA + quoted(Runtime.version().toString()));
+        lines.add("  \"name\": " + quoted(plan.header().name()));
+        lines.add("  \"description\": " + quoted(plan.header().description()));
+        lines.add("  \"plan_sha256\": " + quoted(sha256(plan.files().plan())));
+        lines.add("  \"scenarios\": " + scenarios(plan.files().scenarios()));
+        lines.add("  \"worlds\": " + plan.worldCount());
+        lines.add("  \"seeds\": " + plan.seedCount());
+        lines.add("  \"cells\": " + plan.cellCount());
+        lines.add("  \"runs\": " + plan.runCount());
+        lines.add(SHARD + quoted(shard.toString()));
+        lines.add("  \"columns\": " + columns(ResultColumns.of(plan)));
+        lines.add("  \"timing_columns\": " + columns(RunTable.TIMING_COLUMNS));
+        return "{\n" + String.join(",\n", lines) + "\n}\n";
+    }
+
+    /** Returns whether two manifests belong to the same campaign and program; parts and Java versions may differ. */
+    static boolean sameCampaign(String one, String other) {
+        return comparable(one).equals(comparable(other));
+    }
+
+    private static List<String> comparable(String manifest) {
+        return manifest.lines()
+                .filter(line -> !line.startsWith(JAVA) && !line.startsWith(SHARD))
+                .toList();
+    }
+
+    /** Returns the part that a manifest is of, empty if it does not say. */
+    static Optional<Shard> shard(String manifest) {
+        Matcher line = SHARD_LINE.matcher(manifest);
+        return line.find() ? Shard.parse(line.group(1)) : Optional.empty();
+    }
+
+    private static String scenarios(Map<String, byte[]> scenarios) {
+        List<String> objects = new ArrayList<>();
+        scenarios.forEach((name, bytes) ->
+                objects.add("    {\"file\": " + quoted(name) + ", \"sha256\": " + quoted(sha256(bytes)) + "}"));
+        return array(objects);
+    }
+
+    private static String columns(List<Column> columns) {
+        return array(columns.stream()
+                .map(column -> "    {\"name\": " + quoted(column.name()) + ", \"unit\": " + quoted(column.unit())
+                        + ", \"meaning\": " + quoted(column.meaning()) + "}")
+                .toList());
+    }
+
+    private static String array(List<String> objects) {
+        return objects.isEmpty() ? "[]" : "[\n" + String.join(",\n", objects) + "\n  ]";
+    }
+
+    private static String quoted(String text) {
+        StringBuilder out = new StringBuilder("\"");
+        text.chars().forEach(c -> {
+            if (c < ' ') {
+                out.append(String.format("\\u%04x", c));
+            } else {
+                out.append(c == '"' || c == '\\' ? "\\" : "").append((char) c);
+            }
+        });
+        return out.append('"').toString();
+    }
+
+    private static String version() {
+        return Optional.ofNullable(CampaignManifest.class.getPackage().getImplementationVersion())
+                .orElse("(not from a jar)");
+    }
+
+    /** The hash of the program's jar, empty if it does not run from one. */
+    private static String programHash() {
+        try {
+            Path program = Path.of(CampaignManifest.class
+                    .getProtectionDomain()
+                    .getCodeSource()
+                    .getLocation()
+                    .toURI());
+            return Files.isRegularFile(program) ? sha256(Files.readAllBytes(program)) : "";
+        } catch (URISyntaxException | IOException e) {
+            return "";
+        }
+    }
+
+    private static String sha256(byte[] bytes) {
+        try {
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every JDK has SHA-256", e);
+        }
+    }
+}

@@ -1,0 +1,137 @@
+package faultline.campaign.run;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.io.AtomicFile;
+import faultline.scenario.xml.ScenarioException;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.Function;
+
+/** Puts the parts of a campaign together: the same table as that of a campaign that was never divided. */
+public final class CampaignMerge {
+
+    private final List<Part> parts;
+    private final CampaignPlan plan;
+
+    /** A folder that holds a part. */
+    private record Part(CampaignFolder folder, Shard shard) {}
+
+    /**
+     * Looks at the parts.
+     *
+     * @param folders of the parts, in any order
+     * @throws IOException if they are not parts of one campaign, or not all of it, in one sentence
+     * @throws ScenarioException if the copy of the plan is not good
+     */
+    public CampaignMerge(List<CampaignFolder> folders) throws IOException, ScenarioException {
+        parts = new ArrayList<>();
+        String first = manifest(folders.get(0));
+        for (CampaignFolder folder : folders) {
+            String manifest = manifest(folder);
+            if (!CampaignManifest.sameCampaign(first, manifest)) {
+                throw new IOException(folder + ": this is of another campaign than " + folders.get(0));
+            }
+            parts.add(new Part(folder, CampaignManifest.shard(manifest).orElseThrow()));
+        }
+        plan = folders.get(0).readPlan();
+        parts.sort(Comparator.comparing(part -> part.shard.firstRun(plan.runCount())));
+        checkWhole();
+    }
+
+    private static String manifest(CampaignFolder folder) throws IOException {
+        return folder.readManifest().orElseThrow(() -> new IOException(folder + ": there is no campaign"));
+    }
+
+    /** Every run must be in exactly one part. */
+    private void checkWhole() throws IOException {
+        long next = 0;
+        for (Part part : parts) {
+            long first = part.shard.firstRun(plan.runCount());
+            if (first != next) {
+                throw new IOException(part.folder + ": its runs begin with " + first + ", but run " + next
+                        + (first > next ? " is in no part" : " comes next after the other parts"));
+            }
+            next = part.shard.endRun(plan.runCount());
+        }
+        if (next != plan.runCount()) {
+            throw new IOException("the runs from " + next + " to " + (plan.runCount() - 1) + " are in no part");
+        }
+    }
+
+    /**
+     * Writes the whole campaign to a folder.
+     *
+     * @param out the folder, which holds no campaign yet
+     * @return how many runs there are, and how many of them broke
+     * @throws IOException if a part is not finished, or the folder cannot be used, in one sentence
+     */
+    public CampaignRunner.Result writeTo(CampaignFolder out) throws IOException {
+        FileChannel lock = out.lock();
+        try (lock) {
+            if (out.readManifest().isPresent()) {
+                throw new IOException(out + ": there is a campaign already, allowed is another folder");
+            }
+            long broken = concatenate(out.runs(), CampaignFolder::runs, true);
+            concatenate(out.timing(), CampaignFolder::timing, false);
+            new WorstRuns(plan, out).writeReplays();
+            out.writeMerged(plan);
+            return new CampaignRunner.Result(plan.runCount(), plan.runCount(), broken);
+        }
+    }
+
+    private long concatenate(Path target, Function<CampaignFolder, Path> table, boolean complete) throws IOException {
+        long broken = 0;
+        try (AtomicFile out = AtomicFile.create(target)) {
+            boolean header = true;
+            for (Part part : parts) {
+                long first = part.shard.firstRun(plan.runCount());
+                long end = part.shard.endRun(plan.runCount());
+                Rows rows = new Rows(table.apply(part.folder), out.stream(), header);
+                broken += rows.copy(first, end, complete, part);
+                header = false;
+            }
+            out.commit();
+        }
+        CampaignFolder.force(target);
+        return broken;
+    }
+
+    /** Copies the rows of one table. */
+    private record Rows(Path file, OutputStream out, boolean withHeader) {
+
+        long copy(long first, long end, boolean complete, Part part) throws IOException {
+            long next = first;
+            long broken = 0;
+            try (LineReader in = new LineReader(file)) {
+                String header = in.next();
+                if (withHeader) {
+                    write(header);
+                }
+                for (String line = in.next(); line.endsWith("\n"); line = in.next()) {
+                    if (complete && !line.startsWith(next + ",")) {
+                        throw new IOException(file + ": run " + next + " is not where it should be");
+                    }
+                    broken += complete && Csv.cells(line).contains("broken") ? 1 : 0;
+                    write(line);
+                    next++;
+                }
+            }
+            if (complete && next != end) {
+                throw new IOException(part.folder + ": part " + part.shard + " has " + (next - first) + " of "
+                        + (end - first) + " runs; campaign with --shard " + part.shard + " --resume makes the rest");
+            }
+            return broken;
+        }
+
+        private void write(String line) throws IOException {
+            out.write(line.getBytes(StandardCharsets.UTF_8));
+        }
+    }
+}

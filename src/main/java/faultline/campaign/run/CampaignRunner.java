@@ -1,0 +1,142 @@
+package faultline.campaign.run;
+
+import faultline.campaign.plan.CampaignPlan;
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.BooleanSupplier;
+
+/** Makes a part of a campaign: runs on several threads, rows written in order by the calling thread. */
+public final class CampaignRunner {
+
+    /** Runs that may be finished before the one that the table waits for, for each thread. */
+    private static final int RUNS_AHEAD = 16;
+
+    /** Rows are forced to the disk at most this often, nanoseconds. */
+    private static final long FORCE_INTERVAL = 200_000_000;
+
+    private final CampaignPlan plan;
+    private final CampaignFolder folder;
+    private final Shard shard;
+    private final int jobs;
+
+    /**
+     * What became of a part of a campaign.
+     *
+     * @param made how many of its runs are in the table
+     * @param runs how many it has
+     * @param broken how many of those in the table broke
+     */
+    public record Result(long made, long runs, long broken) {
+
+        /** Returns whether every run is in the table. */
+        public boolean isComplete() {
+            return made == runs;
+        }
+    }
+
+    /** Something that is called as rows are written. */
+    public interface Progress {
+
+        /**
+         * Called on the thread that writes.
+         *
+         * @param made how many runs are in the table
+         * @param runs how many this part has
+         */
+        void update(long made, long runs);
+    }
+
+    /**
+     * Creates a runner.
+     *
+     * @param plan which runs to make
+     * @param folder where the tables go
+     * @param shard which part of them
+     * @param jobs how many threads, at least 1
+     */
+    public CampaignRunner(CampaignPlan plan, CampaignFolder folder, Shard shard, int jobs) {
+        this.plan = plan;
+        this.folder = folder;
+        this.shard = shard;
+        this.jobs = jobs;
+    }
+
+    /**
+     * Makes all runs that are not in the table yet.
+     *
+     * @param resume whether the folder may hold a begun campaign
+     * @param progress called as rows are written
+     * @param cancelled asked between runs; if it holds, what is finished is written and the rest is left
+     * @return what there is now
+     * @throws IOException if the folder cannot be used, in one sentence
+     */
+    public Result run(boolean resume, Progress progress, BooleanSupplier cancelled) throws IOException {
+        long first = shard.firstRun(plan.runCount());
+        long end = shard.endRun(plan.runCount());
+        FileChannel lock = folder.lock();
+        try (lock) {
+            folder.prepare(plan, shard, resume);
+            try (RunTable table = new RunTable(folder, ResultColumns.header(plan), first, end)) {
+                makeRuns(table, first, end, progress, cancelled);
+                table.force();
+                Result result = new Result(table.next() - first, end - first, table.broken());
+                if (result.isComplete()) {
+                    new WorstRuns(plan, folder).writeReplays();
+                }
+                return result;
+            }
+        }
+    }
+
+    private void makeRuns(RunTable table, long first, long end, Progress progress, BooleanSupplier cancelled)
+            throws IOException {
+        RunMaker maker = new RunMaker(plan);
+        ExecutorService pool = Executors.newFixedThreadPool(jobs, CampaignRunner::daemon);
+        Deque<Future<RunMaker.MadeRun>> ahead = new ArrayDeque<>();
+        long submitted = table.next();
+        long forced = System.nanoTime();
+        try {
+            while (table.next() < end && !cancelled.getAsBoolean()) {
+                while (submitted < end && ahead.size() < jobs * RUNS_AHEAD) {
+                    long index = submitted++;
+                    ahead.add(pool.submit(() -> maker.make(index)));
+                }
+                boolean waiting = !ahead.peek().isDone();
+                if (waiting) {
+                    table.flush();
+                }
+                if (waiting && System.nanoTime() - forced > FORCE_INTERVAL) {
+                    table.force();
+                    forced = System.nanoTime();
+                }
+                table.add(get(ahead.poll()));
+                progress.update(table.next() - first, end - first);
+            }
+        } finally {
+            pool.shutdownNow();
+        }
+    }
+
+    private static Thread daemon(Runnable task) {
+        Thread thread = new Thread(task, "campaign");
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    private static RunMaker.MadeRun get(Future<RunMaker.MadeRun> run) {
+        try {
+            return run.get();
+        } catch (ExecutionException e) {
+            throw new IllegalStateException("a run could not be made: " + e.getCause(), e.getCause());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("the campaign was interrupted", e);
+        }
+    }
+}

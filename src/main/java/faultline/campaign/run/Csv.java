@@ -1,0 +1,47 @@
+package faultline.campaign.run;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Rows of comma-separated values as RFC 4180 has them, but with line feeds alone; no cell holds a line break. */
+public final class Csv {
+
+    private Csv() {}
+
+    /** Returns the row of some cells, with its line feed. */
+    public static String row(List<String> cells) {
+        StringBuilder row = new StringBuilder();
+        for (String cell : cells) {
+            row.append(quoted(cell)).append(',');
+        }
+        row.setCharAt(row.length() - 1, '\n');
+        return row.toString();
+    }
+
+    private static String quoted(String cell) {
+        boolean plain = cell.chars().noneMatch(c -> c == ',' || c == '"' || c < ' ');
+        return plain ? cell : '"' + cell.replaceAll("\\p{Cntrl}", " ").replace("\"", "\"\"") + '"';
+    }
+
+    /** Returns the cells of a row without its line feed. */
+    public static List<String> cells(String row) {
+        List<String> cells = new ArrayList<>();
+        StringBuilder cell = new StringBuilder();
+        boolean inQuotes = false;
+        for (int i = 0; i < row.length(); i++) {
+            char c = row.charAt(i);
+            if (c == '"' && inQuotes && i + 1 < row.length() && row.charAt(i + 1) == '"') {
+                cell.append(row.charAt(++i));
+            } else if (c == '"') {
+                inQuotes = !inQuotes;
+            } else if (c == ',' && !inQuotes) {
+                cells.add(cell.toString());
+                cell.setLength(0);
+            } else {
+                cell.append(c);
+            }
+        }
+        cells.add(cell.toString());
+        return cells;
+    }
+}

@@ -1,0 +1,42 @@
+package faultline.campaign.run;
+
+import faultline.engine.metrics.CarryOnMetrics;
+import faultline.engine.metrics.RunResult;
+import java.util.Locale;
+
+/** What became of a robot, in the order from the worst to the best. */
+public enum Outcome {
+    /** It touched something. */
+    COLLIDED,
+    /** It did not pass enough of its wall in time, and was not at rest at the end. */
+    LOST,
+    /** It did not pass enough of its wall in time, and was at rest at the end. */
+    STOPPED,
+    /** The run ended before the robot's time was up. */
+    UNDECIDED,
+    /** No contact, and enough of the wall passed in time. */
+    CARRIED_ON;
+
+    /** Slower wheels are at rest, metres per second. */
+    private static final double REST_SPEED = 1e-3;
+
+    static Outcome of(RunResult result, CarryOnMetrics metrics) {
+        if (result.collision().isPresent()) {
+            return COLLIDED;
+        }
+        if (metrics.carriedOn()) {
+            return CARRIED_ON;
+        }
+        boolean atRest = Math.abs(result.finalSnapshot().wheelSpeeds().left()) < REST_SPEED
+                && Math.abs(result.finalSnapshot().wheelSpeeds().right()) < REST_SPEED;
+        if (atRest && metrics.isDecided()) {
+            return STOPPED;
+        }
+        return metrics.isDecided() ? LOST : UNDECIDED;
+    }
+
+    /** Returns the word in {@code runs.csv}. */
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}

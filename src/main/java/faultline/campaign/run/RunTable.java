@@ -1,0 +1,174 @@
+package faultline.campaign.run;
+
+import faultline.campaign.plan.Column;
+import java.io.ByteArrayOutputStream;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * The two tables of a campaign while it is made: rows are appended in the order of the runs, so that what is on the
+ * disk is always the beginning of the finished table, but for a last row that a killed process did not end. Opening a
+ * begun table cuts such a row off.
+ */
+final class RunTable implements Closeable {
+
+    /** The columns of {@code timing.csv}. */
+    static final List<Column> TIMING_COLUMNS = List.of(
+            new Column("run", "", "number of the run in the plan"),
+            new Column("wall_s", "s", "time that the run took on this machine"),
+            new Column("ticks", "", "ticks that it made"),
+            new Column("ticks_per_s", "1/s", "ticks per second of the clock"));
+
+    private static final String TIMING_HEADER =
+            Csv.row(TIMING_COLUMNS.stream().map(Column::name).toList());
+
+    private final FileChannel runs;
+    private final FileChannel timing;
+    private final ByteArrayOutputStream pendingRuns = new ByteArrayOutputStream();
+    private final ByteArrayOutputStream pendingTiming = new ByteArrayOutputStream();
+    private long next;
+    private long broken;
+    private boolean dirty;
+
+    /**
+     * Opens the tables of a folder.
+     *
+     * @param header of {@code runs.csv}
+     * @param first the first run of this part
+     * @param end the run after the last one
+     */
+    RunTable(CampaignFolder folder, String header, long first, long end) throws IOException {
+        next = first;
+        long length = recover(folder.runs(), header, end);
+        runs = open(folder.runs(), length, header);
+        timing = open(folder.timing(), recoverTiming(folder.timing(), first), TIMING_HEADER);
+    }
+
+    private static FileChannel open(Path file, long length, String header) throws IOException {
+        FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        channel.truncate(length);
+        channel.position(length);
+        if (length == 0) {
+            writeFully(channel, header.getBytes(StandardCharsets.UTF_8));
+            channel.force(true);
+        }
+        return channel;
+    }
+
+    /** Finds how many bytes of a table are good, and which run is next. */
+    private long recover(Path file, String header, long end) throws IOException {
+        if (Files.notExists(file)) {
+            return 0;
+        }
+        List<String> names = Csv.cells(header.strip());
+        int outcome = names.indexOf("outcome");
+        try (LineReader in = new LineReader(file)) {
+            if (!in.next().equals(header)) {
+                return 0;
+            }
+            long length = in.length();
+            for (String line = in.next(); next < end && line.endsWith("\n"); line = in.next()) {
+                List<String> cells = Csv.cells(line.stripTrailing());
+                if (cells.size() != names.size() || !cells.get(0).equals(Long.toString(next))) {
+                    return length;
+                }
+                broken += cells.get(outcome).equals("broken") ? 1 : 0;
+                length += in.length();
+                next++;
+            }
+            return length;
+        }
+    }
+
+    /** Finds how many bytes of the timing table belong to runs that are in the other table. */
+    private long recoverTiming(Path file, long first) throws IOException {
+        if (Files.notExists(file)) {
+            return 0;
+        }
+        try (LineReader in = new LineReader(file)) {
+            if (!in.next().equals(TIMING_HEADER)) {
+                return 0;
+            }
+            long length = in.length();
+            long least = first;
+            for (String line = in.next(); line.endsWith("\n"); line = in.next()) {
+                String cell = Csv.cells(line).get(0);
+                if (!cell.matches("\\d{1,18}") || Long.parseLong(cell) < least || Long.parseLong(cell) >= next) {
+                    return length;
+                }
+                least = Long.parseLong(cell) + 1;
+                length += in.length();
+            }
+            return length;
+        }
+    }
+
+    /** Returns the run that comes next. */
+    long next() {
+        return next;
+    }
+
+    /** Returns how many of the runs in the table broke. */
+    long broken() {
+        return broken;
+    }
+
+    /** Adds the next run. */
+    void add(RunMaker.MadeRun run) {
+        if (run.index() != next) {
+            throw new IllegalStateException("run " + run.index() + " came before run " + next);
+        }
+        pendingRuns.writeBytes(run.row().getBytes(StandardCharsets.UTF_8));
+        pendingTiming.writeBytes(timingRow(run).getBytes(StandardCharsets.UTF_8));
+        broken += run.broken() ? 1 : 0;
+        next++;
+        dirty = true;
+    }
+
+    private static String timingRow(RunMaker.MadeRun run) {
+        double rate = run.seconds() > 0 ? run.ticks() / run.seconds() : 0;
+        return String.format(Locale.ROOT, "%d,%.6f,%d,%.0f%n", run.index(), run.seconds(), run.ticks(), rate)
+                .replace("\r", "");
+    }
+
+    /** Gives all rows to the operating system: from here on they survive the end of this process. */
+    void flush() throws IOException {
+        writeFully(timing, pendingTiming.toByteArray());
+        writeFully(runs, pendingRuns.toByteArray());
+        pendingTiming.reset();
+        pendingRuns.reset();
+    }
+
+    /** Forces all rows to the disk: from here on they survive the end of the machine. */
+    void force() throws IOException {
+        flush();
+        if (dirty) {
+            timing.force(false);
+            runs.force(false);
+            dirty = false;
+        }
+    }
+
+    private static void writeFully(FileChannel channel, byte[] bytes) throws IOException {
+        ByteBuffer buffer = ByteBuffer.wrap(bytes);
+        while (buffer.hasRemaining()) {
+            channel.write(buffer);
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        try (timing;
+                runs) {
+            force();
+        }
+    }
+}

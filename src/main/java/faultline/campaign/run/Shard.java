@@ -1,0 +1,51 @@
+package faultline.campaign.run;
+
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A part of a campaign: successive runs, about as many as in each other part.
+ *
+ * @param number from 1 to {@code count}
+ * @param count how many parts there are
+ */
+public record Shard(int number, int count) {
+
+    /** The whole campaign. */
+    public static final Shard ALL = new Shard(1, 1);
+
+    private static final Pattern TEXT = Pattern.compile("(\\d{1,7})/(\\d{1,7})");
+
+    public Shard {
+        if (number < 1 || number > count) {
+            throw new IllegalArgumentException("there is no part " + number + " of " + count);
+        }
+    }
+
+    /** Parses {@code 2/4}, empty if the text is no such part. */
+    public static Optional<Shard> parse(String text) {
+        Matcher matcher = TEXT.matcher(text);
+        if (!matcher.matches()) {
+            return Optional.empty();
+        }
+        int number = Integer.parseInt(matcher.group(1));
+        int count = Integer.parseInt(matcher.group(2));
+        return number < 1 || number > count ? Optional.empty() : Optional.of(new Shard(number, count));
+    }
+
+    /** Returns the first run of this part, of a campaign with so many runs. */
+    public long firstRun(long runs) {
+        return runs * (number - 1) / count;
+    }
+
+    /** Returns the run after the last one of this part. */
+    public long endRun(long runs) {
+        return runs * number / count;
+    }
+
+    @Override
+    public String toString() {
+        return number + "/" + count;
+    }
+}

@@ -1,0 +1,132 @@
+package faultline.campaign.run;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.PlannedRun;
+import faultline.engine.metrics.Expectation;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.PriorityQueue;
+import java.util.Set;
+import java.util.stream.Stream;
+
+/**
+ * The runs of a table that went worst: by their outcome, then by how little of the wall was passed, then by their
+ * numbers. Each gets a scenario file that replays it.
+ */
+public final class WorstRuns {
+
+    /** How many runs get a scenario file. */
+    private static final int COUNT = 20;
+
+    private static final Comparator<Entry> WORST_FIRST =
+            Comparator.comparing(Entry::outcome).thenComparing(Entry::share).thenComparing(Entry::run);
+
+    private final CampaignPlan plan;
+    private final CampaignFolder folder;
+
+    /**
+     * A row of the table as far as it is compared.
+     *
+     * @param run its number
+     * @param outcome the run's
+     * @param share of the wall that was passed
+     * @param simulatedSeconds how long it lasted
+     */
+    private record Entry(long run, Outcome outcome, double share, double simulatedSeconds) {}
+
+    WorstRuns(CampaignPlan plan, CampaignFolder folder) {
+        this.plan = plan;
+        this.folder = folder;
+    }
+
+    /** Returns the name of the file that replays a run, in the folder of the campaign. */
+    public static String replayName(long run) {
+        return String.format(Locale.ROOT, "replays/run-%07d.xml", run);
+    }
+
+    /** Writes the scenario files, and removes those of an earlier table. */
+    void writeReplays() throws IOException {
+        List<Entry> worst = find();
+        Files.createDirectories(folder.replays());
+        Set<String> names = new HashSet<>();
+        for (Entry entry : worst) {
+            Path file = folder.runs().resolveSibling(replayName(entry.run));
+            names.add(file.getFileName().toString());
+            replay(entry).save(file);
+        }
+        try (Stream<Path> files = Files.list(folder.replays())) {
+            for (Path file : files.filter(file -> file.getFileName().toString().startsWith("run-"))
+                    .filter(file -> !names.contains(file.getFileName().toString()))
+                    .toList()) {
+                Files.delete(file);
+            }
+        }
+    }
+
+    private Scenario replay(Entry entry) throws IOException {
+        PlannedRun run = plan.run(entry.run);
+        try {
+            Scenario scenario = plan.scenario(run);
+            return new Scenario(
+                    scenario.name(),
+                    description(run, entry),
+                    false,
+                    scenario.setup().withDuration(entry.simulatedSeconds),
+                    Expectation.NONE);
+        } catch (ScenarioException e) {
+            throw new IOException("run " + entry.run + " cannot be replayed: " + e.getMessage(), e);
+        }
+    }
+
+    private String description(PlannedRun run, Entry entry) {
+        StringBuilder text = new StringBuilder("Run " + run.index() + " of "
+                + plan.header().name() + ": world " + run.world() + ", seed " + run.seed());
+        for (int i = 0; i < run.cells().size(); i++) {
+            if (!run.cells().get(i).isEmpty()) {
+                text.append(", ")
+                        .append(plan.factorColumns().get(i).name())
+                        .append(' ')
+                        .append(run.cells().get(i));
+            }
+        }
+        return text + "; outcome " + entry.outcome.word();
+    }
+
+    private List<Entry> find() throws IOException {
+        PriorityQueue<Entry> worst = new PriorityQueue<>(WORST_FIRST.reversed());
+        try (BufferedReader in = Files.newBufferedReader(folder.runs())) {
+            List<String> header = Csv.cells(in.readLine());
+            for (String line = in.readLine(); line != null; line = in.readLine()) {
+                List<String> cells = Csv.cells(line);
+                String outcome = cells.get(header.indexOf("outcome"));
+                if (!outcome.equals("broken")) {
+                    worst.add(entry(cells, header, outcome));
+                }
+                if (worst.size() > COUNT) {
+                    worst.poll();
+                }
+            }
+        }
+        List<Entry> ordered = new ArrayList<>(worst);
+        ordered.sort(WORST_FIRST);
+        return ordered;
+    }
+
+    private static Entry entry(List<String> cells, List<String> header, String outcome) {
+        String share = cells.get(header.indexOf("wall_share"));
+        return new Entry(
+                Long.parseLong(cells.get(0)),
+                Outcome.valueOf(outcome.toUpperCase(Locale.ROOT)),
+                share.isEmpty() ? 0 : Double.parseDouble(share),
+                Double.parseDouble(cells.get(header.indexOf("simulated_s"))));
+    }
+}

@@ -1,0 +1,165 @@
+package faultline.engine.metrics;
+
+import faultline.control.ControllerSpec;
+import faultline.control.FollowerState;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.TickObserver;
+import faultline.geometry.Vector2;
+import faultline.world.Command;
+import java.util.OptionalDouble;
+
+/**
+ * Judges from ground truth whether a robot carries on after a fault: no contact, and within the time of two laps at
+ * least 0.80 of the wall that it is at is passed within 0.15 m of the wanted way. A lap's time is its length by the
+ * robot's speed, and 10 s for its corners. The clock starts at the first fault of the timeline, or at 0 without one; if
+ * the robot has not met a wall by then, it starts when it does.
+ */
+public final class CarryOnMetrics implements TickObserver {
+
+    /** The share of the wall that must be passed. */
+    public static final double REQUIRED_SHARE = 0.80;
+
+    /** How many laps' time the robot has. */
+    private static final double ALLOWED_LAPS = 2;
+
+    /** What a lap takes for its corners beyond its length by the robot's speed, seconds. */
+    private static final double CORNER_TIME = 10;
+
+    /** The robot's way is looked at in steps of this, metres. */
+    private static final double STEP = 0.02;
+
+    /** A place counts as passed again after this much way, metres. */
+    private static final double MIN_LAP = 1.0;
+
+    private final WallCircuit circuit;
+    private final double speed;
+    private final double onset;
+    private final int[] passes;
+    private final double[] lastPass;
+    private int way = -1;
+    private double start = Double.NaN;
+    private double deadline;
+    private double travelled;
+    private double passedLength;
+    private double weightedPasses;
+    private double wallLength;
+    private Vector2 last = new Vector2(Double.POSITIVE_INFINITY, 0);
+    private boolean collided;
+    private boolean passedInTime;
+    private double time;
+
+    /**
+     * Creates metrics of one run.
+     *
+     * @param setup what is run
+     * @param circuit of its world, at {@link #wantedDistance}
+     */
+    public CarryOnMetrics(SimulationSetup setup, WallCircuit circuit) {
+        this.circuit = circuit;
+        this.speed = setup.robot().speed();
+        this.onset = onset(setup);
+        this.passes = new int[circuit.size()];
+        this.lastPass = new double[circuit.size()];
+        this.deadline = onset + allowedTime(circuit.maxLength());
+    }
+
+    private double allowedTime(double length) {
+        return ALLOWED_LAPS * (length / speed + CORNER_TIME);
+    }
+
+    /**
+     * Returns the distance that a setup's controller keeps between the robot's centre and the wall.
+     *
+     * @param setup the setup
+     * @return metres, empty if the controller follows no wall
+     */
+    public static OptionalDouble wantedDistance(SimulationSetup setup) {
+        return setup.controller() instanceof ControllerSpec.WallFollowing wall
+                ? OptionalDouble.of(wall.distance() + setup.robot().width() / 2)
+                : OptionalDouble.empty();
+    }
+
+    /**
+     * Returns when the first fault of a setup's timeline begins.
+     *
+     * @param setup the setup
+     * @return seconds, 0 if there is none
+     */
+    public static double onset(SimulationSetup setup) {
+        return setup.timeline().stream()
+                .filter(timed -> timed.command() instanceof Command.InjectFault)
+                .mapToDouble(SimulationSetup.TimedCommand::time)
+                .min()
+                .orElse(0);
+    }
+
+    @Override
+    public void observe(Simulation simulation) {
+        time = simulation.time();
+        collided = simulation.collision().isPresent();
+        Vector2 centre = simulation.pose().position();
+        if (collided || time < onset || circuit.size() == 0) {
+            return;
+        }
+        if (way < 0 && !simulation.telemetry().state().equals(FollowerState.SEARCH.name())) {
+            startClock(centre);
+        }
+        if (way >= 0 && !(centre.distanceTo(last) < STEP)) {
+            visit(centre);
+        }
+    }
+
+    private void startClock(Vector2 centre) {
+        way = circuit.way(circuit.nearestPlace(centre));
+        start = time;
+        deadline = time + allowedTime(circuit.length(way));
+        for (int i = 0; i < passes.length; i++) {
+            wallLength += circuit.way(i) == way ? circuit.wallLength(i) : 0;
+        }
+    }
+
+    private void visit(Vector2 centre) {
+        travelled += Double.isInfinite(last.x()) ? 0 : centre.distanceTo(last);
+        last = centre;
+        circuit.forEachNear(centre, WallCircuit.TOLERANCE, this::pass);
+        passedInTime |= time <= deadline && share().orElse(0) >= REQUIRED_SHARE;
+    }
+
+    private void pass(int place) {
+        if (circuit.way(place) != way) {
+            return;
+        }
+        if (passes[place] == 0 || travelled - lastPass[place] > MIN_LAP) {
+            passedLength += passes[place] == 0 ? circuit.wallLength(place) : 0;
+            weightedPasses += circuit.wallLength(place);
+            passes[place]++;
+        }
+        lastPass[place] = travelled;
+    }
+
+    /** Returns whether more of the run cannot change the verdict: there was a contact, or the time is up. */
+    public boolean isDecided() {
+        return collided || circuit.size() > 0 && time > deadline;
+    }
+
+    /** Returns whether the robot carried on: no contact so far, and enough of the wall passed in time. */
+    public boolean carriedOn() {
+        return passedInTime && !collided;
+    }
+
+    /** Returns the share of the wall that was passed since the clock started, in [0, 1]; empty if it did not start. */
+    public OptionalDouble share() {
+        return wallLength > 0 ? OptionalDouble.of(Math.min(1, passedLength / wallLength)) : OptionalDouble.empty();
+    }
+
+    /** Returns how often the wall was passed since the clock started, on average over its length. */
+    public OptionalDouble laps() {
+        return wallLength > 0 ? OptionalDouble.of(weightedPasses / wallLength) : OptionalDouble.empty();
+    }
+
+    /** Returns when the clock started, seconds; empty if it did not. */
+    public OptionalDouble clockStart() {
+        return Double.isNaN(start) ? OptionalDouble.empty() : OptionalDouble.of(start);
+    }
+}

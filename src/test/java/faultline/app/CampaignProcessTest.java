@@ -1,0 +1,141 @@
+package faultline.app;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.SamplePlan;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Campaigns in processes of their own, which are killed while they run. */
+class CampaignProcessTest {
+
+    private static final int RUNS = 300;
+
+    @TempDir
+    Path folder;
+
+    @BeforeEach
+    void writePlan() throws IOException {
+        Files.writeString(folder.resolve("room.xml"), SamplePlan.ROOM);
+        Files.writeString(
+                folder.resolve("plan.xml"),
+                SamplePlan.text(
+                        "",
+                        "<worlds><scenario file=\"room.xml\"/></worlds><seeds count=\"" + RUNS
+                                + "\"/><set attribute=\"robot/@speed\" value=\"0.1..0.5\"/>"));
+    }
+
+    private Process start(String... arguments) throws Exception {
+        Path classes = Path.of(CampaignPlan.class
+                .getProtectionDomain()
+                .getCodeSource()
+                .getLocation()
+                .toURI());
+        Path java = Path.of(System.getProperty("java.home"), "bin", "java");
+        List<String> command =
+                new ArrayList<>(List.of(java.toString(), "-cp", classes.toString(), "faultline.app.Main"));
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command)
+                .directory(folder.toFile())
+                .redirectErrorStream(true)
+                .redirectOutput(folder.resolve("output.txt").toFile())
+                .start();
+    }
+
+    private Process startCampaign(String out) throws Exception {
+        return start("campaign", "plan.xml", "--out", out, "--jobs", "2", "--resume");
+    }
+
+    private byte[] finish(String out) throws Exception {
+        Process process = startCampaign(out);
+        assertTrue(process.waitFor(120, TimeUnit.SECONDS));
+        assertEquals(0, process.exitValue(), Files.readString(folder.resolve("output.txt")));
+        return Files.readAllBytes(folder.resolve(out).resolve("runs.csv"));
+    }
+
+    private void waitForBytes(String out, long bytes, Process process) throws Exception {
+        Path table = folder.resolve(out).resolve("runs.csv");
+        for (int i = 0; i < 60_000 && process.isAlive(); i++) {
+            if (Files.exists(table) && Files.size(table) >= bytes) {
+                return;
+            }
+            Thread.sleep(1);
+        }
+    }
+
+    @Test
+    void aCampaignThatIsKilledAgainAndAgainGivesTheSameTable() throws Exception {
+        byte[] expected = finish("whole");
+        for (int part = 0; part < 5; part++) {
+            Process process = startCampaign("killed");
+            waitForBytes("killed", 1 + expected.length * part / 6, process);
+            process.destroyForcibly().waitFor();
+        }
+        assertArrayEquals(expected, finish("killed"));
+        assertEquals(
+                RUNS + 1,
+                Files.readString(folder.resolve("killed/timing.csv")).lines().count());
+        try (var files = Files.walk(folder.resolve("killed"))) {
+            assertEquals(
+                    List.of(),
+                    files.filter(file -> file.toString().endsWith(".tmp")).toList());
+        }
+    }
+
+    @Test
+    void anInterruptedCampaignEndsWithWholeRows() throws Exception {
+        assumeTrue(Files.isExecutable(Path.of("/bin/kill")), "there is no /bin/kill here");
+        Process process = startCampaign("interrupted");
+        waitForBytes("interrupted", 10_000, process);
+        new ProcessBuilder("/bin/kill", "-INT", Long.toString(process.pid()))
+                .start()
+                .waitFor();
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS));
+        assertEquals(130, process.exitValue());
+        String table = Files.readString(folder.resolve("interrupted/runs.csv"));
+        assertTrue(table.endsWith("\n"));
+        assertTrue(table.lines().count() > 20 && table.lines().count() <= RUNS);
+        String said = Files.readString(folder.resolve("output.txt"));
+        assertEquals(
+                "faultline: stopped after " + (table.lines().count() - 1) + " of " + RUNS
+                        + " runs; --resume makes the rest\n",
+                said);
+        assertArrayEquals(finish("whole"), finish("interrupted"));
+    }
+
+    @Test
+    void twoProcessesCannotMakeTheSameCampaign() throws Exception {
+        Process first = startCampaign("shared");
+        waitForBytes("shared", 1000, first);
+        Process second = startCampaign("shared");
+        assertTrue(second.waitFor(60, TimeUnit.SECONDS));
+        assertEquals(2, second.exitValue());
+        assertEquals(
+                "faultline: shared: another process is making this campaign\n",
+                Files.readString(folder.resolve("output.txt")));
+        first.destroyForcibly().waitFor();
+    }
+
+    @Test
+    void badPlansAndBadUsageEndWithTwo() throws Exception {
+        Files.writeString(folder.resolve("plan.xml"), SamplePlan.text("", "<worlds><rooms cuont=\"3\"/></worlds>"));
+        Process process = startCampaign("bad");
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS));
+        assertEquals(2, process.exitValue());
+        assertEquals(
+                "plan.xml:2:27: <rooms> has no attribute \"cuont\", allowed is first, count; did you mean \"count\"?\n",
+                Files.readString(folder.resolve("output.txt")));
+        assertTrue(Files.notExists(folder.resolve("bad")));
+    }
+}

@@ -1,0 +1,40 @@
+package faultline.campaign.plan;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class AttributePathTest {
+
+    @ParameterizedTest
+    @CsvSource({
+        "robot/sensor[front]/@cone, front_cone_deg",
+        "robot/sensor[rear-left]/@on, rear_left_on",
+        "robot/@speed, robot_speed_m_s",
+        "robot/@turnRate, robot_turn_rate_deg_s",
+        "robot/motor/@timeConstant, motor_time_constant_s",
+        "controller/@distance, controller_distance_m",
+        "@duration, duration_s",
+        "scenario/@duration, duration_s",
+        "timeline/fault[2]/@at, fault_2_at_s"
+    })
+    void aColumnIsNamedAfterItsAttributeAndUnit(String path, String column) {
+        assertEquals(column, AttributePath.parse(path).orElseThrow().columnName());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "robot", "robot/speed", "robot//@speed", "robot/sensor[]/@on", "@", "robot/@speed/@x"})
+    void anythingElseIsRefused(String path) {
+        assertEquals(Optional.empty(), AttributePath.parse(path));
+    }
+
+    @Test
+    void aPathIsWrittenAsItIsRead() {
+        String path = "robot/sensor[front]/@cone";
+        assertEquals(path, AttributePath.parse(path).orElseThrow().toString());
+    }
+}

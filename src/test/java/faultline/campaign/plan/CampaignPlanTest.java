@@ -1,0 +1,104 @@
+package faultline.campaign.plan;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.SimulationSetup;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import faultline.world.Command;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.Test;
+
+class CampaignPlanTest {
+
+    private static final String WORLDS =
+            "<worlds><scenario file=\"a.xml\"/><scenario file=\"b.xml\"/></worlds><seeds first=\"5\" count=\"3\"/>";
+
+    private static CampaignPlan plan(String elements) throws ScenarioException {
+        return SamplePlan.read(SamplePlan.text("sampling=\"latin\"", WORLDS + elements));
+    }
+
+    @Test
+    void everyLevelIsCombinedWithEveryOtherInEveryBlock() throws ScenarioException {
+        CampaignPlan plan = plan(
+                """
+                <set attribute="robot/sensor[front]/@cone" value="5 10"/>
+                <faults><healthy/><fault sensor="front left" kind="off" at="1"/></faults>
+                """);
+        assertEquals(2 * 3 * 2 * 3, plan.runCount());
+        Set<List<String>> different = new HashSet<>();
+        LongStream.range(0, plan.runCount())
+                .mapToObj(plan::run)
+                .forEach(run -> different.add(List.of(run.world(), run.seed() + "", run.cells() + "")));
+        assertEquals(36, different.size());
+        assertEquals(List.of("10", "off", "left", "", "1", ""), plan.run(35).cells());
+        assertEquals("b", plan.run(35).world());
+        assertEquals(7, plan.run(35).seed());
+    }
+
+    @Test
+    void allRunsOfABlockHaveTheSameWorldSeedAndDraws() throws ScenarioException {
+        CampaignPlan plan = plan(
+                """
+                <set attribute="robot/@speed" value="0.1..0.3"/>
+                <variants><variant name="usual"/><variant name="far">
+                  <set attribute="controller/@distance" value="0.3"/></variant></variants>
+                """);
+        assertEquals(6 * 2, plan.runCount());
+        Set<Double> speeds = new HashSet<>();
+        for (long run = 0; run < plan.runCount(); run += 2) {
+            SimulationSetup usual = plan.scenario(plan.run(run)).setup();
+            SimulationSetup far = plan.scenario(plan.run(run + 1)).setup();
+            assertEquals(usual.robot(), far.robot());
+            assertEquals(usual.seed(), far.seed());
+            assertTrue(!usual.controller().equals(far.controller()));
+            speeds.add(usual.robot().speed());
+        }
+        assertEquals(6, speeds.size());
+    }
+
+    @Test
+    void aFaultIsAddedToTheTimelineOfItsRun() throws ScenarioException {
+        CampaignPlan plan =
+                plan("<faults><fault sensor=\"left\" kind=\"stuck\" value=\"0.2\" at=\"1..3\" lasts=\"2\"/></faults>");
+        Scenario scenario = plan.scenario(plan.run(4));
+        List<SimulationSetup.TimedCommand> timeline = scenario.setup().timeline();
+        assertEquals(2, timeline.size());
+        assertTrue(timeline.get(0).command() instanceof Command.InjectFault);
+        assertEquals(2, timeline.get(1).time() - timeline.get(0).time(), 1e-9);
+        assertEquals(
+                timeline.get(0).time(), Double.parseDouble(plan.run(4).cells().get(3)));
+    }
+
+    @Test
+    void masksAreAllSubsetsOfTheSensors() throws ScenarioException {
+        CampaignPlan plan = plan("<masks/>");
+        assertEquals(6 * 256, plan.runCount());
+        SimulationSetup setup = plan.scenario(plan.run(5)).setup();
+        assertEquals(List.of("front left", "2"), plan.run(5).cells());
+        assertEquals(
+                List.of("front", "left"),
+                setup.robot().sensors().stream()
+                        .filter(sensor -> sensor.on())
+                        .map(sensor -> sensor.id())
+                        .toList());
+    }
+
+    @Test
+    void aValueThatNeverVariesIsNoColumn() throws ScenarioException {
+        CampaignPlan plan = plan("<set attribute=\"@duration\" value=\"9\"/>");
+        assertEquals(List.of(), plan.factorColumns());
+        assertEquals(9, plan.scenario(plan.run(0)).setup().duration());
+    }
+
+    @Test
+    void roomsAreGeneratedBySeed() throws ScenarioException {
+        CampaignPlan plan = SamplePlan.read(SamplePlan.text("", "<worlds><rooms first=\"10\" count=\"3\"/></worlds>"));
+        assertEquals("room-12", plan.run(2).world());
+        assertEquals(plan.scenario(plan.run(2)), plan.scenario(plan.run(2)));
+    }
+}

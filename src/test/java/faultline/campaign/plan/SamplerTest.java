@@ -1,0 +1,45 @@
+package faultline.campaign.plan;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.BitSet;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+class SamplerTest {
+
+    @Test
+    void aDrawDependsOnSeedStreamAndBlockAlone() {
+        Sampler sampler = new Sampler(7, false, 10);
+        double third = sampler.uniform("speed", 3);
+        sampler.uniform("cone", 1);
+        assertEquals(third, sampler.uniform("speed", 3));
+        assertEquals(third, new Sampler(7, false, 99).uniform("speed", 3));
+        assertNotEquals(third, sampler.uniform("speed", 4));
+        assertNotEquals(third, sampler.uniform("cone", 3));
+        assertNotEquals(third, new Sampler(8, false, 10).uniform("speed", 3));
+    }
+
+    @Test
+    void aLatinHypercubeHitsEachOfItsPartsOnce() {
+        int blocks = 1000;
+        Sampler sampler = new Sampler(1, true, blocks);
+        for (String stream : new String[] {"speed", "cone"}) {
+            BitSet hit = new BitSet();
+            IntStream.range(0, blocks).forEach(block -> hit.set((int) (sampler.uniform(stream, block) * blocks)));
+            assertEquals(blocks, hit.cardinality(), stream);
+        }
+    }
+
+    @Test
+    void twoStreamsOfALatinHypercubeAreUncorrelated() {
+        int blocks = 10_000;
+        Sampler sampler = new Sampler(1, true, blocks);
+        double sum = IntStream.range(0, blocks)
+                .mapToDouble(i -> (sampler.uniform("a", i) - 0.5) * (sampler.uniform("b", i) - 0.5))
+                .sum();
+        assertTrue(Math.abs(12 * sum / blocks) < 0.03, "correlation " + 12 * sum / blocks);
+    }
+}

@@ -1,0 +1,50 @@
+package faultline.campaign.plan;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ValueSyntaxTest {
+
+    private static List<String> texts(String syntax, double uniform) {
+        return ValueSyntax.parse(syntax, "stream").orElseThrow().stream()
+                .map(value -> value.text((stream, block) -> uniform, 0))
+                .toList();
+    }
+
+    @Test
+    void aListHasOneLevelForEachValue() {
+        assertEquals(List.of("5", "10", "20"), texts(" 5 10  20 ", 0));
+        assertEquals(List.of("left", "right"), texts("left right", 0));
+    }
+
+    @Test
+    void aGridIsEvenlySpacedAndHasBothBounds() {
+        assertEquals(List.of("0.1", "0.2", "0.3", "0.4"), texts("0.1..0.4/4", 0));
+        assertEquals(List.of("-1", "0", "1"), texts("-1..1/3", 0));
+    }
+
+    @Test
+    void anIntervalIsDrawnFrom() {
+        assertEquals(List.of("0.1"), texts("0.1..0.4", 0));
+        assertEquals(List.of("0.25"), texts("0.1..0.4", 0.5));
+        assertEquals(List.of("0.4"), texts("0.1..0.4", Math.nextDown(1.0)));
+        assertEquals(List.of("0.199999"), texts("0.1..0.4", 0.33333), "six digits are enough");
+    }
+
+    @Test
+    void aChoiceIsDrawnFrom() {
+        assertEquals(List.of("off"), texts("any of off stuck", 0.49));
+        assertEquals(List.of("stuck"), texts("any of off stuck", 0.5));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "  ", "4..1", "1..1", "a..b", "1..2/1", "1..", "..2", "1..2 3"})
+    void anythingElseIsRefused(String syntax) {
+        assertEquals(Optional.empty(), ValueSyntax.parse(syntax, "stream"));
+    }
+}

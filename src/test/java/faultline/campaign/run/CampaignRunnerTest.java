@@ -1,0 +1,187 @@
+package faultline.campaign.run;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.SamplePlan;
+import faultline.scenario.Scenario;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class CampaignRunnerTest {
+
+    private static final String PLAN = SamplePlan.text(
+            "sampling=\"latin\"",
+            """
+            <worlds><scenario file="room.xml"/></worlds>
+            <seeds count="4"/>
+            <set attribute="robot/@speed" value="0.2..0.3"/>
+            <set attribute="robot/sensor[front]/@cone" value="10 20 30"/>
+            <faults><healthy/><fault sensor="front left" kind="off" at="1..4"/></faults>
+            """);
+
+    @TempDir
+    Path folder;
+
+    @TempDir
+    static Path reference;
+
+    private static byte[] expected;
+
+    @BeforeAll
+    static void makeTheWholeCampaignAtOnce() throws Exception {
+        expected = runs(reference, Shard.ALL, 1, false);
+        assertEquals(37, new String(expected).lines().count());
+    }
+
+    private static CampaignRunner runner(Path out, Shard shard, int jobs) throws Exception {
+        return new CampaignRunner(SamplePlan.read(PLAN), new CampaignFolder(out), shard, jobs);
+    }
+
+    private static byte[] runs(Path out, Shard shard, int jobs, boolean resume) throws Exception {
+        CampaignRunner.Result result = runner(out, shard, jobs).run(resume, (made, runs) -> {}, () -> false);
+        assertTrue(result.isComplete());
+        assertEquals(0, result.broken());
+        return Files.readAllBytes(out.resolve("runs.csv"));
+    }
+
+    @Test
+    void theTableIsTheSameForAnyNumberOfJobs() throws Exception {
+        assertArrayEquals(expected, runs(folder, Shard.ALL, 3, false));
+    }
+
+    @Test
+    void mergedPartsAreTheWholeCampaign() throws Exception {
+        List<CampaignFolder> parts = new ArrayList<>();
+        for (int part = 5; part >= 1; part--) {
+            Path out = folder.resolve("part-" + part);
+            runs(out, new Shard(part, 5), 2, true);
+            parts.add(new CampaignFolder(out));
+        }
+        CampaignFolder merged = new CampaignFolder(folder.resolve("merged"));
+        new CampaignMerge(parts).writeTo(merged);
+        assertArrayEquals(expected, Files.readAllBytes(merged.runs()));
+        assertEquals(replays(reference), replays(folder.resolve("merged")));
+        assertEquals(
+                Files.readString(reference.resolve("campaign.json")),
+                Files.readString(folder.resolve("merged").resolve("campaign.json")));
+    }
+
+    private static List<String> replays(Path campaign) throws IOException {
+        List<String> texts = new ArrayList<>();
+        try (var files = Files.list(campaign.resolve("replays"))) {
+            for (Path file : files.sorted().toList()) {
+                texts.add(file.getFileName() + Files.readString(file));
+            }
+        }
+        return texts;
+    }
+
+    @Test
+    void aTableThatWasCutAnywhereIsEndedWithTheSameBytes() throws Exception {
+        runs(folder, Shard.ALL, 1, false);
+        for (int length : new int[] {0, 1, 50, 300, expected.length / 2, expected.length - 1, expected.length}) {
+            Files.write(folder.resolve("runs.csv"), Arrays.copyOf(expected, length));
+            assertArrayEquals(expected, runs(folder, Shard.ALL, 2, true), length + " bytes");
+            assertEquals(
+                    37, Files.readString(folder.resolve("timing.csv")).lines().count(), length + " bytes");
+        }
+    }
+
+    @Test
+    void aCancelledCampaignLeavesWholeRowsAndGoesOn() throws Exception {
+        AtomicLong seen = new AtomicLong();
+        CampaignRunner.Result result =
+                runner(folder, Shard.ALL, 2).run(false, (made, runs) -> seen.set(made), () -> seen.get() == 7);
+        assertEquals(new CampaignRunner.Result(7, 36, 0), result);
+        assertEquals(8, Files.readString(folder.resolve("runs.csv")).lines().count());
+        assertArrayEquals(expected, runs(folder, Shard.ALL, 2, true));
+    }
+
+    @Test
+    void aReplayHasTheTrajectoryOfItsRun() throws Exception {
+        List<String> rows = new String(expected).lines().toList();
+        int hash = Csv.cells(rows.get(0)).indexOf("trajectory_hash");
+        try (var files = Files.list(reference.resolve("replays"))) {
+            List<Path> replays = files.toList();
+            assertEquals(20, replays.size());
+            for (Path replay : replays) {
+                int run = Integer.parseInt(replay.getFileName().toString().replaceAll("\\D", ""));
+                assertEquals(
+                        Csv.cells(rows.get(run + 1)).get(hash),
+                        Scenario.load(replay).run().trajectoryHash());
+            }
+        }
+    }
+
+    @Test
+    void aRunThatCannotBeMadeIsOneRowAndTheOthersAreMade() throws Exception {
+        // Each is possible alone, but both poles together leave no room for the robot.
+        String plan = SamplePlan.text(
+                "",
+                """
+                <worlds><scenario file="room.xml"/></worlds>
+                <set attribute="world/circle[pole]/@x" value="0.6 2"/>
+                <set attribute="world/circle[pole]/@y" value="0.5 1.2"/>
+                """);
+        CampaignPlan read = SamplePlan.read(plan);
+        CampaignRunner.Result result = new CampaignRunner(read, new CampaignFolder(folder), Shard.ALL, 2)
+                .run(false, (made, runs) -> {}, () -> false);
+        assertEquals(new CampaignRunner.Result(4, 4, 1), result);
+        List<String> rows = Files.readAllLines(folder.resolve("runs.csv"));
+        assertTrue(rows.get(2).contains(",broken,"), rows.get(2));
+        assertTrue(rows.get(2).contains("where it touches or overlaps"), rows.get(2));
+    }
+
+    @Test
+    void aFolderIsUsedForOneCampaignOnly() throws Exception {
+        runs(folder, Shard.ALL, 2, false);
+        refused("there is a campaign already", SamplePlan.read(PLAN), Shard.ALL, false);
+        refused("is another part", SamplePlan.read(PLAN), new Shard(1, 2), true);
+        refused("has another plan", SamplePlan.read(PLAN.replace("30", "31")), Shard.ALL, true);
+    }
+
+    private void refused(String why, CampaignPlan plan, Shard shard, boolean resume) {
+        CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(folder), shard, 1);
+        IOException refusal =
+                assertThrows(IOException.class, () -> runner.run(resume, (made, runs) -> {}, () -> false));
+        assertTrue(refusal.getMessage().contains(why), refusal.getMessage());
+    }
+
+    @Test
+    void missingRepeatedAndUnfinishedPartsAreRefused() throws Exception {
+        CampaignFolder one = part(1);
+        CampaignFolder two = part(2);
+        CampaignFolder three = part(3);
+        cannotMerge("the runs from 24 to 35 are in no part", one, two);
+        cannotMerge("run 0 is in no part", two, three);
+        cannotMerge("run 12 is in no part", one, three);
+        cannotMerge("run 24 comes next", one, two, two, three);
+        Files.write(two.runs(), Arrays.copyOf(Files.readAllBytes(two.runs()), 900));
+        cannotMerge("--shard 2/3 --resume makes the rest", one, two, three);
+    }
+
+    private CampaignFolder part(int number) throws Exception {
+        Path out = folder.resolve("part-" + number);
+        runs(out, new Shard(number, 3), 2, false);
+        return new CampaignFolder(out);
+    }
+
+    private void cannotMerge(String why, CampaignFolder... parts) {
+        CampaignFolder out = new CampaignFolder(folder.resolve("merged"));
+        IOException refusal = assertThrows(IOException.class, () -> new CampaignMerge(List.of(parts)).writeTo(out));
+        assertTrue(refusal.getMessage().contains(why), refusal.getMessage());
+        assertTrue(Files.notExists(out.runs()));
+    }
+}
