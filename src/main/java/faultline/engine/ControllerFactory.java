@@ -6,9 +6,11 @@ import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.PeriodicController;
 import faultline.control.Telemetry;
+import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.WallFollower;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** Makes controllers from their specifications. */
 public final class ControllerFactory {
@@ -18,7 +20,8 @@ public final class ControllerFactory {
     /** Returns a new controller in its initial state. */
     public static Controller create(ControllerSpec spec) {
         if (spec instanceof ControllerSpec.WallFollowing wall) {
-            return new PeriodicController(new WallFollower(wall), wall.period());
+            Controller follower = wall.diagnosis() ? new FaultTolerantFollower(wall) : new WallFollower(wall);
+            return new PeriodicController(follower, wall.period());
         }
         Telemetry telemetry = Telemetry.ofState(initialState(spec));
         Decision constant = spec instanceof ControllerSpec.Drive drive
@@ -29,8 +32,10 @@ public final class ControllerFactory {
 
     /** Returns the names of all states of a controller as in {@link Telemetry#state()}, the initial state first. */
     public static List<String> states(ControllerSpec spec) {
-        if (spec instanceof ControllerSpec.WallFollowing) {
-            return Arrays.stream(FollowerState.values()).map(Enum::name).toList();
+        if (spec instanceof ControllerSpec.WallFollowing wall) {
+            Stream<String> stop = wall.diagnosis() ? Stream.of(FaultTolerantFollower.STOP) : Stream.empty();
+            return Stream.concat(Arrays.stream(FollowerState.values()).map(Enum::name), stop)
+                    .toList();
         }
         return List.of(spec instanceof ControllerSpec.Drive ? "DRIVE" : "NONE");
     }

@@ -66,8 +66,12 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
 
     private AlignmentTrial withControl(double distance, double period, TimingRule timing) {
         return new AlignmentTrial(
-                setup.withController(
-                        new WallFollowing(distance, controllerSpec(setup).side(), period, timing)),
+                setup.withController(new WallFollowing(
+                        distance,
+                        controllerSpec(setup).side(),
+                        period,
+                        timing,
+                        controllerSpec(setup).diagnosis())),
                 handOver);
     }
 

@@ -10,7 +10,9 @@ final class ConflictCounts {
      * What one pair may contribute at most: two sensors that stand alone against each other do not condemn each other
      * at once.
      */
-    private static final double MAX_PAIR = 14;
+    private static final double MAX_PAIR = 6;
+
+    private static final double MAX_SELF = 20;
 
     private final int sensors;
     private final double[] counts;
@@ -29,7 +31,7 @@ final class ConflictCounts {
 
     private void bump(int one, int other, double weight) {
         int i = one * sensors + other;
-        counts[i] = Math.min(MAX_PAIR, counts[i] + weight);
+        counts[i] = Math.min(one == other ? MAX_SELF : MAX_PAIR, counts[i] + weight);
     }
 
     /** Lets all counts of one sensor fade. */
@@ -48,6 +50,11 @@ final class ConflictCounts {
             }
         }
         return sum;
+    }
+
+    /** Returns whether two sensors contradict each other as often as counts. */
+    boolean isStandoff(int one, int other) {
+        return one != other && pair(one, other) > MAX_PAIR - 1;
     }
 
     double pair(int one, int other) {

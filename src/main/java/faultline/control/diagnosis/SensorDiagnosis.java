@@ -1,9 +1,13 @@
 package faultline.control.diagnosis;
 
 import faultline.control.Observation;
+import faultline.control.SensorFinding;
+import faultline.control.SensorHealth;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Judges the sensors. One sensor is inspected at each step: what it reports must lie somewhere on the arc at the
@@ -17,6 +21,9 @@ public final class SensorDiagnosis {
     /** A sector is free up to this much before the reading, metres. */
     private static final double FREE_MARGIN = 0.04;
 
+    /** A claimed arc is looked at up to this much beyond the cone on either side, because cells are coarse, metres. */
+    private static final double ARC_MARGIN = 0.025;
+
     /** Points on a claimed arc that are looked at. */
     private static final int SAMPLES = 7;
 
@@ -29,6 +36,10 @@ public final class SensorDiagnosis {
     private static final double THRESHOLD = 9;
     private static final double FORGIVEN = 0.5;
     private static final int CONFIRMATIONS = 12;
+    private static final int MAX_STANDOFF = 25;
+
+    /** A sensor that was found contradicted less than this time ago may have been the victim, seconds. */
+    private static final double EXONERATION = 6;
 
     /** The motion clock: ticks per metre rolled, per radian turned and per second. */
     private static final double CLOCK_METRE = 1000;
@@ -51,10 +62,17 @@ public final class SensorDiagnosis {
     private ConflictCounts conflicts;
     private double[][] claims = {};
     private int[] inspections = {};
-    private Finding[] findings = {};
+    private SensorFinding[] findings = {};
     private double[] since = {};
     private double[] penance = {};
     private double[] confirmations = {};
+    private boolean[] wasDistrusted = {};
+    private long[] foundAt = {};
+    private List<SensorHealth> health = List.of();
+    private long tick;
+    private int[] standoff = {};
+    private double[] blindness = {};
+    private double[] lastReadings = {};
     private int trusted;
     private int next;
     private double clock = CLOCK_START;
@@ -83,14 +101,16 @@ public final class SensorDiagnosis {
         }
         reckoning.advance(robot, nearVolts, farVolts, observation.dt(), ticks);
         double dt = ticks * observation.dt();
+        tick = observation.tick();
         time += dt;
         clock += CLOCK_METRE * Math.abs(reckoning.rolled())
                 + CLOCK_RADIAN * Math.abs(reckoning.turned())
                 + CLOCK_SECOND * dt;
         double[] readings = observation.readings();
+        lastReadings = readings;
         for (int i = 0; i < cones.length; i++) {
-            Finding finding = signals[i].test(readings[i], reckoning.rolled(), reckoning.turned());
-            if (finding != Finding.NONE) {
+            SensorFinding finding = signals[i].test(readings[i], reckoning.rolled(), reckoning.turned());
+            if (finding != SensorFinding.NONE) {
                 distrust(i, finding);
             }
         }
@@ -119,12 +139,17 @@ public final class SensorDiagnosis {
         conflicts = new ConflictCounts(n);
         claims = new double[n][CLAIMS * 5];
         inspections = new int[n];
-        findings = new Finding[n];
-        Arrays.fill(findings, Finding.NONE);
+        findings = new SensorFinding[n];
+        Arrays.fill(findings, SensorFinding.NONE);
         since = new double[n];
         penance = new double[n];
         Arrays.fill(penance, FIRST_PENANCE);
         confirmations = new double[n];
+        standoff = new int[n];
+        foundAt = new long[n];
+        wasDistrusted = new boolean[n];
+        blindness = new double[n];
+        Arrays.fill(blindness, -1);
         trusted = (1 << n) - 1;
     }
 
@@ -151,6 +176,9 @@ public final class SensorDiagnosis {
                 grid.markSector(sensor, x, y, axis, cone.half(), radius, moment());
             }
             retest(sensor);
+            if (sees && ApproachTest.applies(cone)) {
+                testApproach(sensor);
+            }
         }
         conflicts.fade(sensor, FADE);
         confirmations[sensor] *= FADE;
@@ -186,7 +214,7 @@ public final class SensorDiagnosis {
         int asked = trusted | 1 << sensor;
         int all = asked;
         int any = 0;
-        double half = cones[sensor].half();
+        double half = cones[sensor].half() + ARC_MARGIN / Math.max(reading, ARC_MARGIN);
         for (int i = 0; i < SAMPLES; i++) {
             double angle = axis + half * (2.0 * i / (SAMPLES - 1) - 1);
             int by = grid.freeBy(
@@ -230,18 +258,59 @@ public final class SensorDiagnosis {
         }
     }
 
+    private void testApproach(int sensor) {
+        double expected = ApproachTest.expectedAhead(cones[sensor], claims[sensor], inspections[sensor], CLAIMS);
+        for (int front = 0; front < cones.length && expected < Reading.NOTHING; front++) {
+            boolean blind = Math.abs(cones[front].bearing()) < cones[front].half()
+                    && isTrusted(front)
+                    && expected + cones[sensor].x() - cones[front].x() < cones[front].range() - 0.15
+                    && lastReadings[front] > expected + cones[sensor].x() - cones[front].x() + 0.15;
+            if (blind) {
+                conflicts.add(front, front, 3);
+                blindness[front] = time;
+            }
+        }
+    }
+
     private void judge(int sensor) {
         double against = conflicts.against(sensor, trusted);
         if (isTrusted(sensor)) {
-            if (against > THRESHOLD && isWorst(sensor, against)) {
+            standoff[sensor] = hasStandoff(sensor) ? standoff[sensor] + 1 : 0;
+            if (against > THRESHOLD && isWorst(sensor, against) || standoff[sensor] > MAX_STANDOFF) {
+                boolean own = conflicts.pair(sensor, sensor) > against / 2;
+                boolean blind = own && time - blindness[sensor] < 0.5;
                 distrust(
                         sensor,
-                        conflicts.pair(sensor, sensor) > against / 2 ? Finding.INCONSISTENT : Finding.CONTRADICTED);
+                        blind ? SensorFinding.BLIND : own ? SensorFinding.INCONSISTENT : SensorFinding.CONTRADICTED);
+                exonerate();
             }
         } else if (against < FORGIVEN
                 && time - since[sensor] > penance[sensor]
                 && confirmations[sensor] > CONFIRMATIONS) {
             trust(sensor);
+        }
+    }
+
+    /** Returns whether a sensor and a better confirmed one contradict each other, and neither anyone else. */
+    private boolean hasStandoff(int sensor) {
+        for (int other = 0; other < cones.length; other++) {
+            if (isTrusted(other)
+                    && conflicts.isStandoff(sensor, other)
+                    && confirmations[sensor] <= confirmations[other]) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Trusts those again whom only sensors contradicted that are not trusted any more. */
+    private void exonerate() {
+        for (int i = 0; i < cones.length; i++) {
+            if (findings[i] == SensorFinding.CONTRADICTED
+                    && time - since[i] < EXONERATION
+                    && conflicts.against(i, trusted) < FORGIVEN) {
+                trust(i);
+            }
         }
     }
 
@@ -254,13 +323,16 @@ public final class SensorDiagnosis {
         return true;
     }
 
-    private void distrust(int sensor, Finding finding) {
+    private void distrust(int sensor, SensorFinding finding) {
         if (isTrusted(sensor)) {
             trusted &= ~(1 << sensor);
             findings[sensor] = finding;
-            if (time - since[sensor] < 60) {
+            foundAt[sensor] = tick;
+            if (wasDistrusted[sensor]) {
                 penance[sensor] = Math.min(MAX_PENANCE, 2 * penance[sensor]);
             }
+            wasDistrusted[sensor] = true;
+            standoff[sensor] = 0;
         }
         since[sensor] = time;
         confirmations[sensor] = 0;
@@ -268,7 +340,8 @@ public final class SensorDiagnosis {
 
     private void trust(int sensor) {
         trusted |= 1 << sensor;
-        findings[sensor] = Finding.NONE;
+        findings[sensor] = SensorFinding.NONE;
+        foundAt[sensor] = tick;
         since[sensor] = time;
     }
 
@@ -280,6 +353,11 @@ public final class SensorDiagnosis {
      */
     public void doubt(double x, double y) {
         grid.markHit(cones.length, x, y, moment());
+    }
+
+    /** Returns how many sensors the robot has. */
+    public int sensors() {
+        return cones.length;
     }
 
     /**
@@ -305,10 +383,30 @@ public final class SensorDiagnosis {
      * Why a sensor is not trusted.
      *
      * @param sensor its place in the robot's list
-     * @return {@link Finding#NONE} where it is
+     * @return {@link SensorFinding#NONE} where it is
      */
-    public Finding finding(int sensor) {
+    public SensorFinding finding(int sensor) {
         return findings[sensor];
+    }
+
+    /** Returns the findings and evidence for all sensors, the same list as long as nothing has changed. */
+    public List<SensorHealth> health() {
+        boolean same = health.size() == cones.length;
+        for (int i = 0; i < cones.length && same; i++) {
+            same = health.get(i).finding() == findings[i] && health.get(i).evidence() == evidence(i);
+        }
+        if (!same) {
+            List<SensorHealth> fresh = new ArrayList<>();
+            for (int i = 0; i < cones.length; i++) {
+                fresh.add(new SensorHealth(robot.sensors().get(i).id(), findings[i], evidence(i), foundAt[i]));
+            }
+            health = List.copyOf(fresh);
+        }
+        return health;
+    }
+
+    private double evidence(int sensor) {
+        return Math.min(10, Math.floor(10 * against(sensor) / THRESHOLD)) / 10;
     }
 
     /**

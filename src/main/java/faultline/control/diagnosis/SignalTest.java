@@ -1,5 +1,6 @@
 package faultline.control.diagnosis;
 
+import faultline.control.SensorFinding;
 import faultline.sensor.Reading;
 
 /**
@@ -17,9 +18,9 @@ final class SignalTest {
     private static final double SCATTER = 0.08;
 
     /** The share of such differences that a sensor may have. */
-    private static final double MAX_SCATTER = 0.28;
+    private static final double MAX_SCATTER = 0.25;
 
-    private static final double SCATTER_MEMORY = 60;
+    private static final double SCATTER_MEMORY = 200;
 
     /** Readings this near to the range may well come and go, metres. */
     private static final double NEAR_RANGE = 0.1;
@@ -43,22 +44,22 @@ final class SignalTest {
     }
 
     /** Takes a reading after a piece of motion. */
-    Finding test(double reading, double rolled, double turned) {
+    SensorFinding test(double reading, double rolled, double turned) {
         if (Reading.isOff(reading)) {
             before = Double.NaN;
-            return Finding.OFF;
+            return SensorFinding.OFF;
         }
         boolean stuck = isStuck(reading, rolled, turned);
         learnScatter(reading);
         learnFlips(reading);
         before = reading;
         if (stuck) {
-            return Finding.STUCK;
+            return SensorFinding.STUCK;
         }
         if (scatter > MAX_SCATTER) {
-            return Finding.NOISY;
+            return SensorFinding.NOISY;
         }
-        return flips > MAX_FLIPS ? Finding.INTERMITTENT : Finding.NONE;
+        return flips > MAX_FLIPS ? SensorFinding.INTERMITTENT : SensorFinding.NONE;
     }
 
     private boolean isStuck(double reading, double rolled, double turned) {

@@ -11,6 +11,7 @@ final class Heading {
     private static final double STEP = StrictMath.toRadians(5);
     private static final int DIRECTIONS = 66;
     private static final double SPACING = 0.03;
+    private static final double MARGIN = 0.025;
 
     private final LocalMap map;
 
@@ -49,20 +50,27 @@ final class Heading {
     }
 
     /**
-     * How far the robot can roll in a direction through places that are known to be free.
+     * Returns how far the robot can roll in a direction over ground that is known to be free: a strip as wide as the
+     * robot, ahead of its front.
      *
      * @param at where the robot is
      * @param direction radians
      * @param limit metres
-     * @param radius that must be free about its centre, metres
+     * @param front from the centre to the platform's front, metres
+     * @param half half the platform's width, metres
      * @return metres
      */
-    double known(DeadReckoning at, double direction, double limit, double radius) {
+    double known(DeadReckoning at, double direction, double limit, double front, double half) {
         double cos = StrictMath.cos(direction);
         double sin = StrictMath.sin(direction);
-        for (double way = SPACING; way < limit; way += SPACING) {
-            if (map.toUnknown(at.x() + way * cos, at.y() + way * sin) < radius) {
-                return way - SPACING;
+        for (double way = 0; way < limit; way += SPACING) {
+            double ahead = front + MARGIN + way;
+            for (int side = -1; side <= 1; side++) {
+                double px = at.x() + ahead * cos - side * half * sin;
+                double py = at.y() + ahead * sin + side * half * cos;
+                if (map.toUnknown(px, py) < MARGIN) {
+                    return way - SPACING;
+                }
             }
         }
         return limit;

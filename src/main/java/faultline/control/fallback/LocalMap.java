@@ -24,7 +24,10 @@ final class LocalMap {
     private double x;
     private double y;
 
-    /** Takes the map as it stands; what is older than a memory does not count. The robot's own place is free. */
+    /**
+     * Takes the map as it stands; what is older than a memory does not count. What is near the robot is free unless a
+     * surface was seen there: no sensor can see it.
+     */
     void refresh(SensorDiagnosis diagnosis, int bodySource, int memory, double bodyRadius) {
         EvidenceGrid grid = diagnosis.grid();
         x = diagnosis.reckoning().x();
@@ -35,17 +38,16 @@ final class LocalMap {
         int asked = diagnosis.trusted() | 1 << bodySource;
         Arrays.fill(surface, FAR);
         Arrays.fill(unknown, FAR);
-        double own = bodyRadius * bodyRadius / (EvidenceGrid.CELL * EvidenceGrid.CELL);
+        double ownSquare = bodyRadius * bodyRadius / (EvidenceGrid.CELL * EvidenceGrid.CELL);
         for (int r = 0; r < WINDOW; r++) {
             for (int c = 0; c < WINDOW; c++) {
                 int dx = c - WINDOW / 2;
                 int dy = r - WINDOW / 2;
-                boolean free = dx * dx + dy * dy <= own || grid.freeBy(column + c, row + r, since, asked) != 0;
-                if (!free) {
-                    unknown[r * WINDOW + c] = 0;
-                    if (grid.hitBy(column + c, row + r, since, asked) != 0) {
-                        surface[r * WINDOW + c] = 0;
-                    }
+                boolean own = dx * dx + dy * dy <= ownSquare;
+                if (grid.freeBy(column + c, row + r, since, asked) == 0) {
+                    boolean hit = grid.hitBy(column + c, row + r, since, asked) != 0;
+                    surface[r * WINDOW + c] = hit ? 0 : FAR;
+                    unknown[r * WINDOW + c] = hit || !own ? 0 : FAR;
                 }
             }
         }

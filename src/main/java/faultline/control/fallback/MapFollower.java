@@ -24,16 +24,22 @@ public final class MapFollower {
     /** What must be free around the robot's reach, metres. */
     private static final double CLEARANCE = 0.02;
 
+    /** Ground within this of the turning circle is taken to be free, because no sensor can see it, metres. */
+    private static final double NEAR = 0.05;
+
     /** The wall is kept nearer than wanted by this, because cells count as surface before they are, metres. */
     private static final double COARSENESS = 0.04;
 
+    /** After this distance without a wall it searches, metres. */
+    private static final double LOST = 1.2;
+
     /** After a scan this much of the way must be known, metres. */
-    private static final double WORTHWHILE = 0.25;
+    private static final double WORTHWHILE = 0.18;
 
     private static final double ASIDE = StrictMath.toRadians(35);
     private static final double STEERING = 2.5;
     private static final double QUARTER = StrictMath.PI / 2;
-    private static final double OVERSHOOT = StrictMath.toRadians(25);
+    private static final double OVERSHOOT = StrictMath.toRadians(30);
 
     private final SensorDiagnosis diagnosis;
     private final double wantedDistance;
@@ -47,6 +53,7 @@ public final class MapFollower {
     private double untilPlan;
     private boolean scanning;
     private double scanTo;
+    private double lastKnown;
     private double scanned;
     private double v;
     private double omega;
@@ -63,10 +70,10 @@ public final class MapFollower {
     }
 
     /** Takes over, with the wall on the left. */
-    public void begin() {
+    public void begin(boolean atWall) {
         wall = at().heading() + QUARTER;
         direction = at().heading();
-        sinceWall = 0;
+        sinceWall = atWall ? LOST / 2 : LOST + 1;
         untilPlan = 0;
         scanning = false;
     }
@@ -83,20 +90,23 @@ public final class MapFollower {
         sinceWall += Math.abs(at().rolled());
         if (untilPlan <= 0) {
             untilPlan = PLANNING;
-            map.refresh(diagnosis, robot.sensors().size(), MEMORY, robot.boundingRadius() + 2 * EVIDENCE_CELL);
+            map.refresh(diagnosis, robot.sensors().size(), MEMORY, robot.boundingRadius() + NEAR);
             plan();
         }
         act(dt);
     }
 
-    private static final double EVIDENCE_CELL = 0.025;
-
     private DeadReckoning at() {
         return diagnosis.reckoning();
     }
 
+    /** Returns the radius that must be free about the centre to turn. */
     private double radius() {
         return robot.boundingRadius() + CLEARANCE;
+    }
+
+    private double knownAhead() {
+        return heading.known(at(), direction, 0.6, robot.length() / 2, robot.width() / 2);
     }
 
     private double wanted() {
@@ -109,8 +119,12 @@ public final class MapFollower {
             wall += Angles.difference(wall, bearing);
             sinceWall = 0;
         }
-        if (sinceWall > 1.5) {
+        if (sinceWall > LOST) {
             search();
+            return;
+        }
+        if (scanning) {
+            checkKnown();
             return;
         }
         double open = heading.along(at(), wall, LOOK_AHEAD, wanted());
@@ -127,7 +141,10 @@ public final class MapFollower {
 
     /** No wall: straight on. */
     private void search() {
-        direction = at().heading();
+        if (scanning) {
+            checkKnown();
+            return;
+        }
         double bearing = map.bearingOfSurface(direction, StrictMath.PI, wanted() + 0.1);
         if (!Double.isNaN(bearing)) {
             wall = bearing;
@@ -138,7 +155,8 @@ public final class MapFollower {
     }
 
     private void checkKnown() {
-        double known = heading.known(at(), direction, 0.5, radius());
+        double known = knownAhead();
+        lastKnown = known;
         double needed = scanning ? WORTHWHILE : 0.06;
         if (known >= needed) {
             scanning = false;
@@ -190,7 +208,11 @@ public final class MapFollower {
     }
 
     private void giveUp() {
-        double far = heading.known(at(), direction, 0.5, radius()) + radius();
+        double known = knownAhead();
+        if (known >= 0.06) {
+            return;
+        }
+        double far = known + radius();
         diagnosis.doubt(at().x() + far * StrictMath.cos(direction), at().y() + far * StrictMath.sin(direction));
     }
 

@@ -14,34 +14,44 @@ import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 
 /**
- * The wall follower that carries on: a diagnosis watches all sensors, and a ladder of strategies goes from the
- * six-state follower, which needs the sensors that face the wall and ahead, to one that follows by the local map, to a
- * safe stop.
+ * The wall follower that carries on: a diagnosis watches all sensors, and the highest {@link Rung} of the ladder whose
+ * needs the trusted ones meet drives. As long as all are trusted this is the six-state follower, to the last bit.
  */
 public final class FaultTolerantFollower implements Controller {
 
+    /** The name of the state in which the robot has stopped because it cannot go on. */
+    public static final String STOP = "STOP";
+
     private final ControllerSpec.WallFollowing spec;
     private final SensorDiagnosis diagnosis;
-    private final MapFollower fallback;
-    private WallFollower follower;
+    private final MapFollower mapFollower;
+    private WallFollower sixStates;
+    private Rung rung = Rung.ALL;
     private Decision last = new Decision(0, 0, Telemetry.ofState("SEARCH"));
     private long lastTick;
-    private boolean onMap;
-    private boolean stopped;
+    private int earlierTransitions;
+    private long sinceTick;
 
+    /**
+     * Creates a follower that trusts all sensors.
+     *
+     * @param spec its settings
+     */
     public FaultTolerantFollower(ControllerSpec.WallFollowing spec) {
         this.spec = spec;
         this.diagnosis = new SensorDiagnosis(spec.side() == WallSide.LEFT ? 1 : -1);
-        this.fallback = new MapFollower(diagnosis, spec.distance());
-        this.follower = new WallFollower(spec);
+        this.mapFollower = new MapFollower(diagnosis, spec.distance());
+        this.sixStates = new WallFollower(spec);
     }
 
+    /** Returns the live diagnosis. */
     public SensorDiagnosis diagnosis() {
         return diagnosis;
     }
 
+    /** Returns whether the robot has stopped because it cannot go on. */
     public boolean isStopped() {
-        return stopped;
+        return last.telemetry().state().equals(STOP);
     }
 
     @Override
@@ -54,51 +64,58 @@ public final class FaultTolerantFollower implements Controller {
                 left ? last.rightVolts() : last.leftVolts(),
                 ticks);
         lastTick = observation.tick();
-        last = choose(observation, ticks * observation.dt());
+        switchRung();
+        last = shown(drive(observation, ticks * observation.dt()));
         return last;
     }
 
-    private Decision choose(Observation observation, double dt) {
-        if (!serves(QUARTER, SIDEWAYS)) {
-            stopped = true;
-            return new Decision(0, 0, Telemetry.ofState("STOP"));
-        }
-        stopped = false;
-        if (serves(QUARTER, TOLERANCE) && serves(0, TOLERANCE)) {
-            if (onMap) {
-                onMap = false;
-                follower = new WallFollower(spec);
-            }
-            return follower.decide(masked(observation));
-        }
-        if (!onMap) {
-            onMap = true;
-            fallback.begin();
-        }
-        fallback.decide(observation.robot(), dt);
-        return onMap(observation.robot());
-    }
-
-    private static final double QUARTER = StrictMath.PI / 2;
-    private static final double TOLERANCE = StrictMath.toRadians(20);
-    private static final double SIDEWAYS = StrictMath.toRadians(50);
-
-    /** Whether a trusted sensor looks within some angle of a bearing. */
-    private boolean serves(double bearing, double within) {
-        for (int rest = diagnosis.trusted(); rest != 0; rest &= rest - 1) {
-            if (Math.abs(diagnosis.cone(Integer.numberOfTrailingZeros(rest)).bearing() - bearing) < within) {
-                return true;
+    private void switchRung() {
+        Rung.Strategy before = rung.strategy();
+        rung = Rung.of(diagnosis);
+        if (rung.strategy() != before) {
+            if (rung.strategy() == Rung.Strategy.MAP) {
+                mapFollower.begin(!last.telemetry().state().equals("SEARCH"));
+            } else if (rung.strategy() == Rung.Strategy.SIX_STATES) {
+                sixStates = new WallFollower(spec);
+                earlierTransitions = last.telemetry().transitions();
             }
         }
-        return false;
     }
 
+    private Decision drive(Observation observation, double dt) {
+        return switch (rung.strategy()) {
+            case SIX_STATES -> sixStates.decide(masked(observation));
+            case MAP -> {
+                mapFollower.decide(observation.robot(), dt);
+                yield decision(observation.robot(), mapFollower.v(), mapFollower.omega(), mapFollower.state());
+            }
+            case STOP -> decision(observation.robot(), 0, 0, STOP);
+        };
+    }
+
+    /** Returns a decision with its telemetry completed: transitions are counted on across rungs. */
+    private Decision shown(Decision decision) {
+        Telemetry now = decision.telemetry();
+        Telemetry before = last.telemetry();
+        boolean six = rung.strategy() == Rung.Strategy.SIX_STATES;
+        boolean changed = !now.state().equals(before.state());
+        int transitions = six ? earlierTransitions + now.transitions() : before.transitions() + (changed ? 1 : 0);
+        if (six && changed && transitions == before.transitions()) {
+            earlierTransitions++;
+            transitions++;
+        }
+        sinceTick = transitions == before.transitions() ? sinceTick : lastTick;
+        Telemetry telemetry =
+                now.withDiagnosis(sinceTick, transitions - now.transitions(), rung.name(), diagnosis.health());
+        return new Decision(decision.leftVolts(), decision.rightVolts(), telemetry);
+    }
+
+    /** Returns the observation in which sensors that are not trusted are off. */
     private Observation masked(Observation observation) {
-        double[] readings = observation.readings();
-        if (diagnosis.trusted() == (1 << readings.length) - 1) {
+        if (rung == Rung.ALL) {
             return observation;
         }
-        double[] kept = readings.clone();
+        double[] kept = observation.readings().clone();
         for (int i = 0; i < kept.length; i++) {
             if (!diagnosis.isTrusted(i)) {
                 kept[i] = Reading.OFF;
@@ -107,12 +124,12 @@ public final class FaultTolerantFollower implements Controller {
         return new Observation(observation.tick(), observation.dt(), observation.robot(), kept);
     }
 
-    private Decision onMap(RobotSpec robot) {
+    private Decision decision(RobotSpec robot, double v, double omega, String state) {
         MotorSpec motor = robot.motor();
-        double half = fallback.omega() * robot.track() / 2;
-        double near = motor.voltageFor(fallback.v() - half);
-        double far = motor.voltageFor(fallback.v() + half);
-        Telemetry telemetry = Telemetry.ofState(fallback.state());
+        double half = omega * robot.track() / 2;
+        double near = motor.voltageFor(v - half);
+        double far = motor.voltageFor(v + half);
+        Telemetry telemetry = Telemetry.ofState(state);
         return spec.side() == WallSide.LEFT ? new Decision(near, far, telemetry) : new Decision(far, near, telemetry);
     }
 }

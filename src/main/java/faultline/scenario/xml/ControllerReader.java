@@ -15,7 +15,11 @@ final class ControllerReader {
     private static final Map<String, WallSide> WALL_SIDES = new LinkedHashMap<>();
     private static final Map<String, TimingRule> TIMING_RULES = new LinkedHashMap<>();
 
+    private static final Map<String, Boolean> SWITCH = new LinkedHashMap<>();
+
     static {
+        SWITCH.put("on", true);
+        SWITCH.put("off", false);
         TYPE_READERS.put("wall-follower", ControllerReader::readWallFollower);
         TYPE_READERS.put("none", fields -> new ControllerSpec.None());
         TYPE_READERS.put(
@@ -47,6 +51,7 @@ final class ControllerReader {
                 fields.number("distance", NumberRange.SIZE, usual.distance()),
                 fields.choice("hand", WALL_SIDES, usual.side()),
                 fields.number("period", NumberRange.TIME, usual.period()),
-                fields.choice("timing", TIMING_RULES, usual.timingRule()));
+                fields.choice("timing", TIMING_RULES, usual.timingRule()),
+                fields.choice("diagnosis", SWITCH, usual.diagnosis()));
     }
 }

@@ -62,6 +62,9 @@ final class ScenarioWriter {
                     .attribute("hand", follow.side().fileName())
                     .attribute("period", follow.period())
                     .attribute("timing", follow.timingRule().fileName());
+            if (!follow.diagnosis()) {
+                out.attribute("diagnosis", "off");
+            }
         } else if (spec instanceof ControllerSpec.Drive drive) {
             out.attribute("type", "drive").attribute("left", drive.leftVolts()).attribute("right", drive.rightVolts());
         } else {

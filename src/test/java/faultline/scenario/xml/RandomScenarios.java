@@ -177,7 +177,8 @@ final class RandomScenarios {
                         size(),
                         random.nextBoolean() ? WallSide.LEFT : WallSide.RIGHT,
                         edgeValue(0, 10),
-                        random.nextBoolean() ? TimingRule.EQUAL_READINGS : TimingRule.RANGE);
+                        random.nextBoolean() ? TimingRule.EQUAL_READINGS : TimingRule.RANGE,
+                        random.nextBoolean());
         };
     }
 

@@ -1,7 +1,7 @@
-package faultline.control.diagnosis;
+package faultline.control;
 
 /** Why a sensor is not trusted. */
-public enum Finding {
+public enum SensorFinding {
     /** It is trusted. */
     NONE,
     /** It gives no answer. */

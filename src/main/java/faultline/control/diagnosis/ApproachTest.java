@@ -1,0 +1,81 @@
+package faultline.control.diagnosis;
+
+import faultline.sensor.Reading;
+
+/**
+ * Foresees a surface ahead from a sensor that looks to the front at a slant. On a straight way the reading of a thing
+ * beside the way falls by less than the cosine of the bearing at which its cone's inner edge lies; if it falls faster,
+ * the surface reaches across that edge, and the rate tells its slant: R = h / cos(e - phi), so -dR/ds = cos(phi) /
+ * cos(e - phi), where e is the edge's bearing and phi that of the surface's normal.
+ */
+final class ApproachTest {
+
+    private static final int POINTS = 7;
+    private static final int FIELDS = 5;
+
+    /** The least way that the rate is taken over, metres. */
+    private static final double MIN_WAY = 0.08;
+
+    /** What the rate must exceed that of a thing beside the way by. */
+    private static final double MARGIN = 0.14;
+
+    private static final double STRAIGHT = StrictMath.toRadians(3);
+
+    /** Beyond this, measured across the way, a surface need not reach it, metres. */
+    private static final double BESIDE = 0.33;
+
+    private ApproachTest() {}
+
+    static boolean applies(MountedCone cone) {
+        // On the side away from the wall: on the wall's side the wall itself comes and goes.
+        double bearing = -cone.bearing();
+        return bearing > cone.half() + 0.2 && bearing < 1.2;
+    }
+
+    /** Returns how far ahead of the sensor the surface crosses the way, metres, infinite if none is foreseen. */
+    static double expectedAhead(MountedCone cone, double[] claims, int count, int size) {
+        if (count < POINTS) {
+            return Reading.NOTHING;
+        }
+        double axis = claims[(count - 1) % size * FIELDS + 2];
+        double cos = StrictMath.cos(axis - cone.bearing());
+        double sin = StrictMath.sin(axis - cone.bearing());
+        double meanWay = 0;
+        double meanReading = 0;
+        double firstWay = 0;
+        double lastWay = 0;
+        for (int i = 0; i < POINTS; i++) {
+            int slot = (count - 1 - i) % size * FIELDS;
+            if (claims[slot + 3] < 0 || Math.abs(claims[slot + 2] - axis) > STRAIGHT) {
+                return Reading.NOTHING;
+            }
+            lastWay = claims[slot] * cos + claims[slot + 1] * sin;
+            firstWay = i == 0 ? lastWay : firstWay;
+            meanWay += lastWay / POINTS;
+            meanReading += claims[slot + 3] / POINTS;
+        }
+        if (firstWay - lastWay < MIN_WAY) {
+            return Reading.NOTHING;
+        }
+        double top = 0;
+        double bottom = 0;
+        for (int i = 0; i < POINTS; i++) {
+            int slot = (count - 1 - i) % size * FIELDS;
+            double way = claims[slot] * cos + claims[slot + 1] * sin - meanWay;
+            top += way * (claims[slot + 3] - meanReading);
+            bottom += way * way;
+        }
+        return ahead(cone, -top / bottom, claims[(count - 1) % size * FIELDS + 3]);
+    }
+
+    private static double ahead(MountedCone cone, double rate, double reading) {
+        double edge = Math.abs(cone.bearing()) - cone.half();
+        double across = Math.abs(cone.y()) + reading * StrictMath.sin(edge);
+        if (rate < StrictMath.cos(edge) + MARGIN || across > BESIDE) {
+            return Reading.NOTHING;
+        }
+        // tan(phi) = (1 / rate - cos e) / sin e; the surface goes from its point on the edge to the middle of the way.
+        double tan = (1 / rate - StrictMath.cos(edge)) / StrictMath.sin(edge);
+        return reading * StrictMath.cos(edge) + across * tan;
+    }
+}

@@ -1,0 +1,108 @@
+package faultline.control.ladder;
+
+import faultline.control.diagnosis.MountedCone;
+import faultline.control.diagnosis.SensorDiagnosis;
+import java.util.List;
+
+/**
+ * A strategy of the ladder with the sensors that it needs. {@link #LADDER} is the one table that the choice, the
+ * diagram and the documentation go by: the first rung whose needs are met drives.
+ */
+public enum Rung {
+    /** All sensors are trusted: the six states. */
+    ALL("all sensors trusted", Strategy.SIX_STATES) {
+        @Override
+        boolean isMet(SensorDiagnosis diagnosis) {
+            return diagnosis.trusted() == (1 << diagnosis.sensors()) - 1;
+        }
+    },
+    /** The sensors that face the wall and ahead are trusted: the six states without the others. */
+    REDUCED("left and front trusted", Strategy.SIX_STATES) {
+        @Override
+        boolean isMet(SensorDiagnosis diagnosis) {
+            return serves(diagnosis, QUARTER, FACING) && serves(diagnosis, 0, FACING);
+        }
+    },
+    /** One that looks to the wall's side and two more are trusted: the local map. */
+    THREE("one on the wall's side and two more", Strategy.MAP) {
+        @Override
+        boolean isMet(SensorDiagnosis diagnosis) {
+            return serves(diagnosis, QUARTER, SIDEWAYS) && Integer.bitCount(diagnosis.trusted()) >= 3;
+        }
+    },
+    /** One that looks to the wall's side and another are trusted: the local map, with turns to look around. */
+    TWO("one on the wall's side and another", Strategy.MAP) {
+        @Override
+        boolean isMet(SensorDiagnosis diagnosis) {
+            return serves(diagnosis, QUARTER, SIDEWAYS) && Integer.bitCount(diagnosis.trusted()) == 2;
+        }
+    },
+    /** Only one that looks to the wall's side is trusted: the local map, with more turns to look around. */
+    ONE("one on the wall's side", Strategy.MAP) {
+        @Override
+        boolean isMet(SensorDiagnosis diagnosis) {
+            return serves(diagnosis, QUARTER, SIDEWAYS);
+        }
+    },
+    /** No sensor that looks to the wall's side is trusted: the robot stops. */
+    STOP("none on the wall's side", Strategy.STOP) {
+        @Override
+        boolean isMet(SensorDiagnosis diagnosis) {
+            return true;
+        }
+    };
+
+    /** What drives. */
+    enum Strategy {
+        SIX_STATES,
+        MAP,
+        STOP
+    }
+
+    /** All rungs from the top. */
+    public static final List<Rung> LADDER = List.of(values());
+
+    private static final double QUARTER = StrictMath.PI / 2;
+    private static final double FACING = StrictMath.toRadians(20);
+    private static final double SIDEWAYS = StrictMath.toRadians(50);
+
+    private final String needs;
+    private final Strategy strategy;
+
+    Rung(String needs, Strategy strategy) {
+        this.needs = needs;
+        this.strategy = strategy;
+    }
+
+    /** Returns the highest rung whose needs are met. */
+    static Rung of(SensorDiagnosis diagnosis) {
+        for (Rung rung : LADDER) {
+            if (rung.isMet(diagnosis)) {
+                return rung;
+            }
+        }
+        return STOP;
+    }
+
+    abstract boolean isMet(SensorDiagnosis diagnosis);
+
+    Strategy strategy() {
+        return strategy;
+    }
+
+    /** Returns what the rung needs, in words, for a wall on the left. */
+    public String needs() {
+        return needs;
+    }
+
+    /** Returns whether a trusted sensor looks within some angle of a bearing. */
+    private static boolean serves(SensorDiagnosis diagnosis, double bearing, double within) {
+        for (int rest = diagnosis.trusted(); rest != 0; rest &= rest - 1) {
+            MountedCone cone = diagnosis.cone(Integer.numberOfTrailingZeros(rest));
+            if (Math.abs(cone.bearing() - bearing) < within) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
