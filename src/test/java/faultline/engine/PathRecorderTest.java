@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.geometry.Vector2;
+import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import org.junit.jupiter.api.Test;
 
@@ -42,27 +44,100 @@ class PathRecorderTest {
     }
 
     @Test
-    void oneMorePointThanIsKeptThinsThemToEverySecond() {
+    void tooManyPointsOnALineAreThinnedToItsEnds() {
         drive(0, PathRecorder.MAX_POINTS);
         RobotPath full = recorder.view();
         drive(PathRecorder.MAX_POINTS, PathRecorder.MAX_POINTS + 1);
         RobotPath thinned = recorder.view();
         assertEquals(PathRecorder.MAX_POINTS, full.size());
-        assertEquals(PathRecorder.MAX_POINTS / 2 + 1, thinned.size());
+        assertEquals(3, thinned.size());
         assertFalse(thinned.isContinuationOf(full));
         assertEquals(7 * STEP, full.x(7));
-        assertEquals(14 * STEP, thinned.x(7));
-        assertEquals(PathRecorder.MAX_POINTS * STEP, thinned.x(thinned.size() - 1));
+        assertEquals((PathRecorder.MAX_POINTS - 1) * STEP, thinned.x(1));
+        assertEquals(PathRecorder.MAX_POINTS * STEP, thinned.x(2));
     }
 
     @Test
-    void afterThinningTheSpacingIsTwiceAsWide() {
-        drive(0, PathRecorder.MAX_POINTS + 1);
-        int before = recorder.view().size();
-        drive(PathRecorder.MAX_POINTS + 1, PathRecorder.MAX_POINTS + 2);
-        assertEquals(before, recorder.view().size());
-        drive(PathRecorder.MAX_POINTS + 2, PathRecorder.MAX_POINTS + 3);
-        assertEquals(before + 1, recorder.view().size());
+    void thePathOfARunOfHoursStaysWithinAPixelOfTheRobot() {
+        // Fourteen hours at 0.3 m/s around a room of 3 m by 2 m whose corners are quarter circles of 0.2 m.
+        double metres = 14 * 3600 * 0.3;
+        for (double s = 0; s < metres; s += STEP) {
+            Vector2 at = roomLoop(s);
+            recorder.record(at.x(), at.y());
+        }
+        RobotPath path = recorder.view();
+        int tail = 2000;
+        double worst = 0;
+        for (double s = metres - 40; s < metres - 20; s += 0.01) {
+            worst = Math.max(worst, distanceToEnd(path, tail, roomLoop(s)));
+        }
+        assertTrue(worst < 0.004, "off by " + worst + " m");
+        worst = 0;
+        for (double s = 0; s < 20; s += 0.01) {
+            worst = Math.max(worst, distanceToStart(path, tail, roomLoop(s)));
+        }
+        assertTrue(worst < 0.004, "off by " + worst + " m");
+    }
+
+    @Test
+    void aReversalAndASpinOnTheSpotAreKept() {
+        drive(0, PathRecorder.MAX_POINTS / 2);
+        for (int i = PathRecorder.MAX_POINTS / 2; i > 0; i--) {
+            recorder.record(i * STEP, 1);
+        }
+        drive(0, 2);
+        RobotPath path = recorder.view();
+        double farthest = 0;
+        for (int i = 0; i < path.size(); i++) {
+            farthest = Math.max(farthest, path.x(i));
+        }
+        assertEquals(PathRecorder.MAX_POINTS / 2 * STEP, farthest, 2 * STEP);
+    }
+
+    /** Returns the point at a distance along a rounded rectangle that a robot circles again and again. */
+    private static Vector2 roomLoop(double distance) {
+        double radius = 0.2;
+        double[] straight = {3 - 2 * radius, 2 - 2 * radius, 3 - 2 * radius, 2 - 2 * radius};
+        double arc = radius * Math.PI / 2;
+        double rest = distance % (10 - 8 * radius + 4 * arc);
+        Vector2 at = new Vector2(radius, 0);
+        double heading = 0;
+        for (double side : straight) {
+            Vector2 ahead = new Vector2(Math.cos(heading), Math.sin(heading));
+            if (rest < side) {
+                return at.plus(ahead.times(rest));
+            }
+            rest -= side;
+            at = at.plus(ahead.times(side));
+            Vector2 centre = at.plus(new Vector2(-ahead.y(), ahead.x()).times(radius));
+            double turned = Math.min(rest, arc) / radius;
+            Vector2 onArc =
+                    centre.plus(new Vector2(Math.sin(heading + turned), -Math.cos(heading + turned)).times(radius));
+            if (rest < arc) {
+                return onArc;
+            }
+            rest -= arc;
+            at = onArc;
+            heading += Math.PI / 2;
+        }
+        return at;
+    }
+
+    private static double distanceToStart(RobotPath path, int points, Vector2 at) {
+        return distance(path, 1, Math.min(points, path.size()), at);
+    }
+
+    private static double distanceToEnd(RobotPath path, int points, Vector2 at) {
+        return distance(path, Math.max(1, path.size() - points), path.size(), at);
+    }
+
+    private static double distance(RobotPath path, int from, int to, Vector2 at) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = from; i < to; i++) {
+            least = Math.min(
+                    least, Line2D.ptSegDist(path.x(i - 1), path.y(i - 1), path.x(i), path.y(i), at.x(), at.y()));
+        }
+        return least;
     }
 
     @Test
