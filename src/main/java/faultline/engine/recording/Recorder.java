@@ -1,5 +1,6 @@
 package faultline.engine.recording;
 
+import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.engine.CommandListener;
 import faultline.engine.ControllerFactory;
@@ -23,6 +24,8 @@ public final class Recorder implements TickObserver, CommandListener {
     private final KeyframeRecorder keyframes = new KeyframeRecorder();
     private final HashTraceRecorder hashes = new HashTraceRecorder();
     private Telemetry lastTelemetry;
+    private double lastHeading;
+    private double turnStart;
     private boolean collided;
 
     /** Of a run that has not begun. */
@@ -62,10 +65,24 @@ public final class Recorder implements TickObserver, CommandListener {
             events.add(new RunEvent.StateChanged(
                     simulation.ticks(), simulation.time(), lastTelemetry.state(), now.state(), now.condition()));
             states.recordTransition(lastTelemetry.state(), now.state());
+            recordTiming(simulation, now);
         }
         lastTelemetry = now;
         if (simulation.ticks() > 0) {
             states.tick();
+        }
+    }
+
+    /** Records the times of F3 and F4, which the controller measures by the angle turned since TURN began. */
+    private void recordTiming(Simulation simulation, Telemetry now) {
+        if (now.state().equals(FollowerState.TURN.name())) {
+            turnStart = lastHeading;
+        } else if (now.state().equals(FollowerState.ALIGN.name()) && Double.isFinite(now.tP())) {
+            double clock =
+                    Math.abs(lastHeading - turnStart) / simulation.robot().turnRate();
+            double origin = simulation.time() - dt - clock;
+            events.add(new RunEvent.AlignmentTimed(
+                    simulation.ticks(), simulation.time(), origin + now.tF3(), origin + now.tF4(), now.tP()));
         }
     }
 
@@ -84,7 +101,8 @@ public final class Recorder implements TickObserver, CommandListener {
         values[TraceChannels.DERIVATIVE] = (float) lastTelemetry.derivative();
         values[TraceChannels.LEFT_VOLTS] = (float) simulation.leftVolts();
         values[TraceChannels.RIGHT_VOLTS] = (float) simulation.rightVolts();
-        values[TraceChannels.HEADING] = (float) simulation.pose().heading();
+        lastHeading = simulation.pose().heading();
+        values[TraceChannels.HEADING] = (float) lastHeading;
     }
 
     private void recordSensors(Simulation simulation) {

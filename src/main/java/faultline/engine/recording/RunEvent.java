@@ -33,6 +33,17 @@ public sealed interface RunEvent {
     record StateChanged(long tick, double time, String from, String to, String condition) implements RunEvent {}
 
     /**
+     * The controller has timed the wall during an alignment turn.
+     *
+     * @param tick the tick in which the timing is complete
+     * @param time the simulated time of that tick, seconds
+     * @param f3 the simulated time of frame F3, seconds
+     * @param f4 the simulated time of frame F4, seconds
+     * @param tP the duration of the turn back, t_p of eq. (4), seconds
+     */
+    record AlignmentTimed(long tick, double time, double f3, double f4, double tP) implements RunEvent {}
+
+    /**
      * A command was carried out: one of the timeline, or one from outside.
      *
      * @param tick at whose start it was

@@ -1,5 +1,6 @@
 package faultline.gui.instrument;
 
+import faultline.control.TimingRule;
 import faultline.geometry.Angles;
 import faultline.gui.text.Messages;
 import java.util.List;
@@ -19,11 +20,12 @@ final class AlignmentText {
      */
     record Row(String name, String value) {}
 
-    static List<Row> rows(AlignmentTrace spin) {
+    static List<Row> rows(AlignmentTrace spin, TimingRule rule) {
         OptionalDouble predicted = spin.isTimed() ? OptionalDouble.of(spin.predictedHeading()) : OptionalDouble.empty();
         return List.of(
-                row("f3", seconds(spin.f3())),
-                row("f4", seconds(spin.f4())),
+                row("rule", Messages.get("spin.rule." + rule.fileName())),
+                row("f3", seconds(spin.origin() + spin.f3())),
+                row("f4", seconds(spin.origin() + spin.f4())),
                 row("tD", seconds(spin.tD())),
                 row("tP", seconds(spin.tP())),
                 row("predicted", degrees(predicted, "%.2f°")),

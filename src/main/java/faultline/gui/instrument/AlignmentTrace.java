@@ -24,6 +24,7 @@ import java.util.OptionalDouble;
  * @param f3 when the left sensor met the wall, seconds; NaN if not yet known
  * @param f4 when the left sensor lost the wall, seconds; NaN if not yet known
  * @param tP the duration of the turn back, seconds; NaN if not yet known
+ * @param origin the simulated time at which the manoeuvre's clock would be 0 at the constant turn rate, seconds
  * @param achievedHeading the heading at the end of ALIGN, radians; NaN if not yet known
  */
 record AlignmentTrace(
@@ -34,6 +35,7 @@ record AlignmentTrace(
         double f3,
         double f4,
         double tP,
+        double origin,
         OptionalDouble achievedHeading) {
 
     /**
@@ -105,7 +107,12 @@ record AlignmentTrace(
                 shown.tF3(),
                 shown.tF4(),
                 shown.tP(),
+                (ticks.align() - 1) * dt(frame) - Math.abs(turnedBy / rate),
                 ticks.done() ? OptionalDouble.of(now) : OptionalDouble.empty());
+    }
+
+    private static double dt(SessionFrame frame) {
+        return frame.snapshot().time() / Math.max(1, frame.snapshot().tick());
     }
 
     private static double headingAt(TraceLevel level, long tick) {

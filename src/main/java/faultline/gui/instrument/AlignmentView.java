@@ -1,5 +1,6 @@
 package faultline.gui.instrument;
 
+import faultline.control.TimingRule;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
@@ -33,6 +34,7 @@ public final class AlignmentView extends JComponent {
     private static final int VALUE_WIDTH = 140;
     private static final int ROW_HEIGHT = 20;
 
+    private TimingRule timingRule = TimingRule.EQUAL_READINGS;
     private transient Optional<AlignmentTrace> trace = Optional.empty();
 
     /** Creates an empty view. */
@@ -61,7 +63,14 @@ public final class AlignmentView extends JComponent {
     }
 
     List<AlignmentText.Row> rows() {
-        return trace.map(AlignmentText::rows).orElse(List.of());
+        return trace.map(shown -> AlignmentText.rows(shown, timingRule)).orElse(List.of());
+    }
+
+    /** Names the rule by which the controller chooses F3 and F4. */
+    void setTimingRule(TimingRule rule) {
+        timingRule = rule;
+        setToolTipText(Messages.get("spin.tip") + " " + Messages.get("spin.rule.tip." + rule.fileName()));
+        repaint();
     }
 
     @Override

@@ -20,6 +20,9 @@ final class EventText {
         if (event instanceof RunEvent.Diverged) {
             return Messages.get("event.ghost");
         }
+        if (event instanceof RunEvent.AlignmentTimed) {
+            return Messages.get("event.timing");
+        }
         return Messages.get(
                 event instanceof RunEvent.StateChanged
                         ? "event.transition"
@@ -51,6 +54,14 @@ final class EventText {
         if (event instanceof RunEvent.CommandRefused refused) {
             return Messages.get(
                     "event.why", CommandText.format(refused.command()), RefusalText.format(refused.refusal()));
+        }
+        if (event instanceof RunEvent.AlignmentTimed timing) {
+            return Messages.get(
+                    "event.timed",
+                    format("%.3f", timing.f3()),
+                    format("%.3f", timing.f4()),
+                    format("%.3f", timing.f4() - timing.f3()),
+                    format("%.3f", timing.tP()));
         }
         return event instanceof RunEvent.Collided collided ? collision(collided) : Messages.get("event.diverged");
     }

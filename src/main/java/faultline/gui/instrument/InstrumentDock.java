@@ -1,5 +1,6 @@
 package faultline.gui.instrument;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
@@ -68,6 +69,14 @@ public final class InstrumentDock extends JTabbedPane {
     /** Shows in the event log where the run differs from the reference run, or removes the mark. */
     public void setDivergence(Optional<RunEvent.Diverged> divergence) {
         events.setDivergence(divergence);
+    }
+
+    /** Prepares for another scenario: names its timing rule and releases a held chart. */
+    public void startScenario(ControllerSpec controller) {
+        chart.release();
+        if (controller instanceof ControllerSpec.WallFollowing following) {
+            alignment.setTimingRule(following.timingRule());
+        }
     }
 
     private void update(SessionFrame frame) {

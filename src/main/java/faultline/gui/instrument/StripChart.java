@@ -72,6 +72,12 @@ public final class StripChart extends JPanel {
         view.setFrozen(on);
     }
 
+    /** Lets the chart follow the run again, over the initial time span. */
+    void release() {
+        view.setSpan(TimeSpan.DEFAULT);
+        freeze(false);
+    }
+
     private void updateSignal() {
         if (choice.getSelectedItem() instanceof SignalGroup signal) {
             view.setSignal(signal);

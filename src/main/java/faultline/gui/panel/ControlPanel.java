@@ -23,7 +23,7 @@ import javax.swing.SwingUtilities;
 public final class ControlPanel extends JPanel {
 
     private static final int WHEEL_STEP = 16;
-    private static final int WIDTH = 436;
+    private static final int WIDTH = 450;
 
     private final RobotPanel robot;
     private final SensorsPanel sensors;
@@ -52,9 +52,7 @@ public final class ControlPanel extends JPanel {
         JPanel top = new JPanel(new BorderLayout());
         top.add(column, BorderLayout.NORTH);
         JScrollPane scroll = new JScrollPane(
-                top,
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
+                top, ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.getVerticalScrollBar().setUnitIncrement(WHEEL_STEP);
         scroll.getHorizontalScrollBar().setUnitIncrement(WHEEL_STEP);

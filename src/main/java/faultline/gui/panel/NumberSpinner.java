@@ -34,7 +34,7 @@ final class NumberSpinner extends JSpinner {
      */
     NumberSpinner(String pattern, double min, double max, double step, DoubleConsumer onChange) {
         formatter = new DecimalFormatter(pattern, min, max);
-        model = new SpinnerNumberModel(min, min, max, step);
+        model = new SpinnerNumberModel(Math.max(min, Math.min(max, 0)), min, max, step);
         setModel(model);
         JSpinner.DefaultEditor editor = new JSpinner.DefaultEditor(this);
         setEditor(editor);
@@ -111,6 +111,27 @@ final class NumberSpinner extends JSpinner {
             textField().setValue(getValue());
         }
         return doubleValue() != before;
+    }
+
+    /** Leaves invalid text in the field when the focus moves on, so that the user sees what is wrong. */
+    NumberSpinner keepInvalidText() {
+        textField().setFocusLostBehavior(JFormattedTextField.COMMIT);
+        return this;
+    }
+
+    /** Commits the text and returns true, or returns false if it is invalid. */
+    boolean commitValidEdit() {
+        try {
+            commitEdit();
+            return true;
+        } catch (ParseException invalid) {
+            return false;
+        }
+    }
+
+    /** Returns a text that states the limits. */
+    String limitsText() {
+        return formatter.limitsText();
     }
 
     private void setValueQuietly(double value) {

@@ -2,10 +2,8 @@ package faultline.gui.panel;
 
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
-import faultline.gui.theme.TextSize;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
-import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
@@ -19,16 +17,21 @@ public final class RobotPanel extends JPanel {
 
     private static final double MIN_VALUE = 0.01;
     private static final double MAX_SIZE = 10;
-    private static final double MAX_SPEED = 100;
-    private static final int UNIT_WIDTH = 30;
+    private static final int COLUMN_GAP = 12;
 
     private final transient UndoController editor;
     private final NumberSpinner speed = new NumberSpinner(
-            "0.00##", MIN_VALUE, MAX_SPEED, 0.05, value -> sendPlatform(robot().length(), robot().width(), value));
+            "0.00##",
+            MIN_VALUE,
+            RobotSpec.DEFAULT.motor().maxSpeed(),
+            0.05,
+            value -> sendPlatform(robot().length(), robot().width(), value));
     private final NumberSpinner length = new NumberSpinner(
             "0.00##", MIN_VALUE, MAX_SIZE, 0.01, value -> sendPlatform(value, robot().width(), robot().speed()));
     private final NumberSpinner width = new NumberSpinner(
             "0.00##", MIN_VALUE, MAX_SIZE, 0.01, value -> sendPlatform(robot().length(), value, robot().speed()));
+
+    private double maxSpeed = RobotSpec.DEFAULT.motor().maxSpeed();
 
     /**
      * Creates the robot's controls.
@@ -39,33 +42,27 @@ public final class RobotPanel extends JPanel {
     public RobotPanel(UndoController editor, Action path) {
         super(new GridBagLayout());
         this.editor = editor;
-        addRow(0, "robot.speed", speed, "m/s");
-        addRow(1, "robot.length", length, "m");
-        addRow(2, "robot.width", width, "m");
+        addField(0, 0, "robot.speed", speed, "m/s");
+        addField(0, 1, "robot.length", length, "m");
+        addField(2, 1, "robot.width", width, "m");
         JCheckBox drawPath = new JCheckBox(path);
         drawPath.setIcon(null);
         drawPath.setText(Messages.get("robot.path"));
         drawPath.setMnemonic(0);
-        GridBagConstraints constraints = FormConstraints.fillRow(0, 3);
-        constraints.insets.top += 2;
-        constraints.insets.left -= 2;
+        GridBagConstraints constraints = FormConstraints.fillRow(2, 0);
+        constraints.insets.left += COLUMN_GAP - 2;
         add(drawPath, constraints);
     }
 
-    private void addRow(int row, String key, NumberSpinner spinner, String unit) {
-        JLabel label = new JLabel(Messages.get(key));
+    private void addField(int column, int row, String key, NumberSpinner spinner, String unit) {
+        JLabel label = new JLabel(Messages.get(key + ".label", unit));
         spinner.withName(Messages.get(key)).withColumns(6);
         label.setLabelFor(spinner);
-        add(label, FormConstraints.fillCell(0, row));
-        add(spinner, FormConstraints.cell(1, row));
-        add(createUnitLabel(unit), FormConstraints.cell(2, row));
-    }
-
-    /** Returns a label as wide as the widest unit, so that the fields are aligned. */
-    private static JLabel createUnitLabel(String text) {
-        JLabel label = new MutedLabel(text);
-        label.setPreferredSize(new Dimension(TextSize.scaled(UNIT_WIDTH), label.getPreferredSize().height));
-        return label;
+        GridBagConstraints labelCell = FormConstraints.cell(column, row);
+        labelCell.insets.left += column == 0 ? 0 : COLUMN_GAP;
+        labelCell.weightx = column == 0 ? 0 : 1;
+        add(label, labelCell);
+        add(spinner, FormConstraints.cell(column + 1, row));
     }
 
     private RobotSpec robot() {
@@ -79,6 +76,10 @@ public final class RobotPanel extends JPanel {
     /** Shows the current settings of the robot. */
     public void setRobot(RobotSpec robot) {
         assert EventQueue.isDispatchThread();
+        if (robot.motor().maxSpeed() != maxSpeed) {
+            maxSpeed = robot.motor().maxSpeed();
+            speed.setLimits(MIN_VALUE, maxSpeed, robot.speed());
+        }
         speed.setWorldValue(robot.speed());
         length.setWorldValue(robot.length());
         width.setWorldValue(robot.width());

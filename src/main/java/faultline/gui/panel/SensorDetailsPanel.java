@@ -2,6 +2,8 @@ package faultline.gui.panel;
 
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.Glyph;
+import faultline.gui.theme.GlyphIcon;
 import faultline.sensor.FaultKind;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
@@ -36,6 +38,8 @@ public final class SensorDetailsPanel extends JPanel {
     private final NumberSpinner valueSpinner = new NumberSpinner("0.00##", 0, 1, 0.05, ignored -> {});
     private final MutedLabel unitLabel = new MutedLabel("m");
     private final JButton inject = new JButton(Messages.get("faults.inject"));
+    private final JLabel valueProblem = new JLabel(
+            " ", new GlyphIcon(Glyph.WARNING, 14, colours -> Optional.of(colours.warning())), JLabel.LEADING);
     private final FaultList faultList;
     private List<String> ids = List.of();
 
@@ -69,7 +73,9 @@ public final class SensorDetailsPanel extends JPanel {
         });
         faultKind.addActionListener(event -> updateFaultKind());
         faultKind.setSelectedItem(FaultKind.STUCK);
-        valueSpinner.withName(Messages.get("faults.value")).withColumns(6);
+        valueSpinner.withName(Messages.get("faults.value")).withColumns(5).keepInvalidText();
+        valueSpinner.textField().addPropertyChangeListener("editValid", event -> updateValueProblem());
+        valueProblem.setVisible(false);
         inject.setToolTipText(Messages.get("faults.inject.tip"));
         inject.addActionListener(event -> inject());
         name(sensorChoice, "faults.sensor");
@@ -86,16 +92,21 @@ public final class SensorDetailsPanel extends JPanel {
         form.add(label("faults.sensor", sensorChoice), FormConstraints.cell(0, 0));
         form.add(sensorChoice, FormConstraints.fillRow(1, 0));
         mountFields.addTo(form, 1);
-        form.add(label("faults.kind", faultKind), withSectionGap(FormConstraints.cell(0, 3)));
-        form.add(faultKind, withSectionGap(FormConstraints.fillRow(1, 3)));
-        form.add(label("faults.value", valueSpinner), FormConstraints.cell(0, 4));
-        form.add(valueSpinner, FormConstraints.cell(1, 4));
-        form.add(unitLabel, FormConstraints.fillCell(2, 4));
-        GridBagConstraints right = FormConstraints.fillRow(3, 4);
-        right.fill = GridBagConstraints.NONE;
-        right.anchor = GridBagConstraints.BASELINE_TRAILING;
-        form.add(inject, right);
+        form.add(label("faults.kind", faultKind), withSectionGap(FormConstraints.leadingCell(0, 3)));
+        form.add(createFaultRow(), withSectionGap(FormConstraints.fillRow(1, 3)));
+        form.add(valueProblem, FormConstraints.fillRow(1, 4));
         return form;
+    }
+
+    private JPanel createFaultRow() {
+        JPanel row = new JPanel(new GridBagLayout());
+        GridBagConstraints first = FormConstraints.fillCell(0, 0);
+        first.insets.top = 0;
+        row.add(faultKind, first);
+        row.add(valueSpinner, FormConstraints.cell(1, 0));
+        row.add(unitLabel, FormConstraints.cell(2, 0));
+        row.add(inject, FormConstraints.cell(3, 0));
+        return row;
     }
 
     private static GridBagConstraints withSectionGap(GridBagConstraints constraints) {
@@ -121,12 +132,28 @@ public final class SensorDetailsPanel extends JPanel {
                 faultKind().takesValue() && faultKind().unit().isEmpty()
                         ? Messages.get("faults.share")
                         : faultKind().unit());
+        updateValueProblem();
     }
 
+    /** Injects the fault, or nothing if the field does not contain a valid value. */
     private void inject() {
+        if (faultKind().takesValue() && !valueSpinner.commitValidEdit()) {
+            updateValueProblem();
+            valueSpinner.textField().requestFocusInWindow();
+            return;
+        }
         selectedSensor()
                 .ifPresent(id ->
                         editor.send(new Command.InjectFault(id, faultKind().createFault(valueSpinner.doubleValue()))));
+    }
+
+    private void updateValueProblem() {
+        boolean invalid = faultKind().takesValue() && !valueSpinner.textField().isEditValid();
+        if (invalid) {
+            valueProblem.setText(Messages.get("faults.invalid", valueSpinner.limitsText()));
+        }
+        valueProblem.setVisible(invalid);
+        revalidate();
     }
 
     private Optional<String> selectedSensor() {

@@ -6,6 +6,7 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
+import java.awt.GridBagConstraints;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -21,6 +22,7 @@ final class SensorMountFields {
     private static final double OFFSET_STEP = 0.01;
     private static final double MAX_NOISE = 1;
     private static final double NOISE_STEP = 0.001;
+    private static final int COLUMN_GAP = 12;
 
     private final UndoController editor;
     private final NumberSpinner bearing = new NumberSpinner(
@@ -57,24 +59,25 @@ final class SensorMountFields {
         return Stream.of(bearing, noise, forwardOffset, leftOffset);
     }
 
-    /** Adds the fields to two rows of a grid of six columns. */
+    /** Adds the fields to two rows of a grid of four columns. */
     void addTo(JPanel grid, int row) {
         add(grid, 0, row, "bearing", bearing, "°");
-        add(grid, 3, row, "noise", noise, "m");
+        add(grid, 2, row, "noise", noise, "m");
         add(grid, 0, row + 1, "ahead", forwardOffset, "m");
-        add(grid, 3, row + 1, "aside", leftOffset, "m");
+        add(grid, 2, row + 1, "aside", leftOffset, "m");
     }
 
     private static void add(JPanel grid, int column, int row, String key, NumberSpinner field, String unit) {
-        JLabel label = new JLabel(Messages.get("mount." + key));
+        JLabel label = new JLabel(Messages.get("mount." + key) + ", " + unit);
         label.setLabelFor(field);
         label.setToolTipText(Messages.get("mount." + key + ".tip"));
         field.withName(Messages.get("mount." + key + ".tip"));
-        grid.add(label, FormConstraints.cell(column, row));
-        grid.add(field, FormConstraints.cell(column + 1, row));
-        grid.add(
-                new MutedLabel(unit),
-                column == 0 ? FormConstraints.fillCell(column + 2, row) : FormConstraints.cell(column + 2, row));
+        GridBagConstraints labelCell = FormConstraints.cell(column, row);
+        labelCell.insets.left += column == 0 ? 0 : COLUMN_GAP;
+        grid.add(label, labelCell);
+        GridBagConstraints fieldCell = FormConstraints.cell(column + 1, row);
+        fieldCell.weightx = column == 0 ? 0 : 1;
+        grid.add(field, fieldCell);
     }
 
     private void configureSensor(UnaryOperator<SensorSpec> change) {

@@ -46,8 +46,8 @@ final class SensorRow {
                 "0.##", MIN_CONE, MAX_CONE, 1, degrees -> configureSensor(spec().withCone(Degrees.toRadians(degrees))));
         actualReading = new ReadingBar(id, ReadingBar.ReadingKind.ACTUAL);
         reportedReading = new ReadingBar(id, ReadingBar.ReadingKind.REPORTED);
-        range.withName(Messages.get("sensor.range", id)).withColumns(4);
-        cone.withName(Messages.get("sensor.cone", id)).withColumns(3);
+        range.withName(Messages.get("sensor.range", id)).withColumns(5);
+        cone.withName(Messages.get("sensor.cone", id)).withColumns(4);
         configureEnabledBox();
         installSelectionListeners(() -> chosen.accept(id));
     }

@@ -15,8 +15,8 @@ final class TitledSection extends JPanel {
         super(new BorderLayout());
         JLabel heading = new JLabel(title);
         heading.setFont(heading.getFont().deriveFont(Font.BOLD));
-        heading.setBorder(BorderFactory.createEmptyBorder(0, 0, 8, 0));
-        setBorder(SeparatorBorder.below(12, 14, 12));
+        heading.setBorder(BorderFactory.createEmptyBorder(0, 0, 5, 0));
+        setBorder(SeparatorBorder.below(9, 14, 8));
         add(heading, BorderLayout.NORTH);
         add(content, BorderLayout.CENTER);
     }

@@ -168,13 +168,13 @@ public final class WindowPreferences {
         store.put(BOUNDS, bounds.x + " " + bounds.y + " " + bounds.width + " " + bounds.height);
     }
 
-    /** Returns the width of the control panel in pixels, or empty if it is not known. */
+    /** Returns the width of the control panel in pixels at the installed text size, or empty if it is not known. */
     public Optional<Integer> panelWidth() {
         return readPixels(DIVIDER);
     }
 
     public void setPanelWidth(int width) {
-        store.put(DIVIDER, Integer.toString(width));
+        storePixels(DIVIDER, width);
     }
 
     /** Returns the height of the instruments in pixels, or empty if it is not known. */
@@ -194,12 +194,17 @@ public final class WindowPreferences {
 
     public void setDock(boolean shown, int height, int chartWidth) {
         store.put(DOCK_HIDDEN, Boolean.toString(!shown));
-        store.put(DOCK, Integer.toString(height));
-        store.put(CHART, Integer.toString(chartWidth));
+        storePixels(DOCK, height);
+        storePixels(CHART, chartWidth);
     }
 
     private Optional<Integer> readPixels(String key) {
         String text = store.get(key);
-        return text.matches("\\d{1,5}") ? Optional.of(Integer.valueOf(text)) : Optional.empty();
+        return text.matches("\\d{1,5}") ? Optional.of(TextSize.scaled(Integer.parseInt(text))) : Optional.empty();
+    }
+
+    /** Stores a length as it would be at the normal text size, because the user may choose another size. */
+    private void storePixels(String key, int pixels) {
+        store.put(key, Integer.toString(TextSize.unscaled(pixels)));
     }
 }

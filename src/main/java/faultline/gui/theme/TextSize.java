@@ -32,6 +32,11 @@ public enum TextSize {
         return (int) Math.round(pixels * current().percent / FULL_PERCENT);
     }
 
+    /** Returns the length at the normal text size of a length in pixels at the installed one. */
+    public static int unscaled(int pixels) {
+        return (int) Math.round(pixels * FULL_PERCENT / current().percent);
+    }
+
     /** Returns the sans serif font for texts in images, scaled with all other texts. */
     public static Font scaledFont(int style, int points) {
         return new Font(Font.SANS_SERIF, style, scaled(points));

@@ -99,6 +99,7 @@ public final class MainWindow extends JFrame {
         windowBounds.restore();
         installCloseHandler();
         installCanvasListeners();
+        new SpaceKeyDispatcher(this, runController::toggleRunning).install(this);
         fileWatch = new FileWatch(
                 workspace,
                 fileController::onFileChangedOnDisk,
@@ -268,6 +269,9 @@ public final class MainWindow extends JFrame {
         @Override
         public void scenarioOpened() {
             undoController.clear();
+            workspace.scenario().ifPresent(open -> mainPanel
+                    .instruments()
+                    .startScenario(open.setup().controller()));
             workspace.file().ifPresent(preferences.recentFiles()::add);
         }
 

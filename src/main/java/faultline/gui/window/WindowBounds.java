@@ -2,8 +2,13 @@ package faultline.gui.window;
 
 import faultline.gui.settings.WindowPreferences;
 import java.awt.Dimension;
+import java.awt.Frame;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JFrame;
 
 /** Restores and stores the bounds of the window and its dividers, within the current screen. */
@@ -11,10 +16,13 @@ final class WindowBounds {
 
     private static final Dimension DEFAULT_SIZE = new Dimension(1360, 880);
     private static final Dimension MIN_SIZE = new Dimension(1024, 600);
+    /** The part of the title bar that must be on a screen, pixels. */
+    private static final Dimension MIN_VISIBLE_TITLE = new Dimension(120, 20);
 
     private final JFrame window;
     private final MainPanel mainPanel;
     private final WindowPreferences preferences;
+    private Optional<Rectangle> confirmedBounds = Optional.empty();
 
     WindowBounds(JFrame window, MainPanel area, WindowPreferences preferences) {
         this.window = window;
@@ -24,18 +32,53 @@ final class WindowBounds {
 
     /** Sets the bounds before the window is shown. */
     void restore() {
-        window.setMinimumSize(MIN_SIZE);
-        window.setSize(DEFAULT_SIZE);
-        window.setLocationByPlatform(true);
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        preferences.bounds().filter(screen::intersects).ifPresent(window::setBounds);
-        window.setSize(Math.min(window.getWidth(), screen.width), Math.min(window.getHeight(), screen.height));
+        window.setMinimumSize(
+                new Dimension(Math.min(MIN_SIZE.width, screen.width), Math.min(MIN_SIZE.height, screen.height)));
+        window.setBounds(preferences.bounds().filter(WindowBounds::isOnScreen).orElseGet(() -> centred(screen)));
+        window.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentMoved(ComponentEvent event) {
+                confirm();
+            }
+
+            @Override
+            public void componentResized(ComponentEvent event) {
+                confirm();
+            }
+        });
         restoreDivider();
         preferences.dockHeight().ifPresent(mainPanel::setDockHeight);
         preferences
                 .chartWidth()
                 .ifPresent(width -> mainPanel.instruments().split().place(size -> width));
         mainPanel.setDockShown(preferences.isDockShown());
+    }
+
+    /**
+     * Returns the default bounds in the centre of the screen. An explicit location is needed: with one chosen by the
+     * window manager, AWT may keep a wrong location, so that popups do not open and dialogs are off centre.
+     */
+    private static Rectangle centred(Rectangle screen) {
+        int width = Math.min(DEFAULT_SIZE.width, screen.width);
+        int height = Math.min(DEFAULT_SIZE.height, screen.height);
+        return new Rectangle(
+                screen.x + (screen.width - width) / 2, screen.y + (screen.height - height) / 2, width, height);
+    }
+
+    private static boolean isOnScreen(Rectangle bounds) {
+        return Stream.of(GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices())
+                .map(device -> device.getDefaultConfiguration().getBounds().intersection(bounds))
+                .anyMatch(visible -> visible.width >= MIN_VISIBLE_TITLE.width
+                        && visible.height >= MIN_VISIBLE_TITLE.height
+                        && visible.y == bounds.y);
+    }
+
+    /** Keeps bounds that the window manager has reported for the visible window in its normal state. */
+    private void confirm() {
+        if (window.isShowing() && window.getExtendedState() == Frame.NORMAL) {
+            confirmedBounds = Optional.of(window.getBounds());
+        }
     }
 
     /** Places the divider again now that the window's insets are known. */
@@ -51,7 +94,7 @@ final class WindowBounds {
 
     /** Stores the bounds for the next window. */
     void save() {
-        preferences.setBounds(window.getBounds());
+        confirmedBounds.ifPresent(preferences::setBounds);
         preferences.setPanelWidth(mainPanel.controlPanel().getWidth());
         preferences.setDock(
                 mainPanel.instruments().isVisible(),

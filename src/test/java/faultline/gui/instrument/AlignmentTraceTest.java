@@ -15,6 +15,7 @@ import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -96,8 +97,25 @@ class AlignmentTraceTest {
         runOnEdt(() -> instrument.setFrame(SampleRuns.frame(turn + 5)));
         List<String> values = callOnEdt(
                 () -> instrument.rows().stream().map(AlignmentText.Row::value).toList());
-        assertEquals(List.of("–", "–", "–", "–", "–", "–", "–"), values);
+        assertEquals(List.of("equal readings", "–", "–", "–", "–", "–", "–", "–"), values);
         runOnEdt(() -> SampleRuns.render(instrument, 900, 200));
+    }
+
+    @Test
+    void theEventLogHasTheSameF3AndF4() {
+        EventLog log = FRAME.recording().events();
+        RunEvent.AlignmentTimed timed = LongStream.range(log.firstIndex(), log.endIndex())
+                .mapToObj(log::get)
+                .filter(RunEvent.AlignmentTimed.class::isInstance)
+                .map(RunEvent.AlignmentTimed.class::cast)
+                .reduce((first, second) -> second)
+                .orElseThrow();
+        AlignmentTrace trace = AlignmentTrace.latest(FRAME).orElseThrow();
+        assertEquals(trace.origin() + trace.f3(), timed.f3(), 1e-5);
+        assertEquals(trace.origin() + trace.f4(), timed.f4(), 1e-5);
+        // eq. (4): t_p = t_D / 2
+        assertEquals((timed.f4() - timed.f3()) / 2, timed.tP(), 1e-9);
+        assertTrue(timed.f3() < timed.f4() && timed.f4() <= timed.time());
     }
 
     @Test
@@ -107,7 +125,7 @@ class AlignmentTraceTest {
         String words = callOnEdt(() -> instrument.getAccessibleContext().getAccessibleDescription());
         assertTrue(
                 words.matches(
-                        "F3 \\d\\.\\d{3} s, F4 \\d\\.\\d{3} s, t_D \\d\\.\\d{3} s, t_p \\d\\.\\d{3} s, predicted heading .+°, actual heading .+°, error [+\u2212]0\\.\\d\\d°"),
+                        "timing rule equal readings, F3 \\d+\\.\\d{3} s, F4 \\d+\\.\\d{3} s, t_D \\d\\.\\d{3} s, t_p \\d\\.\\d{3} s, predicted heading .+°, actual heading .+°, error [+\u2212]0\\.\\d\\d°"),
                 words);
         runOnEdt(() -> SampleRuns.render(instrument, 900, 200));
     }

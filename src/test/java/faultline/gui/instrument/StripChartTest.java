@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -183,6 +184,18 @@ class StripChartTest {
             SampleRuns.render(fresh, WIDTH, HEIGHT);
             fresh.setFrame(SampleRuns.frame(0));
             SampleRuns.render(fresh, WIDTH, HEIGHT);
+        });
+    }
+
+    @Test
+    void aHeldChartIsReleasedForAnotherScenario() {
+        InstrumentDock dock = callOnEdt(() -> new InstrumentDock(tick -> {}));
+        runOnEdt(() -> {
+            JToggleButton hold = ComponentFinder.find(dock, JToggleButton.class, "Hold the strip chart");
+            hold.doClick();
+            assertTrue(hold.isSelected());
+            dock.startScenario(ControllerSpec.WallFollowing.DEFAULT);
+            assertFalse(hold.isSelected());
         });
     }
 

@@ -26,9 +26,17 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JButton;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.ScrollPaneConstants;
+import javax.swing.SpinnerNumberModel;
+import javax.swing.SwingUtilities;
+import java.awt.Container;
+import java.util.stream.Stream;
+import javax.swing.JLabel;
+import javax.swing.JSpinner;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
-import javax.swing.JLabel;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -84,6 +92,87 @@ class ControlPanelTest {
         runOnEdt(refusals.get(0)::run);
         runOnEdt(() -> panel.setSnapshot(world));
         assertTrue(callOnEdt(() -> switchOf("front").isSelected()));
+    }
+
+    @Test
+    void anInvalidFaultValueIsReportedAndNothingIsInjected() {
+        runOnEdt(() -> {
+            JTextField value = ComponentFinder.find(panel, JTextField.class, "Value");
+            value.setText("1.2.3");
+            injectButton().doClick(0);
+        });
+        assertEquals(List.of(), commands);
+        assertTrue(callOnEdt(() -> ComponentFinder.findAll(panel, JLabel.class)
+                .anyMatch(label -> label.isVisible() && label.getText().startsWith("Invalid value. Allowed: "))));
+        runOnEdt(() -> {
+            ComponentFinder.find(panel, JTextField.class, "Value").setText("0.3");
+            injectButton().doClick(0);
+        });
+        assertEquals(List.of(new Command.InjectFault("front", new Fault.Stuck(0.3))), commands);
+    }
+
+    private JButton injectButton() {
+        return ComponentFinder.findAll(panel, JButton.class)
+                .filter(button -> "Inject".equals(button.getText()))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    @Test
+    void theSpeedIsLimitedToThatOfTheMotors() {
+        double max = world.robot().motor().maxSpeed();
+        runOnEdt(() -> {
+            JSpinner speed = spinner("Linear velocity");
+            assertEquals(max, ((SpinnerNumberModel) speed.getModel()).getMaximum());
+        });
+    }
+
+    @Test
+    void withoutAScenarioNoFieldShowsItsLowerLimit() {
+        runOnEdt(() -> {
+            ControlPanel empty = new ControlPanel(
+                    new UndoController(this::execute, () -> {}), UiAction.toggle("path", true, on -> {}));
+            assertEquals(
+                    "0",
+                    ComponentFinder.findAll(empty, JTextField.class)
+                            .filter(field ->
+                                    ComponentFinder.accessibleName(field).startsWith("Bearing"))
+                            .findFirst()
+                            .orElseThrow()
+                            .getText());
+        });
+    }
+
+    @Test
+    void theColumnsStayWhereTheyAreWhenTheScrollBarComes() {
+        runOnEdt(() -> {
+            JScrollPane scroll = ComponentFinder.findAll(panel, JScrollPane.class)
+                    .findFirst()
+                    .orElseThrow();
+            assertEquals(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, scroll.getVerticalScrollBarPolicy());
+            int contentWidth = scroll.getViewport().getView().getPreferredSize().width;
+            int barWidth = scroll.getVerticalScrollBar().getPreferredSize().width;
+            assertTrue(contentWidth + barWidth <= panel.defaultWidth(), contentWidth + " + " + barWidth);
+        });
+    }
+
+    @Test
+    void theFaultFieldsAreVisibleOnAScreenOf1366By768() {
+        runOnEdt(() -> {
+            panel.setSize(panel.defaultWidth(), 640);
+            layOut(panel);
+            JButton inject = injectButton();
+            int bottom = SwingUtilities.convertPoint(inject, 0, inject.getHeight(), panel).y;
+            assertTrue(bottom <= 630, "bottom of the button at " + bottom);
+        });
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        Stream.of(container.getComponents())
+                .filter(Container.class::isInstance)
+                .map(Container.class::cast)
+                .forEach(ControlPanelTest::layOut);
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Rectangle;
 import java.util.HashMap;
@@ -34,6 +35,20 @@ class WindowPreferencesTest {
         assertEquals(Theme.DARK, preferences.theme());
         assertEquals(Optional.of(new Rectangle(-20, 30, 1200, 800)), preferences.bounds());
         assertEquals(Optional.of(410), preferences.panelWidth());
+    }
+
+    @Test
+    void lengthsGrowWithTheTextSize() {
+        preferences.setPanelWidth(440);
+        preferences.setDock(true, 200, 300);
+        TextSize.LARGEST.install();
+        try {
+            assertEquals(Optional.of(660), preferences.panelWidth());
+            assertEquals(Optional.of(300), preferences.dockHeight());
+            assertEquals(Optional.of(450), preferences.chartWidth());
+        } finally {
+            TextSize.NORMAL.install();
+        }
     }
 
     @Test

@@ -1,0 +1,77 @@
+package faultline.gui.window;
+
+import java.awt.Component;
+import java.awt.KeyEventDispatcher;
+import java.awt.KeyboardFocusManager;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JTabbedPane;
+import javax.swing.MenuSelectionManager;
+import javax.swing.SwingUtilities;
+
+/**
+ * Makes Space run and pause the simulation although a button, a closed combo box or a tab has the focus; otherwise it
+ * would press the control that was clicked last. Enter presses the focused button instead. In text fields, lists, open
+ * menus and dialogs, keys keep their usual meaning.
+ */
+final class SpaceKeyDispatcher implements KeyEventDispatcher {
+
+    private final Component window;
+    private final Runnable runOrPause;
+
+    SpaceKeyDispatcher(Component window, Runnable runOrPause) {
+        this.window = window;
+        this.runOrPause = runOrPause;
+    }
+
+    /** Starts to dispatch keys until the window is closed. */
+    void install(Window owner) {
+        KeyboardFocusManager manager = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        manager.addKeyEventDispatcher(this);
+        owner.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent event) {
+                manager.removeKeyEventDispatcher(SpaceKeyDispatcher.this);
+            }
+        });
+    }
+
+    @Override
+    public boolean dispatchKeyEvent(KeyEvent event) {
+        Component focused = event.getComponent();
+        boolean handled = event.getModifiersEx() == 0
+                && SwingUtilities.isDescendingFrom(focused, window)
+                && MenuSelectionManager.defaultManager().getSelectedPath().length == 0
+                && (isSpace(event) && takesSpace(focused) || isEnter(event) && focused instanceof AbstractButton);
+        if (handled && event.getID() == KeyEvent.KEY_PRESSED) {
+            if (isSpace(event)) {
+                runOrPause.run();
+            } else {
+                ((AbstractButton) focused).doClick();
+            }
+        }
+        return handled;
+    }
+
+    private static boolean takesSpace(Component focused) {
+        return focused instanceof AbstractButton
+                || focused instanceof JTabbedPane
+                || focused instanceof JComboBox<?> box && !box.isPopupVisible();
+    }
+
+    private static boolean isSpace(KeyEvent event) {
+        return isKey(event, KeyEvent.VK_SPACE, ' ');
+    }
+
+    private static boolean isEnter(KeyEvent event) {
+        return isKey(event, KeyEvent.VK_ENTER, '\n');
+    }
+
+    private static boolean isKey(KeyEvent event, int code, char character) {
+        return event.getID() == KeyEvent.KEY_TYPED ? event.getKeyChar() == character : event.getKeyCode() == code;
+    }
+}

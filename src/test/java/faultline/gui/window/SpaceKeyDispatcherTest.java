@@ -1,0 +1,82 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.Component;
+import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Which component gets Space and Enter in the main window. */
+class SpaceKeyDispatcherTest {
+
+    private final List<String> log = new ArrayList<>();
+    private JPanel window;
+
+    @BeforeEach
+    void createWindow() {
+        window = callOnEdt(JPanel::new);
+    }
+
+    private boolean press(Component focused, int key, char character) {
+        return callOnEdt(() -> {
+            window.add(focused);
+            SpaceKeyDispatcher dispatcher = new SpaceKeyDispatcher(window, () -> log.add("run"));
+            boolean pressed =
+                    dispatcher.dispatchKeyEvent(new KeyEvent(focused, KeyEvent.KEY_PRESSED, 0, 0, key, character));
+            boolean typed = dispatcher.dispatchKeyEvent(
+                    new KeyEvent(focused, KeyEvent.KEY_TYPED, 0, 0, KeyEvent.VK_UNDEFINED, character));
+            boolean released =
+                    dispatcher.dispatchKeyEvent(new KeyEvent(focused, KeyEvent.KEY_RELEASED, 0, 0, key, character));
+            assertEquals(pressed, typed);
+            assertEquals(pressed, released);
+            return pressed;
+        });
+    }
+
+    @Test
+    void spaceRunsInsteadOfPressingTheButtonClickedLast() {
+        JButton inject = callOnEdt(() -> new JButton("Inject"));
+        inject.addActionListener(event -> log.add("inject"));
+        assertEquals(true, press(inject, KeyEvent.VK_SPACE, ' '));
+        assertEquals(true, press(callOnEdt(JCheckBox::new), KeyEvent.VK_SPACE, ' '));
+        assertEquals(true, press(callOnEdt(JTabbedPane::new), KeyEvent.VK_SPACE, ' '));
+        assertEquals(true, press(callOnEdt(() -> new JComboBox<String>()), KeyEvent.VK_SPACE, ' '));
+        assertEquals(List.of("run", "run", "run", "run"), log);
+    }
+
+    @Test
+    void enterPressesTheFocusedButton() {
+        JButton inject = callOnEdt(() -> new JButton("Inject"));
+        inject.addActionListener(event -> log.add("inject"));
+        assertEquals(true, press(inject, KeyEvent.VK_ENTER, '\n'));
+        assertEquals(List.of("inject"), log);
+    }
+
+    @Test
+    void textFieldsListsAndOtherWindowsKeepTheirKeys() {
+        assertEquals(false, press(callOnEdt(JTextField::new), KeyEvent.VK_SPACE, ' '));
+        assertEquals(false, press(callOnEdt(JTextField::new), KeyEvent.VK_ENTER, '\n'));
+        assertEquals(false, press(callOnEdt(() -> new JList<String>()), KeyEvent.VK_SPACE, ' '));
+        JButton elsewhere = callOnEdt(() -> new JButton("OK"));
+        runOnEdt(() -> {
+            SpaceKeyDispatcher dispatcher = new SpaceKeyDispatcher(window, () -> log.add("run"));
+            assertEquals(
+                    false,
+                    dispatcher.dispatchKeyEvent(
+                            new KeyEvent(elsewhere, KeyEvent.KEY_PRESSED, 0, 0, KeyEvent.VK_SPACE, ' ')));
+        });
+        assertEquals(List.of(), log);
+    }
+}
