@@ -28,8 +28,8 @@ import java.util.function.LongSupplier;
 import java.util.stream.Collectors;
 
 /**
- * Paints frames with the ground and the path kept as images. A few selected obstacles are no part of the ground, so
- * that a hand may move them cheaply; where many are selected, they stay in it.
+ * Paints frames, with the ground and the paths cached as images. A few selected obstacles are not part of the cached
+ * ground, so that moving them is cheap; many selected ones stay in it.
  */
 final class CachedSceneRenderer {
 
@@ -40,13 +40,13 @@ final class CachedSceneRenderer {
     private FrameBudget budget;
     private boolean complete = true;
 
-    /** A picture that looks at a clock, nanoseconds, to see when a frame has taken long enough. */
+    /** Creates a renderer with a clock, in nanoseconds, that limits the time to paint a frame. */
     CachedSceneRenderer(LongSupplier clock) {
         this.clock = clock;
         budget = new FrameBudget(clock);
     }
 
-    /** Paints a frame at the resolution of the device that the graphics belongs to. */
+    /** Paints a frame at the resolution of the device of the graphics. */
     void paint(Graphics2D graphics, Camera camera, Palette palette, Set<Layer> layers, Frame frame, CanvasModel scene) {
         LayerBuffer.View view =
                 new LayerBuffer.View(camera, palette, graphics.getTransform().getScaleX());
@@ -54,32 +54,32 @@ final class CachedSceneRenderer {
         Set<String> apart = scene.selection().get().size() <= DragGesture.MAX_SEPARATE_PREVIEWS
                 ? scene.selection().get()
                 : Set.of();
-        Map<Boolean, List<Obstacle>> byLife = frame.snapshot().obstacles().stream()
+        Map<Boolean, List<Obstacle>> byMotion = frame.snapshot().obstacles().stream()
                 .collect(Collectors.partitioningBy(obstacle -> obstacle.isMoving() || apart.contains(obstacle.id())));
         Set<String> marked = apart.isEmpty() ? scene.selection().get() : Set.of();
         PathLayer driven = new PathLayer(frame.path(), PathStyle.RUN);
-        Optional<ReferenceOverlay> ghost = scene.referenceOverlay().get();
-        if (ghost.isEmpty()) {
+        Optional<ReferenceOverlay> reference = scene.referenceOverlay().get();
+        if (reference.isEmpty()) {
             referencePath.clear();
         }
-        updateGround(new GroundLayer(frame.snapshot(), byLife.get(false), marked, painter), view);
+        updateGround(new GroundLayer(frame.snapshot(), byMotion.get(false), marked, painter), view);
         ground.draw(graphics, camera);
         if (layers.contains(Layer.PATH)) {
             updatePath(path, driven, view);
-            ghost.ifPresent(earlier ->
+            reference.ifPresent(earlier ->
                     updatePath(referencePath, new PathLayer(earlier.run().path(), PathStyle.REFERENCE), view));
-            ghost.ifPresent(earlier -> referencePath.draw(graphics, camera));
+            reference.ifPresent(earlier -> referencePath.draw(graphics, camera));
             path.draw(graphics, camera);
         }
-        DrawContext brush = new DrawContext(graphics, camera, palette).withFont(LocalizedLabels.font());
-        ghost.ifPresent(earlier -> ReferenceOverlayPainter.paintRobot(brush, earlier, frame.snapshot()));
-        painter.paintDynamic(brush, frame, byLife.get(true), driven.tailStart(path.shownContent()));
-        byLife.get(true).stream()
+        DrawContext context = new DrawContext(graphics, camera, palette).withFont(LocalizedLabels.font());
+        reference.ifPresent(earlier -> ReferenceOverlayPainter.paintRobot(context, earlier, frame.snapshot()));
+        painter.paintDynamic(context, frame, byMotion.get(true), driven.tailStart(path.shownContent()));
+        byMotion.get(true).stream()
                 .filter(scene::isSelected)
-                .forEach(obstacle -> SelectionPainter.paintOutline(brush, obstacle));
-        paintHandles(brush, scene);
-        painter.paintOverlays(brush, frame.snapshot());
-        ghost.ifPresent(earlier -> ReferenceOverlayPainter.paintAnnotations(brush, earlier));
+                .forEach(obstacle -> SelectionPainter.paintOutline(context, obstacle));
+        paintHandles(context, scene);
+        painter.paintOverlays(context, frame.snapshot());
+        reference.ifPresent(earlier -> ReferenceOverlayPainter.paintAnnotations(context, earlier));
     }
 
     private void updateGround(GroundLayer wanted, LayerBuffer.View view) {
@@ -88,7 +88,7 @@ final class CachedSceneRenderer {
         complete = ground.isComplete();
     }
 
-    /** A path waits for the ground, and for the path before it. */
+    /** Updates a path once the ground, and the path before it, are complete. */
     private void updatePath(CachedLayer<PathLayer> layer, PathLayer wanted, LayerBuffer.View view) {
         complete = complete && !budget.isSpent();
         if (complete) {
@@ -97,17 +97,17 @@ final class CachedSceneRenderer {
         }
     }
 
-    private static void paintHandles(DrawContext brush, CanvasModel scene) {
+    private static void paintHandles(DrawContext context, CanvasModel scene) {
         scene.singleSelected()
                 .ifPresent(
-                        obstacle -> SelectionPainter.paintHandles(brush, obstacle, ShapeHandles.positions(obstacle)));
+                        obstacle -> SelectionPainter.paintHandles(context, obstacle, ShapeHandles.positions(obstacle)));
         if (scene.selection().get().size() > 1) {
-            SelectionPainter.paintHandle(brush, scene.selected());
+            SelectionPainter.paintHandle(context, scene.selected());
         }
-        scene.selectedSensor().ifPresent(sensor -> SelectionPainter.paintCone(brush, sensor.sector()));
+        scene.selectedSensor().ifPresent(sensor -> SelectionPainter.paintCone(context, sensor.sector()));
     }
 
-    /** Whether all was painted; if not, the picture must be painted again soon. */
+    /** Returns whether everything was painted; if not, the frame must be painted again soon. */
     boolean isComplete() {
         return complete;
     }

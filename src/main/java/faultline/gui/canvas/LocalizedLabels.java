@@ -6,12 +6,12 @@ import faultline.paint.scene.SceneLabels;
 import faultline.paint.surface.DrawContext;
 import java.awt.Font;
 
-/** The words in pictures of the world, in the user's language. */
+/** The labels of scenes in the user's language. */
 public final class LocalizedLabels {
 
     private LocalizedLabels() {}
 
-    /** As large as all other texts of the window. */
+    /** Returns the font of labels, scaled with the text size of the window. */
     static Font font() {
         return TextSize.scaledFont(DrawContext.DEFAULT_FONT.getStyle(), DrawContext.DEFAULT_FONT.getSize());
     }
@@ -20,12 +20,7 @@ public final class LocalizedLabels {
         return create(font());
     }
 
-    /**
-     * What is written in pictures.
-     *
-     * @param font how
-     * @return in today's language
-     */
+    /** Returns the labels in a font. */
     public static SceneLabels create(Font font) {
         return new SceneLabels(
                 Messages.get("picture.collision"),

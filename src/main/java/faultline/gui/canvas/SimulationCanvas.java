@@ -34,9 +34,8 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 
 /**
- * The picture of the world in the window. It shows the newest frame that it was given, the badge of the first collision
- * included, and sends what mouse and keys do to obstacles as commands; what they change shows when a frame brings it
- * back.
+ * Shows the newest frame, with the report of the first collision, and sends what the user does to obstacles and sensors
+ * as commands; their effect shows when a frame brings it back.
  */
 public final class SimulationCanvas extends JComponent {
 
@@ -51,41 +50,34 @@ public final class SimulationCanvas extends JComponent {
     private final CanvasTools tools;
     private final FocusRing focusRing = new FocusRing(this);
     private Palette palette = Palette.LIGHT;
-    private Optional<Runnable> paintListener = Optional.empty();
+    /** Null if no listener waits for the next frame. */
+    private transient Runnable paintListener;
 
-    /**
-     * A canvas without a frame.
-     *
-     * @param editor gets what the hand does
-     */
+    /** Creates a canvas without a frame, which sends commands to an editor. */
     public SimulationCanvas(UndoController editor) {
         this(editor, System::nanoTime);
     }
 
-    /** A canvas that looks at a clock, nanoseconds, to see when it has painted long enough. */
+    /** Creates a canvas with a clock, in nanoseconds, that limits the time to paint a frame. */
     SimulationCanvas(UndoController editor, LongSupplier clock) {
         renderer = new CachedSceneRenderer(clock);
-        CanvasListeners watchers = new CanvasListeners();
-        mouse = new CanvasMouse(viewport, new GesturePicker(model, viewport, editor, watchers), watchers);
-        tools = new CanvasTools(new ToolContext(model, viewport, editor, watchers), mouse, this);
+        CanvasListeners listeners = new CanvasListeners();
+        mouse = new CanvasMouse(viewport, new GesturePicker(model, viewport, editor, listeners), listeners);
+        tools = new CanvasTools(new ToolContext(model, viewport, editor, listeners), mouse, this);
         new CanvasKeys(model, editor, mouse).install(this);
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
         addMouseWheelListener(mouse);
         model.selection().addListener(selected -> repaint());
         model.sensor().addListener(selected -> repaint());
-        model.referenceOverlay().addListener(ghost -> repaint());
+        model.referenceOverlay().addListener(overlay -> repaint());
         viewport.camera().addListener(camera -> repaint());
         setFocusable(true);
         setOpaque(true);
         setPreferredSize(new Dimension(800, 560));
     }
 
-    /**
-     * Shows a frame from now on. The first one, and one of a world of another size, is fitted into the canvas.
-     *
-     * @param newest the frame
-     */
+    /** Shows a frame. The first one, and one of a world of another size, is fitted into the canvas. */
     public void setFrame(Frame newest) {
         assert EventQueue.isDispatchThread();
         model.setFrame(newest);
@@ -94,58 +86,39 @@ public final class SimulationCanvas extends JComponent {
         repaint();
     }
 
-    /**
-     * The frame that shows.
-     *
-     * @return empty before the first
-     */
+    /** Returns the frame that is shown; empty before the first. */
     public Optional<Frame> frame() {
         return model.frame();
     }
 
     /**
-     * What shows now, to be painted elsewhere; the marks of a hand at work are left out.
-     *
-     * @param colours to paint it in
-     * @return empty before the first frame
+     * Returns a request to render what is shown in other colours, without tools and selection; empty before the first
+     * frame.
      */
-    public Optional<RenderRequest> renderRequest(Palette colours) {
+    public Optional<RenderRequest> renderRequest(Palette newPalette) {
         assert EventQueue.isDispatchThread();
         return frame().map(now -> new RenderRequest(
                 now,
                 camera(),
-                colours,
+                newPalette,
                 new ScenePainter(layers, LocalizedLabels.create(DrawContext.DEFAULT_FONT)),
                 model.referenceOverlay().get()));
     }
 
-    /**
-     * Paints in other colours from now on.
-     *
-     * @param newPalette the colours
-     */
+    /** Sets the colours. */
     public void setPalette(Palette newPalette) {
         assert EventQueue.isDispatchThread();
         palette = newPalette;
         repaint();
     }
 
-    /**
-     * Shows an earlier run beside this one from now on.
-     *
-     * @param ghost the earlier run, empty for none
-     */
-    public void setReferenceOverlay(Optional<ReferenceOverlay> ghost) {
+    /** Shows a reference run, empty for none. */
+    public void setReferenceOverlay(Optional<ReferenceOverlay> overlay) {
         assert EventQueue.isDispatchThread();
-        model.referenceOverlay().set(ghost);
+        model.referenceOverlay().set(overlay);
     }
 
-    /**
-     * Shows or hides a layer.
-     *
-     * @param layer the layer
-     * @param on whether it is to show
-     */
+    /** Shows or hides a layer. */
     public void setLayer(Layer layer, boolean on) {
         assert EventQueue.isDispatchThread();
         if (on) {
@@ -156,97 +129,64 @@ public final class SimulationCanvas extends JComponent {
         repaint();
     }
 
-    /**
-     * Whether a layer shows.
-     *
-     * @param layer the layer
-     * @return true where it does
-     */
+    /** Returns whether a layer is shown. */
     public boolean isLayerOn(Layer layer) {
         return layers.contains(layer);
     }
 
-    /** Shows the whole world, and goes on doing so when the canvas is resized, until the hand zooms or pans. */
+    /** Fits the whole world into the canvas, also when the canvas is resized, until the user zooms or pans. */
     public void fit() {
         assert EventQueue.isDispatchThread();
         viewport.fit();
     }
 
-    /** Zooms in on the middle. */
+    /** Zooms in on the centre. */
     public void zoomIn() {
         assert EventQueue.isDispatchThread();
         viewport.zoom(ZOOM_STEP);
     }
 
-    /** Zooms out from the middle. */
+    /** Zooms out from the centre. */
     public void zoomOut() {
         assert EventQueue.isDispatchThread();
         viewport.zoom(1 / ZOOM_STEP);
     }
 
-    /**
-     * Where the canvas looks.
-     *
-     * @return the camera, which says what point of the world is where on the canvas and how many pixels a metre has
-     */
+    /** Returns the mapping between the world and the canvas. */
     public Camera camera() {
         return viewport.camera().get();
     }
 
-    /**
-     * Keeps the robot in view from now on, or no longer.
-     *
-     * @param follow whether to follow
-     */
+    /** Sets whether the robot is kept in view. */
     public void setFollowing(boolean follow) {
         assert EventQueue.isDispatchThread();
         viewport.setFollowing(follow);
     }
 
-    /**
-     * Whether the robot is kept in view.
-     *
-     * @return true where it is
-     */
+    /** Returns whether the robot is kept in view. */
     public boolean isFollowing() {
         return viewport.isFollowing();
     }
 
-    /**
-     * Tells a listener, from now on, which point of the world is under the mouse.
-     *
-     * @param listener gets metres, empty where the mouse has left the canvas
-     */
+    /** Adds a listener for the point of the world under the mouse, metres; empty if the mouse has left the canvas. */
     public void addCursorListener(Consumer<Optional<Vector2>> listener) {
         mouse.cursorPoint().addListener(listener);
     }
 
-    /**
-     * Tells a listener, from now on, where the canvas looks whenever that changes.
-     *
-     * @param listener gets the camera
-     */
+    /** Adds a listener for changes of the camera. */
     public void addCameraListener(Consumer<Camera> listener) {
         viewport.camera().addListener(listener);
     }
 
-    /**
-     * What the hand does with the canvas beyond looking: tools, snapping, and what is selected.
-     *
-     * @return of this canvas
-     */
+    /** Returns the tools, the snap settings and the selection of the canvas. */
     public CanvasTools tools() {
         return tools;
     }
 
-    /**
-     * Tells once, soon, that a frame has been painted.
-     *
-     * @param listener told on the event dispatch thread, after the next painting of a frame
-     */
+    /** Calls a listener once, on the event dispatch thread, after the next frame has been painted. */
     public void runAfterNextPaint(Runnable listener) {
         assert EventQueue.isDispatchThread();
-        paintListener = Optional.of(listener);
+        paintListener = listener;
     }
 
     @Override
@@ -276,9 +216,9 @@ public final class SimulationCanvas extends JComponent {
         if (!renderer.isComplete()) {
             repaint();
         }
-        if (model.frame().isPresent()) {
-            paintListener.ifPresent(EventQueue::invokeLater);
-            paintListener = Optional.empty();
+        if (model.frame().isPresent() && paintListener != null) {
+            EventQueue.invokeLater(paintListener);
+            paintListener = null;
         }
     }
 

@@ -1,6 +1,5 @@
 /**
- * The canvas of the window: shows frames, lets the hand zoom, pan, move and rotate, and sends what the hand does as
- * commands. Event dispatch thread only, asserted. It never sees a session: frames come in by
- * {@link faultline.gui.canvas.SimulationCanvas#setFrame(faultline.engine.Frame)}, commands go out to a consumer.
+ * The canvas of the window: shows frames, lets the user zoom, pan, move and rotate, and sends edits as commands. Event
+ * dispatch thread only. It never sees a session.
  */
 package faultline.gui.canvas;

@@ -18,8 +18,8 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
 /**
- * What the keyboard does while the canvas has the focus: arrows nudge the selected obstacles, Q and E turn them, Enter
- * ends a tool, Esc lets go.
+ * Handles the keys of the focused canvas: arrows nudge the selected obstacles, Q and E rotate them, Enter completes a
+ * tool, Escape cancels.
  */
 public final class CanvasKeys {
 
@@ -31,10 +31,10 @@ public final class CanvasKeys {
     private final UndoController editor;
     private final CanvasMouse mouse;
 
-    public CanvasKeys(CanvasModel scene, UndoController editor, CanvasMouse hand) {
-        this.model = scene;
+    public CanvasKeys(CanvasModel model, UndoController editor, CanvasMouse mouse) {
+        this.model = model;
         this.editor = editor;
-        this.mouse = hand;
+        this.mouse = mouse;
     }
 
     public void install(JComponent canvas) {
@@ -79,8 +79,8 @@ public final class CanvasKeys {
                 .toList());
     }
 
-    private void withTool(Consumer<Tool> deed) {
-        mouse.tool().get().ifPresent(deed);
+    private void withTool(Consumer<Tool> action) {
+        mouse.tool().get().ifPresent(action);
         mouse.clearFinishedTool();
     }
 

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** Who is told what the canvas itself cannot do. */
+/** The listeners of a canvas. */
 public final class CanvasListeners {
 
     private final List<Consumer<String>> notes = new ArrayList<>();
@@ -25,17 +25,17 @@ public final class CanvasListeners {
         starts.add(listener);
     }
 
-    /** Why something was not done. */
+    /** Reports why something was not done. */
     void fireNote(String sentence) {
         notes.forEach(listener -> listener.accept(sentence));
     }
 
-    /** A menu is wanted at a place of the canvas. */
+    /** Reports that the user asks for a menu at a position on the canvas. */
     public void fireMenuRequested(Point at) {
         menus.forEach(listener -> listener.accept(at));
     }
 
-    /** The robot is to start elsewhere. */
+    /** Reports a new start pose of the robot. */
     void fireStartRequested(Pose pose) {
         starts.forEach(listener -> listener.accept(pose));
     }

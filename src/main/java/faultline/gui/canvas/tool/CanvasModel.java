@@ -12,7 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** The frame that shows, and which of its obstacles and which of its sensors are selected. */
+/** The frame that is shown, and the selected obstacles and sensor. */
 public final class CanvasModel {
 
     private final ObservableValue<Set<String>> selection = new ObservableValue<>(Set.of());
@@ -22,7 +22,7 @@ public final class CanvasModel {
     private Optional<Frame> frame = Optional.empty();
     private Set<String> pendingSelection = Set.of();
 
-    /** Takes a newer frame; what it lacks is no longer selected, and what was awaited is. */
+    /** Sets the frame; selected objects that it lacks are deselected, and awaited ones selected. */
     public void setFrame(Frame newest) {
         frame = Optional.of(newest);
         if (!pendingSelection.isEmpty() && hasAll(pendingSelection)) {
@@ -43,17 +43,17 @@ public final class CanvasModel {
         return selection;
     }
 
-    /** The earlier run that shows beside the frame's. */
+    /** Returns the reference run that is shown. */
     public ObservableValue<Optional<ReferenceOverlay>> referenceOverlay() {
         return referenceOverlay;
     }
 
-    /** The id of the selected sensor. */
+    /** Returns the id of the selected sensor. */
     public ObservableValue<Optional<String>> sensor() {
         return sensor;
     }
 
-    /** Looked at with every frame: no two obstacles have the same id, so it is enough to count. */
+    /** Called for every frame: ids are unique, so counting is enough. */
     private boolean hasAll(Set<String> ids) {
         return ids.isEmpty()
                 || obstacles().stream()
@@ -62,13 +62,13 @@ public final class CanvasModel {
                         == ids.size();
     }
 
-    /** Selects obstacles and no others; those that are not there are left out. */
+    /** Selects obstacles and no others; unknown ids are ignored. */
     public void select(Collection<String> wanted) {
         select(wanted, Set.of());
     }
 
-    private void select(Collection<String> wanted, Set<String> nowAwaited) {
-        pendingSelection = nowAwaited;
+    private void select(Collection<String> wanted, Set<String> nowPending) {
+        pendingSelection = nowPending;
         Set<String> there = new LinkedHashSet<>(wanted);
         there.retainAll(obstacleIds());
         selection.set(Collections.unmodifiableSet(there));
@@ -79,7 +79,7 @@ public final class CanvasModel {
         pendingSelection = Set.copyOf(ids);
     }
 
-    /** Selects an obstacle besides the others, or no longer. */
+    /** Adds an obstacle to the selection, or removes it. */
     public void toggleSelection(String id) {
         Set<String> changed = new LinkedHashSet<>(selection.get());
         if (!changed.remove(id)) {
@@ -100,12 +100,12 @@ public final class CanvasModel {
         return obstacles().stream().map(Obstacle::id).collect(Collectors.toSet());
     }
 
-    /** The selected obstacles, in drawing order. */
+    /** Returns the selected obstacles, in drawing order. */
     public List<Obstacle> selected() {
         return obstacles().stream().filter(this::isSelected).toList();
     }
 
-    /** The selected obstacle, empty where none or several are. */
+    /** Returns the selected obstacle; empty if none or several are selected. */
     public Optional<Obstacle> singleSelected() {
         List<Obstacle> selected = selected();
         return selected.size() == 1 ? Optional.of(selected.get(0)) : Optional.empty();

@@ -12,13 +12,13 @@ import java.util.Optional;
 import javax.swing.SwingUtilities;
 
 /**
- * What the mouse does. The wheel zooms on the cursor and the middle button pans. The left button does what the tool
- * does, or else what {@link GesturePicker} finds: it moves, turns, resizes, selects, and pans where nothing is. The
- * right button turns, or asks for a menu.
+ * Handles the mouse. The wheel zooms at the cursor and the middle button pans. The left button uses the active tool, or
+ * starts the gesture that {@link GesturePicker} picks: moving, rotating, resizing, selecting or panning. The right
+ * button rotates, or asks for a menu.
  */
 public final class CanvasMouse extends MouseAdapter {
 
-    /** One notch of the wheel zooms by this factor. */
+    /** The zoom factor of one notch of the wheel. */
     private static final double WHEEL_ZOOM_FACTOR = 1.15;
 
     private final Viewport viewport;
@@ -28,28 +28,28 @@ public final class CanvasMouse extends MouseAdapter {
     private final ObservableValue<Optional<Tool>> tool = new ObservableValue<>(Optional.empty());
     private Optional<Gesture> gesture = Optional.empty();
     private Vector2 pressPoint = Vector2.ZERO;
-    /** The button that holds. */
+    /** The button that has started the gesture. */
     private int button;
 
     private SnapSettings snap = SnapSettings.NONE;
 
-    public CanvasMouse(Viewport viewpoint, GesturePicker grips, CanvasListeners watchers) {
-        this.viewport = viewpoint;
-        this.gesturePicker = grips;
-        this.listeners = watchers;
+    public CanvasMouse(Viewport viewport, GesturePicker gesturePicker, CanvasListeners listeners) {
+        this.viewport = viewport;
+        this.gesturePicker = gesturePicker;
+        this.listeners = listeners;
     }
 
-    /** The point of the world under the mouse. */
+    /** Returns the point of the world under the mouse. */
     public ObservableValue<Optional<Vector2>> cursorPoint() {
         return cursorPoint;
     }
 
-    /** What the left button does in place of selecting and moving. */
+    /** Returns the active tool, which the left button uses. */
     ObservableValue<Optional<Tool>> tool() {
         return tool;
     }
 
-    /** Asks for a menu where the mouse was last, for those who have no right button at hand. */
+    /** Asks for a menu where the mouse was pressed last, for users without a right button. */
     void requestMenu() {
         listeners.fireMenuRequested(new Point((int) pressPoint.x(), (int) pressPoint.y()));
     }
@@ -58,7 +58,7 @@ public final class CanvasMouse extends MouseAdapter {
         snap = newSnap;
     }
 
-    /** Cancels what is going on; says whether there was anything. */
+    /** Cancels the gesture and the tool; returns whether there was one. */
     boolean cancel() {
         boolean busy = gesture.isPresent() || tool.get().isPresent();
         gesture.ifPresent(Gesture::cancel);
@@ -67,7 +67,7 @@ public final class CanvasMouse extends MouseAdapter {
         return busy;
     }
 
-    /** Lets go of what is no longer there. */
+    /** Ends a gesture whose objects no longer exist. */
     public void releaseIfTargetGone() {
         if (gesture.filter(Gesture::isTargetGone).isPresent()) {
             gesture.ifPresent(Gesture::release);
@@ -99,7 +99,7 @@ public final class CanvasMouse extends MouseAdapter {
         }
     }
 
-    /** The right button says that there is no more to come. */
+    /** Uses the tool; the right button completes it. */
     private void useTool(MouseEvent event, boolean left) {
         Vector2 at = snappedPoint(event);
         tool.get().ifPresent(left ? t -> t.press(at, event.getClickCount() > 1) : Tool::finish);
@@ -107,7 +107,7 @@ public final class CanvasMouse extends MouseAdapter {
         event.getComponent().repaint();
     }
 
-    /** Ends the tool where it has done what it is for. */
+    /** Deactivates the tool if it is done. */
     void clearFinishedTool() {
         tool.set(tool.get().filter(t -> !t.isDone()));
     }
@@ -164,7 +164,7 @@ public final class CanvasMouse extends MouseAdapter {
                 camera -> camera.zoomedAbout(at, Math.pow(WHEEL_ZOOM_FACTOR, -event.getPreciseWheelRotation())));
     }
 
-    /** Alt lets the hand go free for as long as it is down. */
+    /** Returns the snap settings; Alt turns them off while it is held. */
     private SnapSettings snap(MouseEvent event) {
         return event.isAltDown() ? SnapSettings.NONE : snap;
     }

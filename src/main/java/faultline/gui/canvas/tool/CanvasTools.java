@@ -19,49 +19,42 @@ import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 
-/**
- * What the hand does with a canvas beyond looking: its tools, its snapping, what is selected, and who is told. Event
- * dispatch thread only.
- */
+/** The tools, the snap settings, the selection and the listeners of a canvas. Event dispatch thread only. */
 public final class CanvasTools {
 
-    /** How fast an obstacle moves that is given way-points, metres per second. */
+    /** The speed of an obstacle that is given way-points, metres per second. */
     private static final double DEFAULT_SPEED = 0.2;
 
     private final ToolContext context;
     private final CanvasMouse mouse;
     private final JComponent canvas;
 
-    public CanvasTools(ToolContext desk, CanvasMouse hand, JComponent canvas) {
-        this.context = desk;
-        this.mouse = hand;
+    public CanvasTools(ToolContext context, CanvasMouse mouse, JComponent canvas) {
+        this.context = context;
+        this.mouse = mouse;
         this.canvas = canvas;
     }
 
-    /**
-     * Lets the left button place a shape, once.
-     *
-     * @param shape what is placed
-     */
+    /** Activates a tool that places one shape. */
     public void placeShape(ShapePreset shape) {
         activate(new PlaceTool(shape, context));
     }
 
-    /** Lets the left button draw a wall from point to point. */
+    /** Activates a tool that draws a wall from point to point. */
     public void drawWall() {
         activate(new PointsTool(
                 context, 2, false, points -> context.placeObstacle(PointShapes.wall(newId("wall"), points))));
     }
 
-    /** Lets the left button draw a polygon from corner to corner, or free hand. */
+    /** Activates a tool that draws a polygon from corner to corner, or freehand. */
     public void drawPolygon() {
         activate(new PointsTool(
                 context, 3, true, points -> context.placeObstacle(PointShapes.polygon(newId("polygon"), points))));
     }
 
     /**
-     * Lets the left button give the selected obstacle a way from where it stands; nothing happens where none or several
-     * are selected.
+     * Activates a tool that draws the path of the selected obstacle, from where it stands; does nothing unless exactly
+     * one obstacle is selected.
      */
     public void drawMotionPath() {
         context.model()
@@ -70,7 +63,7 @@ public final class CanvasTools {
                         activate(new PointsTool(context, 1, true, points -> setMotionPath(obstacle.id(), points))));
     }
 
-    /** Lets the left button measure distances and angles until it is told to stop; nothing is changed. */
+    /** Activates a tool that measures distances and angles until it is cancelled. */
     public void measure() {
         activate(new MeasureTool());
     }
@@ -80,10 +73,10 @@ public final class CanvasTools {
                 .filter(obstacle -> obstacle.id().equals(id))
                 .findFirst()
                 .ifPresent(obstacle -> {
-                    List<Vector2> way = new ArrayList<>(points);
-                    way.add(obstacle.pose().position());
+                    List<Vector2> waypoints = new ArrayList<>(points);
+                    waypoints.add(obstacle.pose().position());
                     double speed = obstacle.isMoving() ? obstacle.motion().speed() : DEFAULT_SPEED;
-                    WaypointPath motion = new WaypointPath(speed, true, way);
+                    WaypointPath motion = new WaypointPath(speed, true, waypoints);
                     context.editor().send(new Command.PlaceObstacle(obstacle.withMotion(motion)));
                 });
         return true;
@@ -101,47 +94,27 @@ public final class CanvasTools {
         canvas.repaint();
     }
 
-    /**
-     * Tells a listener, from now on, whether a tool is in use whenever that changes.
-     *
-     * @param listener gets true while the left button neither selects nor moves
-     */
+    /** Adds a listener that is called with whether a tool is active, when that changes. */
     public void addToolListener(Consumer<Boolean> listener) {
         mouse.tool().addListener(tool -> listener.accept(tool.isPresent()));
     }
 
-    /**
-     * Sets what the hand's places and angles are rounded to while Alt is not down.
-     *
-     * @param snap the steps
-     */
+    /** Sets the steps that positions and angles are rounded to while Alt is not held. */
     public void setSnap(SnapSettings snap) {
         mouse.setSnap(snap);
     }
 
-    /**
-     * The ids of all obstacles.
-     *
-     * @return of the frame that shows
-     */
+    /** Returns the ids of all obstacles of the frame that is shown. */
     public Set<String> ids() {
         return context.model().obstacleIds();
     }
 
-    /**
-     * The obstacles that are selected.
-     *
-     * @return as they stand in the frame that shows, in drawing order
-     */
+    /** Returns the selected obstacles of the frame that is shown, in drawing order. */
     public List<Obstacle> selected() {
         return context.model().selected();
     }
 
-    /**
-     * Selects obstacles and no others.
-     *
-     * @param ids their ids; those that are not there are left out
-     */
+    /** Selects obstacles and no others; unknown ids are ignored. */
     public void select(Collection<String> ids) {
         assert EventQueue.isDispatchThread();
         context.model().select(ids);
@@ -152,29 +125,17 @@ public final class CanvasTools {
         select(context.model().obstacles().stream().map(Obstacle::id).toList());
     }
 
-    /**
-     * Selects obstacles that are about to be put, as soon as they are all there.
-     *
-     * @param ids their ids
-     */
+    /** Selects obstacles that are about to be placed, as soon as a frame has them all. */
     public void selectWhenPresent(Collection<String> ids) {
         context.model().selectWhenPresent(ids);
     }
 
-    /**
-     * Tells a listener, from now on, which obstacles are selected whenever that changes.
-     *
-     * @param listener gets their ids
-     */
+    /** Adds a listener that is called with the ids of the selected obstacles when they change. */
     public void addSelectionListener(Consumer<Set<String>> listener) {
         context.model().selection().addListener(listener);
     }
 
-    /**
-     * Selects a sensor or none.
-     *
-     * @param sensor its id, empty for none
-     */
+    /** Selects a sensor, empty for none. */
     public void selectSensor(Optional<String> sensor) {
         assert EventQueue.isDispatchThread();
         context.model()
@@ -182,37 +143,24 @@ public final class CanvasTools {
                 .set(sensor.filter(id -> context.model().sensor(id).isPresent()));
     }
 
-    /**
-     * Tells a listener, from now on, which sensor is selected whenever that changes.
-     *
-     * @param listener gets its id, empty where none is selected
-     */
+    /** Adds a listener that is called with the id of the selected sensor, empty for none, when it changes. */
     public void addSensorListener(Consumer<Optional<String>> listener) {
         context.model().sensor().addListener(listener);
     }
 
-    /**
-     * Tells a listener, from now on, why something was not done.
-     *
-     * @param listener gets one sentence
-     */
+    /** Adds a listener that is called with a sentence that says why something was not done. */
     public void addNoteListener(Consumer<String> listener) {
         context.listeners().addNoteListener(listener);
     }
 
-    /**
-     * Tells a listener, from now on, when a menu is wanted.
-     *
-     * @param listener gets the place on the canvas
-     */
+    /** Adds a listener that is called with a position on the canvas when the user asks for a menu. */
     public void addMenuListener(Consumer<Point> listener) {
         context.listeners().addMenuListener(listener);
     }
 
     /**
-     * Lets the hand take the robot while time has not begun, and tells a listener, from now on, where it is to start.
-     *
-     * @param listener gets the pose, where there is room for the robot
+     * Lets the user move the robot before the run has started, and adds a listener that is called with a new start
+     * pose, where there is room for the robot.
      */
     public void addStartListener(Consumer<Pose> listener) {
         context.listeners().addStartListener(listener);

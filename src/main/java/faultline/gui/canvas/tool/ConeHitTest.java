@@ -8,14 +8,14 @@ import java.awt.geom.Line2D;
 import java.util.List;
 import java.util.Optional;
 
-/** Finds the cone, its rim and its edges under the mouse. */
+/** Finds the cone, its arc and its edges under the mouse. */
 public final class ConeHitTest {
 
     private static final double TOLERANCE = 5;
 
     private ConeHitTest() {}
 
-    /** The sensor whose cone is under a place of the picture; of several the one whose axis is nearest. */
+    /** Returns the sensor whose cone is at a position on the canvas; of several the one with the nearest axis. */
     public static Optional<SensorSnapshot> sensorAt(Camera camera, List<SensorSnapshot> sensors, Vector2 screen) {
         Vector2 point = camera.toWorld(screen);
         return sensors.stream()
@@ -27,10 +27,10 @@ public final class ConeHitTest {
         return point.distanceTo(sector.apex()) <= sector.range() && cosineToAxis(sector, point) >= sector.cosHalf();
     }
 
-    /** The cosine of the angle between the axis and the way to a point. */
+    /** Returns the cosine of the angle between the axis and the direction to a point. */
     private static double cosineToAxis(Sector sector, Vector2 point) {
-        Vector2 way = point.minus(sector.apex());
-        return way.dot(sector.axis()) / Math.max(way.length(), Double.MIN_NORMAL);
+        Vector2 offset = point.minus(sector.apex());
+        return offset.dot(sector.axis()) / Math.max(offset.length(), Double.MIN_NORMAL);
     }
 
     public static boolean isOnArc(Camera camera, Sector sector, Vector2 screen) {

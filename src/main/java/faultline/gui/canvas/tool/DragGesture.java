@@ -10,7 +10,7 @@ import faultline.world.Obstacle;
 import java.util.List;
 import java.util.Optional;
 
-/** One drag from the press of the button on: nothing happens before the mouse has moved far enough to mean it. */
+/** One drag, from the press of the button on. It has no effect until the mouse has moved further than a click. */
 public final class DragGesture implements Gesture {
 
     /** The largest number of obstacles that are painted apart from the cached ground while they are dragged. */

@@ -15,19 +15,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
 
-/**
- * What a hand that holds a mouse button does: it starts from where things and the mouse were, and goes where the mouse
- * goes.
- */
+/** What a drag changes, from the state at its start and the position of the mouse. */
 public sealed interface DragOperation {
 
-    /** What is wanted while the mouse is over a point of the world. */
+    /** Returns what the drag does while the mouse is at a point of the world. */
     DragPreview preview(Vector2 mouse, SnapSettings snap);
 
-    /** What brings all back to how it was at the start. */
+    /** Returns the commands that restore the state at the start. */
     List<Command> restoreCommands();
 
-    /** The obstacles without which it cannot go on, as they stood at the start. */
+    /** Returns the obstacles that the drag needs, in their state at the start. */
     default List<Obstacle> obstacles() {
         return List.of();
     }
@@ -39,11 +36,11 @@ public sealed interface DragOperation {
     }
 
     /**
-     * Moves obstacles without turning them.
+     * Moves obstacles without rotating them.
      *
-     * @param grabbed the one that the mouse took; it is what snaps
-     * @param obstacles all of them as they stood at the start
-     * @param grabPoint where the mouse took it, metres
+     * @param grabbed the obstacle under the mouse, which snaps
+     * @param obstacles all obstacles in their state at the start
+     * @param grabPoint the point of the press, metres
      */
     record Move(Obstacle grabbed, List<Obstacle> obstacles, Vector2 grabPoint) implements DragOperation {
 
@@ -79,10 +76,10 @@ public sealed interface DragOperation {
     }
 
     /**
-     * Turns obstacles about their common middle. Of a single one the heading snaps, of several the turn.
+     * Rotates obstacles about their common centre. Of a single one the heading snaps, of several the turn.
      *
-     * @param obstacles as they stood at the start, at least one
-     * @param grabPoint where the mouse took them, metres
+     * @param obstacles the obstacles in their state at the start, at least one
+     * @param grabPoint the point of the press, metres
      */
     record Rotate(List<Obstacle> obstacles, Vector2 grabPoint) implements DragOperation {
 
@@ -114,10 +111,10 @@ public sealed interface DragOperation {
     }
 
     /**
-     * Changes an obstacle's size or one of its corners.
+     * Changes the size of an obstacle or one of its corners.
      *
-     * @param obstacle as it was at the start
-     * @param handle its place in {@link ShapeHandles#positions}
+     * @param obstacle the obstacle at the start
+     * @param handle the index of the handle in {@link ShapeHandles#positions}
      */
     record Resize(Obstacle obstacle, int handle) implements DragOperation {
 
@@ -140,10 +137,10 @@ public sealed interface DragOperation {
     }
 
     /**
-     * Changes the range of a sensor by the rim of its cone.
+     * Changes the range of a sensor by the arc of its cone.
      *
-     * @param spec as it was at the start
-     * @param current the sensor as it is; the robot may be driving
+     * @param spec the sensor at the start
+     * @param current supplies the present sensor; the robot may be driving
      */
     record ChangeRange(SensorSpec spec, Supplier<SensorSnapshot> current) implements DragOperation {
 
@@ -169,8 +166,8 @@ public sealed interface DragOperation {
     /**
      * Changes the field of view of a sensor by an edge of its cone.
      *
-     * @param spec as it was at the start
-     * @param current the sensor as it is; the robot may be driving
+     * @param spec the sensor at the start
+     * @param current supplies the present sensor; the robot may be driving
      */
     record ChangeCone(SensorSpec spec, Supplier<SensorSnapshot> current) implements DragOperation {
 

@@ -5,11 +5,11 @@ import faultline.world.Obstacle;
 import java.util.List;
 
 /**
- * What a hand wants.
+ * What a drag does at a position of the mouse.
  *
- * @param commands that would bring it about
- * @param obstacles the obstacles as they would be; empty where the wish is about something else
- * @param valueText what the hand is changing, in words
+ * @param commands the commands that do it
+ * @param obstacles the changed obstacles; empty if the drag changes something else
+ * @param valueText the changed value, in the user's language
  */
 public record DragPreview(List<Command> commands, List<Obstacle> obstacles, String valueText) {
 

@@ -4,22 +4,22 @@ import faultline.geometry.Vector2;
 import faultline.gui.edit.SnapSettings;
 import faultline.paint.surface.DrawContext;
 
-/** What the hand holds from the press of a mouse button until it lets go. */
+/** What a mouse drag does, from the press of the button to its release. */
 public interface Gesture {
 
-    /** A mouse that moves less than this while its button is down, pixels, has clicked. */
+    /** A mouse that moves less than this while the button is down has clicked, pixels. */
     double CLICK_TOLERANCE = 3;
 
-    /** The mouse has come to a place of the picture. */
+    /** Handles a move of the mouse to a position on the canvas. */
     void moveTo(Vector2 screen, SnapSettings snap);
 
-    /** The button is let go. */
+    /** Handles the release of the button. */
     default void release() {}
 
-    /** All is to be as it was. */
+    /** Reverts everything that the gesture has done. */
     default void cancel() {}
 
-    /** Whether what is held is gone. */
+    /** Returns whether an object of the gesture no longer exists. */
     default boolean isTargetGone() {
         return false;
     }

@@ -15,7 +15,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.IntStream;
 
-/** Says what the hand would take hold of at a place of the picture, and how the cursor tells so. */
+/** Picks the gesture that a press of the mouse starts at a position on the canvas, and the cursor that announces it. */
 public final class GesturePicker {
 
     private static final double HANDLE_TOLERANCE = SelectionPainter.HANDLE_RADIUS + Gesture.CLICK_TOLERANCE;
@@ -32,7 +32,7 @@ public final class GesturePicker {
         this.listeners = watchers;
     }
 
-    /** What a button takes hold of, with or without Shift and a wish to turn. */
+    /** Returns the gesture of a press, with or without Shift or a modifier that rotates. */
     Gesture pick(Vector2 at, boolean left, boolean turns, boolean shift) {
         if (left && !shift) {
             Optional<DragOperation> handle = handleDrag(at);
@@ -67,7 +67,7 @@ public final class GesturePicker {
                 : model.selectedSensor().flatMap(s -> coneDrag(s, at));
     }
 
-    /** Where the handle is that turns what is selected. */
+    /** Returns the position of the handle that rotates the selection. */
     private Optional<Vector2> rotationHandle() {
         List<Obstacle> selected = model.selected();
         return selected.isEmpty()
@@ -121,7 +121,7 @@ public final class GesturePicker {
         return new DragGesture(drag, at, model, viewport, editor);
     }
 
-    /** The world, where its robot is at a place and has not set out yet. */
+    /** Returns the world if its robot is at a position and has not started yet. */
     private Optional<Snapshot> robotAtStart(Vector2 at) {
         return model.frame()
                 .map(frame -> frame.snapshot())
@@ -140,7 +140,7 @@ public final class GesturePicker {
                 .id()));
     }
 
-    /** The shape of the cursor that says what a press of the left button would do. */
+    /** Returns the cursor that announces what a press of the left button would do. */
     int cursorType(Vector2 at) {
         if (handleDrag(at).isPresent()) {
             return Cursor.HAND_CURSOR;

@@ -9,18 +9,20 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Measures from where the button went down to where it is, as often as the user likes; the last measure stays until the
- * tool is put away.
+ * Measures from where the button is pressed to where it is released, repeatedly; the last measurement stays until the
+ * tool is deactivated.
  */
 public final class MeasureTool implements Tool {
 
-    private Optional<Vector2> from = Optional.empty();
+    /** Null before the first press. */
+    private Vector2 from;
+
     private Vector2 to = Vector2.ZERO;
     private boolean done;
 
     @Override
     public void press(Vector2 at, boolean twice) {
-        from = Optional.of(at);
+        from = at;
         to = at;
     }
 
@@ -46,16 +48,18 @@ public final class MeasureTool implements Tool {
         return done;
     }
 
-    /** Distance, angle against the x axis in (-180, 180], and both parts of the way; empty before the first press. */
+    /**
+     * Returns the distance, the angle to the x axis in (-180, 180] and both components; empty before the first press.
+     */
     Optional<String> measurementText() {
-        return from.map(start -> {
-            Vector2 way = to.minus(start);
+        return Optional.ofNullable(from).map(start -> {
+            Vector2 offset = to.minus(start);
             return Messages.get(
                     "value.measure",
-                    metres(way.length()),
-                    String.format(Locale.ROOT, "%.1f", Math.toDegrees(way.angle())),
-                    metres(way.x()),
-                    metres(way.y()));
+                    metres(offset.length()),
+                    String.format(Locale.ROOT, "%.1f", Math.toDegrees(offset.angle())),
+                    metres(offset.x()),
+                    metres(offset.y()));
         });
     }
 
@@ -65,7 +69,9 @@ public final class MeasureTool implements Tool {
 
     @Override
     public void paint(DrawContext brush) {
-        from.ifPresent(start -> InteractionPainter.paintSketch(brush, List.of(start, to), false));
+        if (from != null) {
+            InteractionPainter.paintSketch(brush, List.of(from, to), false);
+        }
         measurementText()
                 .ifPresent(text -> InteractionPainter.paintValues(
                         brush, text, List.of(), brush.camera().toScreen(to)));

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** A value that tells its listeners whenever it changes. */
+/** A value that notifies its listeners when it changes. */
 public final class ObservableValue<T> {
 
     private final List<Consumer<T>> listeners = new ArrayList<>();

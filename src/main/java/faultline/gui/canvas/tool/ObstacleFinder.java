@@ -11,18 +11,15 @@ import java.awt.geom.Line2D;
 import java.util.List;
 import java.util.Optional;
 
-/** Finds the obstacle under the mouse, with a tolerance that lets a hand catch thin poles and walls. */
+/** Finds the obstacle under the mouse, with a tolerance for thin poles and walls. */
 public final class ObstacleFinder {
 
-    /** How far from an obstacle the mouse may be, pixels. */
+    /** The largest distance between an obstacle and the mouse, pixels. */
     private static final double TOLERANCE = 5;
 
     private ObstacleFinder() {}
 
-    /**
-     * The obstacle that is painted on top at a place of the picture; moving ones are painted after those that stand
-     * still.
-     */
+    /** Returns the topmost obstacle at a position on the canvas; moving obstacles are painted after still ones. */
     public static Optional<Obstacle> topmostAt(Camera camera, List<Obstacle> obstacles, Vector2 screen) {
         Vector2 point = camera.toWorld(screen);
         double tolerance = TOLERANCE / camera.scale();

@@ -3,7 +3,7 @@ package faultline.gui.canvas.tool;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.SnapSettings;
 
-/** A pan from where the button went down; one that goes nowhere is a click, and leaves the view as it is. */
+/** Pans the view; a click without a move leaves the view unchanged and calls a handler. */
 public final class PanGesture implements Gesture {
 
     private final Viewport viewport;
@@ -12,8 +12,8 @@ public final class PanGesture implements Gesture {
     private Vector2 last;
     private boolean moved;
 
-    public PanGesture(Viewport viewpoint, Vector2 pressed, Runnable click) {
-        this.viewport = viewpoint;
+    public PanGesture(Viewport viewport, Vector2 pressed, Runnable click) {
+        this.viewport = viewport;
         this.pressed = pressed;
         this.click = click;
         this.last = pressed;

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Puts a ready shape where the user clicks, or from corner to corner of a drag. */
+/** Places a shape by a click, or by a drag from corner to corner. */
 public final class PlaceTool implements Tool {
 
     private final ShapePreset shape;
@@ -21,9 +21,9 @@ public final class PlaceTool implements Tool {
     private Optional<Obstacle> preview = Optional.empty();
     private boolean done;
 
-    public PlaceTool(ShapePreset shape, ToolContext desk) {
+    public PlaceTool(ShapePreset shape, ToolContext context) {
         this.shape = shape;
-        this.context = desk;
+        this.context = context;
     }
 
     private String newId() {

@@ -9,14 +9,14 @@ import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Optional;
 
-/** Whether the robot leaves room for something, as far as the frame that shows can tell. */
+/** Checks whether there is room for an obstacle or the robot, in the frame that is shown. */
 public final class PlacementCheck {
 
     private PlacementCheck() {}
 
-    /** Whether an obstacle would overlap the robot. */
-    public static boolean overlapsRobot(CanvasModel scene, Obstacle obstacle) {
-        return scene.frame()
+    /** Returns whether an obstacle would overlap the robot. */
+    public static boolean overlapsRobot(CanvasModel model, Obstacle obstacle) {
+        return model.frame()
                 .filter(frame -> findObstruction(
                                 frame.snapshot().robot(),
                                 frame.snapshot().pose(),
@@ -27,7 +27,7 @@ public final class PlacementCheck {
                 .isPresent();
     }
 
-    /** What the robot would overlap at a pose; outside of an enclosed world, that is the wall round it. */
+    /** Returns the id of what the robot would overlap at a pose; outside an enclosed world, that is the enclosure. */
     static Optional<String> findObstruction(Snapshot world, Pose pose) {
         boolean inside = pose.x() > 0 && pose.x() < world.width() && pose.y() > 0 && pose.y() < world.height();
         if (world.enclosed() && !inside) {

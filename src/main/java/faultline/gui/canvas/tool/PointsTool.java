@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * Takes points, one a click, until a double click, Enter, or a click on the first one where that closes a figure; a
- * drag draws free hand.
+ * Collects points by clicks until a double click, Enter, or a click on the first point of a closed shape; a drag draws
+ * freehand.
  */
 public final class PointsTool implements Tool {
 
-    /** Points of a free hand are no nearer than this, pixels. */
+    /** The least distance between points of a freehand drawing, pixels. */
     private static final double FREEHAND_SPACING = 12;
 
     private final ToolContext context;
@@ -26,12 +26,12 @@ public final class PointsTool implements Tool {
     private boolean freeHand;
     private boolean done;
 
-    /** A tool that needs some points at least and is done when they were of use. */
-    public PointsTool(ToolContext desk, int least, boolean closed, Predicate<List<Vector2>> use) {
-        this.context = desk;
-        this.minPoints = least;
+    /** Creates a tool that needs some points and is done when the handler has accepted them. */
+    public PointsTool(ToolContext context, int minPoints, boolean closed, Predicate<List<Vector2>> onComplete) {
+        this.context = context;
+        this.minPoints = minPoints;
         this.closed = closed;
-        this.onComplete = use;
+        this.onComplete = onComplete;
     }
 
     @Override
@@ -44,7 +44,7 @@ public final class PointsTool implements Tool {
         }
     }
 
-    /** A click on the first point closes a figure. */
+    /** Returns whether a click on the first point closes the shape. */
     private boolean closesShape(Vector2 at) {
         return closed && points.size() >= Math.max(minPoints, 3) && !context.isBeyondClickTolerance(points.get(0), at);
     }

@@ -9,7 +9,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.LinkedHashSet;
 import java.util.Set;
 
-/** A rubber band: the obstacles that lie wholly in it are selected besides the others. */
+/** A rubber band that adds the obstacles wholly inside it to the selection. */
 public final class RubberBandGesture implements Gesture {
 
     private final CanvasModel model;
@@ -17,9 +17,9 @@ public final class RubberBandGesture implements Gesture {
     private final Vector2 from;
     private Vector2 to;
 
-    public RubberBandGesture(CanvasModel scene, Viewport viewpoint, Vector2 pressed) {
-        this.model = scene;
-        this.viewport = viewpoint;
+    public RubberBandGesture(CanvasModel model, Viewport viewport, Vector2 pressed) {
+        this.model = model;
+        this.viewport = viewport;
         this.from = pressed;
         this.to = pressed;
     }

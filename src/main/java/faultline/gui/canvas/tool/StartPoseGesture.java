@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** The robot in the hand before a run has begun: where it is let go, the run starts. */
+/** Moves or rotates the robot before the run has started; on release the run restarts there. */
 public final class StartPoseGesture implements Gesture {
 
     private final Snapshot world;
@@ -24,12 +24,12 @@ public final class StartPoseGesture implements Gesture {
     private Vector2 last;
 
     public StartPoseGesture(
-            Snapshot world, boolean turns, Vector2 pressed, Viewport viewpoint, CanvasListeners watchers) {
+            Snapshot world, boolean rotating, Vector2 pressed, Viewport viewport, CanvasListeners listeners) {
         this.world = world;
-        this.rotating = turns;
+        this.rotating = rotating;
         this.pressed = pressed;
-        this.viewport = viewpoint;
-        this.listeners = watchers;
+        this.viewport = viewport;
+        this.listeners = listeners;
         this.last = pressed;
     }
 

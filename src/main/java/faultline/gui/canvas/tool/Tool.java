@@ -4,27 +4,27 @@ import faultline.geometry.Vector2;
 import faultline.paint.surface.DrawContext;
 
 /**
- * What the left button does in place of selecting and moving, until it is done. Places are in the world, metres, and
+ * What the left button does in place of selecting and moving, until it is done. Positions are in the world, metres, and
  * snapped.
  */
 public interface Tool {
 
-    /** The button goes down; the second time in quick succession for a double click. */
+    /** Handles a press of the button; {@code twice} for the second press of a double click. */
     void press(Vector2 at, boolean twice);
 
-    /** The mouse moves, with the button up or down. */
+    /** Handles a move of the mouse, with the button down or up. */
     void move(Vector2 at, boolean down);
 
-    /** The button goes up. */
+    /** Handles a release of the button. */
     void release(Vector2 at);
 
-    /** The user has no more to give. */
+    /** Completes the tool with the points so far. */
     void finish();
 
-    /** Takes the last point back. */
+    /** Removes the last point. */
     default void removeLastPoint() {}
 
-    /** Whether all is done, so that the mouse selects and moves again. */
+    /** Returns whether the tool is done, so that the mouse selects and moves again. */
     boolean isDone();
 
     void paint(DrawContext brush);

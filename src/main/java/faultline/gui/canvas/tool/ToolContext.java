@@ -8,16 +8,16 @@ import faultline.world.Obstacle;
 import java.util.List;
 
 /**
- * What tools work on.
+ * The objects that tools work on.
  *
- * @param model what is there
- * @param viewport how it is looked at
+ * @param model the frame and the selection
+ * @param viewport the view
  * @param editor sends commands
- * @param listeners told what was not done
+ * @param listeners the listeners of the canvas
  */
 public record ToolContext(CanvasModel model, Viewport viewport, UndoController editor, CanvasListeners listeners) {
 
-    /** Puts an obstacle where there is room for it, and selects it; says whether there was. */
+    /** Places and selects an obstacle if there is room for it; returns whether there is. */
     public boolean placeObstacle(Obstacle obstacle) {
         if (PlacementCheck.overlapsRobot(model, obstacle)) {
             showNote(Messages.get("refused.robot", obstacle.id()));
@@ -32,12 +32,12 @@ public record ToolContext(CanvasModel model, Viewport viewport, UndoController e
         listeners.fireNote(sentence);
     }
 
-    /** How far apart two points of the world are in the picture. */
+    /** Returns the distance between two points of the world on the canvas, pixels. */
     double pixelDistance(Vector2 from, Vector2 to) {
         return from.distanceTo(to) * viewport.camera().get().scale();
     }
 
-    /** Whether a hand that went from one to another has meant to. */
+    /** Returns whether a move between two points of the world is more than the jitter of a click. */
     boolean isBeyondClickTolerance(Vector2 from, Vector2 to) {
         return pixelDistance(from, to) >= Gesture.CLICK_TOLERANCE;
     }

@@ -8,13 +8,13 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 
 /**
- * Where the canvas looks. At first, and whenever it is told to, it shows the whole world and goes on doing so when the
- * canvas is resized, until a hand zooms or pans; when it follows, it moves only as far as keeps the robot in the middle
- * part, because every move costs a new picture of the ground.
+ * The view of the canvas. It fits the whole world into the canvas, also when the canvas is resized, until the user
+ * zooms or pans. To follow the robot, it moves only as far as keeps the robot in the middle part, because every move
+ * repaints the ground.
  */
 public final class Viewport {
 
-    /** How far from the middle the robot may go before the view moves, as a share of the canvas's size. */
+    /** The largest offset of a followed robot from the centre, as a fraction of the size of the canvas. */
     private static final double MAX_OFFSET = 0.2;
 
     private final ObservableValue<Camera> camera = new ObservableValue<>(new Camera(0, 0, 100, 1, 1));
@@ -26,7 +26,7 @@ public final class Viewport {
         return camera;
     }
 
-    /** Takes the newest world; one of another size than the last is fitted. */
+    /** Sets the newest world; one of another size than the last is fitted. */
     public void setWorld(Snapshot newest) {
         boolean known = world.filter(old -> old.width() == newest.width() && old.height() == newest.height())
                 .isPresent();
@@ -50,10 +50,10 @@ public final class Viewport {
         world.ifPresent(w -> camera.set(FrameRenderer.fitCamera(w, now.width(), now.height())));
     }
 
-    /** Moves the camera as a hand wants it. */
-    public void moveCamera(UnaryOperator<Camera> hand) {
+    /** Moves the camera as the user wants. */
+    public void moveCamera(UnaryOperator<Camera> change) {
         fitting = false;
-        camera.set(hand.apply(camera.get()));
+        camera.set(change.apply(camera.get()));
     }
 
     public void zoom(double factor) {
@@ -78,7 +78,7 @@ public final class Viewport {
     private void keepRobotInMiddle(Vector2 robot) {
         Camera now = camera.get();
         Vector2 place = now.toScreen(robot);
-        // By whole pixels, so that what is kept of the picture can be moved.
+        // By whole pixels, so that cached layers can be shifted.
         double dx = Math.rint(excess(place.x() - now.width() / 2.0, MAX_OFFSET * now.width()));
         double dy = Math.rint(excess(place.y() - now.height() / 2.0, MAX_OFFSET * now.height()));
         if (dx != 0 || dy != 0) {
