@@ -5,12 +5,12 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** All actions of a window, by key, in the order in which they were made. */
+/** The actions of a window by key, in the order in which they were added. */
 public final class ActionRegistry {
 
     private final Map<String, UiAction> actions = new LinkedHashMap<>();
 
-    /** Adds an action. */
+    /** Adds an action and returns it. */
     public UiAction add(UiAction action) {
         if (actions.put(action.key(), action) != null) {
             throw new IllegalArgumentException("two actions are called " + action.key());
@@ -18,7 +18,7 @@ public final class ActionRegistry {
         return action;
     }
 
-    /** The action of a key. */
+    /** Returns the action of a key. */
     public UiAction get(String key) {
         UiAction action = actions.get(key);
         if (action == null) {

@@ -10,7 +10,7 @@ import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
 
-/** The actions that take edits back and do them again, named after the edits. */
+/** Undo and redo, named after the edits. */
 public final class EditActions {
 
     private final UndoController undoController;
@@ -33,13 +33,13 @@ public final class EditActions {
         actions.add(redo);
     }
 
-    /** The second key of redo, which an action has no room for. */
+    /** Binds the second key of redo; an action has only one. */
     public void bindTo(JRootPane root) {
         root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(menuShortcut(KeyEvent.VK_Y), redo.key());
         root.getActionMap().put(redo.key(), redo);
     }
 
-    /** Makes the actions say what they would do. */
+    /** Updates the names and states of the actions. */
     public void update() {
         update(undo, undoController.undoName());
         update(redo, undoController.redoName());

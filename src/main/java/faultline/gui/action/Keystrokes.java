@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
 
-/** Keys of actions, and how they are written. */
+/** Key strokes of actions, and their texts. */
 public final class Keystrokes {
 
     private static final int OTHER_MODIFIERS = InputEvent.CTRL_DOWN_MASK
@@ -26,85 +26,52 @@ public final class Keystrokes {
             new Modifier(InputEvent.ALT_DOWN_MASK, "key.alt"),
             new Modifier(InputEvent.SHIFT_DOWN_MASK, "key.shift"));
 
-    /** A key that is held, and the key of its name. */
+    /** A modifier key, and the key of its text. */
     private record Modifier(int mask, String name) {}
 
     private Keystrokes() {}
 
-    /**
-     * A key alone.
-     *
-     * @param key a code of {@link KeyEvent}
-     * @return the stroke
-     */
+    /** Returns the stroke of a key alone, given a code of {@link KeyEvent}. */
     public static KeyStroke unmodified(int key) {
         return KeyStroke.getKeyStroke(key, 0);
     }
 
-    /**
-     * A sign, whichever keys make it on this keyboard.
-     *
-     * @param sign the sign
-     * @return the stroke
-     */
+    /** Returns the stroke that types a character, with whichever keys do so on the keyboard. */
     public static KeyStroke character(char sign) {
         return KeyStroke.getKeyStroke(sign);
     }
 
-    /**
-     * A key with the platform's menu key, which is Ctrl on most.
-     *
-     * @param key a code of {@link KeyEvent}
-     * @return the stroke
-     */
+    /** Returns the stroke of a key with the platform's menu modifier, which is Ctrl on most. */
     public static KeyStroke menuShortcut(int key) {
         return KeyStroke.getKeyStroke(key, menuMask());
     }
 
     /**
-     * A sign with the platform's menu key, for people to read. Which keys make the sign differs from keyboard to
-     * keyboard, and none types it while the menu key is down: the keys have to be bound besides.
-     *
-     * @param sign the sign
-     * @return the stroke
+     * Returns a stroke of a character with the menu modifier, for display only. Different keys type the character on
+     * different keyboards, and none does while the modifier is held, so the keys must be bound as well.
      */
     public static KeyStroke menuCharacter(char sign) {
         return KeyStroke.getKeyStroke(Character.valueOf(sign), menuMask());
     }
 
-    /**
-     * Whether a stroke is one of {@link #menuCharacter}.
-     *
-     * @param stroke the stroke
-     * @return true where it is only to be read
-     */
+    /** Returns whether a stroke is one of {@link #menuCharacter}, for display only. */
     public static boolean isMenuCharacter(KeyStroke stroke) {
         return stroke.getKeyCode() == KeyEvent.VK_UNDEFINED && (stroke.getModifiers() & menuMask()) != 0;
     }
 
-    /**
-     * A key with the platform's menu key and Shift.
-     *
-     * @param key a code of {@link KeyEvent}
-     * @return the stroke
-     */
+    /** Returns the stroke of a key with the platform's menu modifier and Shift. */
     public static KeyStroke menuShiftShortcut(int key) {
         return KeyStroke.getKeyStroke(key, menuMask() | InputEvent.SHIFT_DOWN_MASK);
     }
 
-    /** Without a display nobody can say what the menu key is. */
+    /** Returns the menu modifier; Ctrl if there is no display that defines it. */
     private static int menuMask() {
         return GraphicsEnvironment.isHeadless()
                 ? InputEvent.CTRL_DOWN_MASK
                 : Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx();
     }
 
-    /**
-     * A stroke for people, in the language of the window; the machine's may be another.
-     *
-     * @param stroke the stroke
-     * @return such as Ctrl+O, or [
-     */
+    /** Returns a stroke in the language of the window, such as Ctrl+O or [. */
     public static String toText(KeyStroke stroke) {
         String modifiers = MODIFIERS.stream()
                 .filter(modifier -> (stroke.getModifiers() & modifier.mask()) != 0)
@@ -116,30 +83,19 @@ public final class Keystrokes {
                         : keyText(stroke.getKeyCode()));
     }
 
-    /** Keys that are called by a word have it in the texts; others are called by what is printed on them. */
+    /** Keys named by a word have a text; others are named by their label on the keyboard. */
     private static String keyText(int code) {
         String key = unmodified(code).toString().replace("pressed ", "key.");
         return Messages.contains(key) ? Messages.get(key) : KeyEvent.getKeyText(code);
     }
 
-    /**
-     * Whether a stroke would also type something: one without modifiers, or with Shift only, that is no function key.
-     *
-     * @param stroke the stroke
-     * @return true where a text field with the focus must get it
-     */
+    /** Returns whether a stroke may also type a character: it has no modifier but Shift and is not a function key. */
     public static boolean producesText(KeyStroke stroke) {
         boolean functionKey = stroke.getKeyCode() >= KeyEvent.VK_F1 && stroke.getKeyCode() <= KeyEvent.VK_F12;
         return !functionKey && (stroke.getModifiers() & OTHER_MODIFIERS) == 0;
     }
 
-    /**
-     * Whether a component keeps a stroke to itself.
-     *
-     * @param focused the component with the focus, may be null as the focus manager has it
-     * @param stroke the stroke
-     * @return true where it is typed into a text
-     */
+    /** Returns whether the focused component, which may be null, is a text component that a stroke is typed into. */
     public static boolean isTypedInto(Component focused, KeyStroke stroke) {
         return focused instanceof JTextComponent && producesText(stroke);
     }

@@ -33,12 +33,10 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
 
-/**
- * The actions on obstacles: new ones from the palette, copies by way of the clipboard, deleting, ways, and snapping.
- */
+/** The actions on obstacles: placing, copying, deleting, motion and snapping. */
 public final class ObstacleActions {
 
-    /** The palette: all that makes a new obstacle, in the order of its buttons. */
+    /** The keys of the actions that place obstacles, in the order of the palette. */
     public static final List<String> PALETTE_KEYS = List.of(
             "placeRectangle",
             "placeSquare",
@@ -77,23 +75,23 @@ public final class ObstacleActions {
     private final UiAction snapAngle;
 
     /**
-     * Actions that are not shown yet.
+     * Creates the actions.
      *
-     * @param tools of the canvas
-     * @param editor where changes go
-     * @param note told what the user should know
-     * @param askSpeed asks for a speed, metres per second, given the present one
-     * @param preferences keeps how obstacles snap
+     * @param tools the tools of the canvas
+     * @param editor sends commands
+     * @param notifier shows a note to the user
+     * @param askSpeed asks for a speed, metres per second, given the present one; empty if cancelled
+     * @param preferences keeps the snap settings
      */
     public ObstacleActions(
             CanvasTools tools,
             UndoController editor,
-            Consumer<String> note,
+            Consumer<String> notifier,
             DoubleFunction<OptionalDouble> askSpeed,
             WindowPreferences preferences) {
         this.tools = tools;
         this.editor = editor;
-        this.notifier = note;
+        this.notifier = notifier;
         this.askSpeed = askSpeed;
         this.preferences = preferences;
         snapGrid = UiAction.toggle("snapGrid", preferences.isGridSnapped(), on -> applySnap());
@@ -130,7 +128,7 @@ public final class ObstacleActions {
         return self[0];
     }
 
-    /** Says how a tool is used, and shows that it is. */
+    /** Activates a tool and shows how it is used. */
     private void activateTool(UiAction action, Runnable tool) {
         tool.run();
         action.setOn(true);
@@ -151,7 +149,7 @@ public final class ObstacleActions {
         }
     }
 
-    /** Of all selected obstacles that move. */
+    /** Sets the speed of all selected obstacles that move. */
     private void editMotionSpeed() {
         List<Obstacle> moving = tools.selected().stream()
                 .filter(obstacle -> obstacle.isMoving())
@@ -186,7 +184,7 @@ public final class ObstacleActions {
                 .toList());
     }
 
-    /** Copies what is selected; says whether it is on the clipboard. */
+    /** Copies the selection to the clipboard; returns whether it is there. */
     private boolean copySelection() {
         if (tools.selected().isEmpty()) {
             return false;

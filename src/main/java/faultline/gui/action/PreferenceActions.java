@@ -11,10 +11,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JOptionPane;
 
-/**
- * The choice of language and of the size of texts. Both are made when the window is, so a change shows in the next one,
- * which is told at once.
- */
+/** The choice of language and text size. A change takes effect in the next window, and a message says so. */
 public final class PreferenceActions {
 
     private final Component parent;
@@ -32,21 +29,21 @@ public final class PreferenceActions {
                 .forEach(actions::add);
     }
 
-    /** The key of the action that makes a choice. */
+    /** Returns the key of the action that selects an option. */
     static String actionKey(String group, Enum<?> option) {
         return group + option.name().charAt(0) + option.name().substring(1).toLowerCase(Locale.ROOT);
     }
 
-    private <E extends Enum<E>> List<UiAction> toggleGroup(String group, E[] options, E now, Consumer<E> keep) {
+    private <E extends Enum<E>> List<UiAction> toggleGroup(String group, E[] options, E current, Consumer<E> setter) {
         UiAction[] actions = new UiAction[options.length];
         for (int i = 0; i < options.length; i++) {
             E option = options[i];
-            actions[i] = UiAction.toggle(actionKey(group, option), option == now, on -> {
+            actions[i] = UiAction.toggle(actionKey(group, option), option == current, on -> {
                 Arrays.stream(actions)
                         .forEach(action -> action.putValue(
                                 UiAction.SELECTED_KEY, action.key().equals(actionKey(group, option))));
-                keep.accept(option);
-                if (option != now) {
+                setter.accept(option);
+                if (option != current) {
                     JOptionPane.showMessageDialog(
                             parent,
                             Messages.get("choice.later"),

@@ -11,7 +11,7 @@ import java.awt.event.KeyEvent;
 import java.util.function.IntUnaryOperator;
 import javax.swing.BoundedRangeModel;
 
-/** The actions on the run: run and pause, step, restart and the speed. */
+/** The actions that control the run: run and pause, step, restart and the speed. */
 public final class RunActions {
 
     private final RunController runController;
@@ -51,7 +51,7 @@ public final class RunActions {
         speedModel.setValue(next.applyAsInt(speedModel.getValue()));
     }
 
-    /** Makes the one action say Run or Pause. */
+    /** Names the run action Run or Pause. */
     public void update(Session.Status status) {
         if (status.running() != running) {
             running = status.running();

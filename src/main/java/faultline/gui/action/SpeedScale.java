@@ -5,8 +5,8 @@ import java.text.DecimalFormatSymbols;
 import java.util.Locale;
 
 /**
- * The positions of the speed slider, ten to a decade from a tenth to a hundred times real time, and as fast as possible
- * above. Real time has three positions, so that a hand finds it.
+ * The positions of the speed slider: ten per decade from 0.1 to 100 times real time, and unlimited speed above. Real
+ * time has three positions, so that it is easy to hit.
  */
 public final class SpeedScale {
 
@@ -15,15 +15,15 @@ public final class SpeedScale {
     private static final int EXTRA_REAL_TIME_POSITIONS = 2;
     private static final int MAX_PACED_POSITION = 30 + EXTRA_REAL_TIME_POSITIONS;
 
-    /** As fast as possible. */
+    /** The position of unlimited speed. */
     public static final int UNLIMITED = MAX_PACED_POSITION + 1;
 
-    /** Real time: the middle one of its positions. */
+    /** The middle one of the positions of real time. */
     public static final int REAL_TIME_POSITION = FIRST_REAL_TIME_POSITION + 1;
 
     private SpeedScale() {}
 
-    /** How many times real time a position stands for; positive infinity for as fast as possible. */
+    /** Returns the speed of a position, times real time; positive infinity for unlimited speed. */
     public static double speedAt(int position) {
         if (position >= UNLIMITED) {
             return Double.POSITIVE_INFINITY;
@@ -35,7 +35,7 @@ public final class SpeedScale {
                 * new double[] {0.1, 1, 10, 100}[place / SPEEDS_PER_DECADE.length];
     }
 
-    /** The next position with a lower speed. */
+    /** Returns the next position with a lower speed. */
     public static int nextSlower(int position) {
         int next = position;
         while (next > 0 && speedAt(next) >= speedAt(position)) {
@@ -44,7 +44,7 @@ public final class SpeedScale {
         return normalizeRealTime(next);
     }
 
-    /** The next position with a higher speed. */
+    /** Returns the next position with a higher speed. */
     public static int nextFaster(int position) {
         int next = position;
         while (next < UNLIMITED && speedAt(next) <= speedAt(position)) {
@@ -57,7 +57,7 @@ public final class SpeedScale {
         return speedAt(position) == 1 ? REAL_TIME_POSITION : position;
     }
 
-    /** A speed for people. */
+    /** Returns a speed as text. */
     public static String format(double speed) {
         return new DecimalFormat("0.###", DecimalFormatSymbols.getInstance(Locale.ROOT)).format(speed) + "×";
     }

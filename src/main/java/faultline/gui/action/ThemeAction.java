@@ -7,7 +7,7 @@ import faultline.gui.theme.Theme;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
-/** The switch between the light theme and the dark one. */
+/** Switches between the light and the dark theme. */
 public final class ThemeAction {
 
     private final JFrame window;
@@ -35,7 +35,7 @@ public final class ThemeAction {
         preferences.setTheme(theme);
     }
 
-    /** Shows what a press would bring. */
+    /** Shows the theme that the action switches to. */
     private void updateIcon() {
         darkAction.withIcon(Theme.current() == Theme.DARK ? Glyph.SUN : Glyph.MOON);
     }

@@ -9,10 +9,7 @@ import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.KeyStroke;
 
-/**
- * One thing that the user can do, with its name, tool tip, key and icon. The texts come from the key
- * {@code action.KEY}.
- */
+/** An action of the user, with its name, tool tip, accelerator and icon. Its texts have the key {@code action.KEY}. */
 public final class UiAction extends AbstractAction {
 
     private final String key;
@@ -25,70 +22,38 @@ public final class UiAction extends AbstractAction {
         putValue(ACTION_COMMAND_KEY, key);
     }
 
-    /**
-     * An action that is done.
-     *
-     * @param key of its texts
-     * @param handler what it does, on the event dispatch thread
-     * @return the action, without a key and an icon
-     */
+    /** Creates an action that calls a handler, without accelerator and icon. */
     public static UiAction of(String key, Runnable handler) {
         return new UiAction(key, action -> handler.run());
     }
 
-    /**
-     * An action that is switched on and off.
-     *
-     * @param key of its texts
-     * @param on how it stands at first
-     * @param handler told how it stands from now on, on the event dispatch thread
-     * @return the action, without a key and an icon
-     */
+    /** Creates an action that is switched on and off, and calls a handler with its new state. */
     public static UiAction toggle(String key, boolean on, Consumer<Boolean> handler) {
         UiAction action = new UiAction(key, self -> handler.accept(self.isOn()));
         action.putValue(SELECTED_KEY, on);
         return action;
     }
 
-    /**
-     * Gives the action a key.
-     *
-     * @param stroke the key
-     * @return this action
-     */
+    /** Sets the accelerator; returns this action. */
     public UiAction withAccelerator(KeyStroke stroke) {
         putValue(ACCELERATOR_KEY, stroke);
         updateToolTip();
         return this;
     }
 
-    /**
-     * Gives the action an icon for tool bars.
-     *
-     * @param glyph the drawing
-     * @return this action
-     */
+    /** Sets the icon for tool bars; returns this action. */
     public UiAction withIcon(Glyph glyph) {
         putValue(LARGE_ICON_KEY, glyph.icon());
         return this;
     }
 
-    /**
-     * Gives the action a name with a gap, and the texts of its own key otherwise.
-     *
-     * @param textKey of the name
-     * @param value goes into the gap
-     */
+    /** Sets a name with a placeholder; the other texts are those of its own key. */
     public void rename(String textKey, String value) {
         rename(key);
         putValue(Action.NAME, Messages.get("action." + textKey, value).replaceFirst("&", ""));
     }
 
-    /**
-     * Gives the action the texts of another key.
-     *
-     * @param textKey of the texts
-     */
+    /** Sets the texts of another key. */
     public void rename(String textKey) {
         String name = Messages.get("action." + textKey);
         int mark = name.indexOf('&');
@@ -107,56 +72,32 @@ public final class UiAction extends AbstractAction {
                         .orElse(tip));
     }
 
-    /**
-     * The key of its texts, which is its name for the program.
-     *
-     * @return as given when it was made
-     */
+    /** Returns the key of the texts, which identifies the action. */
     public String key() {
         return key;
     }
 
-    /**
-     * Its name without the mark of the mnemonic.
-     *
-     * @return for people
-     */
+    /** Returns the name without the mark of the mnemonic. */
     public String name() {
         return (String) getValue(NAME);
     }
 
-    /**
-     * Its key.
-     *
-     * @return empty where it has none
-     */
+    /** Returns the accelerator; empty if there is none. */
     public Optional<KeyStroke> accelerator() {
         return Optional.ofNullable((KeyStroke) getValue(ACCELERATOR_KEY));
     }
 
-    /**
-     * How a switch stands.
-     *
-     * @return true for on
-     */
+    /** Returns whether a toggle is on. */
     public boolean isOn() {
         return Boolean.TRUE.equals(getValue(SELECTED_KEY));
     }
 
-    /**
-     * Shows a switch in another position, without doing anything.
-     *
-     * @param on how it stands from now on
-     */
+    /** Sets the state of a toggle without calling its handler. */
     public void setOn(boolean on) {
         putValue(SELECTED_KEY, on);
     }
 
-    /**
-     * Whether it is switched on and off rather than done.
-     *
-     * @return true for a switch
-     */
+    /** Returns whether the action is switched on and off. */
     public boolean isToggle() {
         return getValue(SELECTED_KEY) != null;
     }

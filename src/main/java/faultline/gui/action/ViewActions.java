@@ -13,7 +13,7 @@ import javax.swing.JComponent;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 
-/** The actions on what is shown: zoom, layers and following. */
+/** The actions of the view: zoom, layers and following. */
 public final class ViewActions {
 
     private ViewActions() {}
@@ -39,7 +39,7 @@ public final class ViewActions {
         actions.add(layer("scaleBar", canvas, Layer.SCALE_BAR));
     }
 
-    /** The keys that are plus and minus on one keyboard or another. */
+    /** Binds the keys that type plus and minus on different keyboards. */
     public static void bindTo(JRootPane root, ActionRegistry actions) {
         bind(
                 root,

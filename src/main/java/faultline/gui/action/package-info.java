@@ -1,2 +1,2 @@
-/** What the user can do: one action for each thing, shared by menu, tool bar and key. Event dispatch thread only. */
+/** The actions of the user, shared by menu, tool bar and keyboard. Event dispatch thread only. */
 package faultline.gui.action;

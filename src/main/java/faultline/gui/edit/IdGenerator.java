@@ -2,17 +2,14 @@ package faultline.gui.edit;
 
 import java.util.Collection;
 
-/** Ids for new obstacles. */
+/** Generates ids of new obstacles. */
 public final class IdGenerator {
 
     private IdGenerator() {}
 
     /**
-     * An id that is not taken: the wanted one, or its stem with the first free number behind it.
-     *
-     * @param wanted such as {@code circle} or {@code circle-2}
-     * @param taken ids that are taken
-     * @return such as {@code circle-3}
+     * Returns the wanted id, such as {@code circle-2}, or its stem with the first free number, such as
+     * {@code circle-3}, if it is taken.
      */
     public static String uniqueId(String wanted, Collection<String> taken) {
         if (!taken.contains(wanted)) {

@@ -10,7 +10,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Copies of obstacles beside their originals, with ids of their own. */
+/** Copies obstacles. */
 public final class ObstacleCopies {
 
     private static final Vector2 OFFSET = new Vector2(0.2, -0.2);
@@ -18,11 +18,11 @@ public final class ObstacleCopies {
     private ObstacleCopies() {}
 
     /**
-     * Copies.
+     * Returns copies with new ids, a little to the right and below the originals, or at the same place if none of them
+     * exists any more.
      *
-     * @param originals what is copied
-     * @param taken the ids that are taken
-     * @return one for each original: a little to the right and below, unless none of the originals is there any more
+     * @param originals the obstacles
+     * @param taken the ids in use
      */
     public static List<Obstacle> copyOf(List<Obstacle> originals, Collection<String> taken) {
         Vector2 by = originals.stream().map(Obstacle::id).anyMatch(taken::contains) ? OFFSET : Vector2.ZERO;
@@ -43,8 +43,8 @@ public final class ObstacleCopies {
                 .withMotion(moved(original.motion(), by));
     }
 
-    private static WaypointPath moved(WaypointPath way, Vector2 by) {
-        return way.withWaypoints(way.waypoints().stream()
+    private static WaypointPath moved(WaypointPath path, Vector2 by) {
+        return path.withWaypoints(path.waypoints().stream()
                 .map(point -> Rounding.round(point.plus(by)))
                 .toList());
     }

@@ -6,30 +6,18 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.util.List;
 
-/** Obstacles of points that were drawn one by one. The origin of their frame is the middle of their bounds. */
+/** Creates obstacles from points. The origin of their frame is the centre of their bounds. */
 public final class PointShapes {
 
     private PointShapes() {}
 
-    /**
-     * A closed polygon.
-     *
-     * @param id its id
-     * @param points at least three, in the world, metres
-     * @return the obstacle
-     */
+    /** Returns a closed polygon of at least three points in the world, metres. */
     public static Obstacle polygon(String id, List<Vector2> points) {
         Pose frame = frame(points);
         return new Obstacle(id, new ObstacleShape.Polygon(toLocal(points, frame)), frame);
     }
 
-    /**
-     * An open wall.
-     *
-     * @param id its id
-     * @param points at least two, in the world, metres
-     * @return the obstacle
-     */
+    /** Returns an open wall of at least two points in the world, metres. */
     public static Obstacle wall(String id, List<Vector2> points) {
         Pose frame = frame(points);
         return new Obstacle(id, new ObstacleShape.Wall(toLocal(points, frame)), frame);

@@ -3,7 +3,7 @@ package faultline.gui.edit;
 import faultline.geometry.Vector2;
 import java.util.List;
 
-/** Numbers that a hand makes, without the digits that no hand means: files stay readable. */
+/** Rounds the results of drags to nanometres, so that files stay readable. */
 final class Rounding {
 
     private static final double STEPS_PER_METRE = 1e9;

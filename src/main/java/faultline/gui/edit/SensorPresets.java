@@ -20,12 +20,11 @@ public final class SensorPresets {
     private SensorPresets() {}
 
     /**
-     * The commands that switch so many sensors on and all others off.
+     * Returns the commands that switch a number of sensors on and all others off; only those that change something.
      *
-     * @param robot as it is now
-     * @param wallOnLeft on which side the wall is followed
+     * @param robot the robot
+     * @param wallOnLeft whether the wall is followed on the left
      * @param count two, three, or more for all
-     * @return only those that change something
      */
     public static List<Command> commands(RobotSpec robot, boolean wallOnLeft, int count) {
         Set<String> wanted = new HashSet<>();

@@ -11,13 +11,13 @@ import java.util.Locale;
 import java.util.function.Function;
 
 /**
- * The points by which a hand takes a shape to change its size: a rectangle's corners and sides, a curve's axes, all
- * corners of what has points.
+ * The handles by which a drag changes a shape: the corners and sides of a rectangle, the axes of a circle or an
+ * ellipse, all points of other shapes.
  */
 public final class ShapeHandles {
 
     private static final double MIN_SIZE = 0.01;
-    /** Corners and middles of the sides of a rectangle, in halves of its size from its middle. */
+    /** The corners and the midpoints of the sides of a rectangle, in half its size from its centre. */
     private static final List<Vector2> SIDES = List.of(
             new Vector2(1, 1),
             new Vector2(0, 1),
@@ -33,12 +33,7 @@ public final class ShapeHandles {
 
     private ShapeHandles() {}
 
-    /**
-     * Where the handles of an obstacle are.
-     *
-     * @param obstacle the obstacle
-     * @return metres, in the world
-     */
+    /** Returns the positions of the handles of an obstacle, metres in the world. */
     public static List<Vector2> positions(Obstacle obstacle) {
         return localPositions(obstacle.shape()).stream()
                 .map(obstacle.pose()::toParent)
@@ -50,14 +45,13 @@ public final class ShapeHandles {
     }
 
     /**
-     * An obstacle after one of its handles was dragged. Of a rectangle the opposite corner or side stays, of a circle
-     * or an ellipse the middle, of all others every other corner.
+     * Returns an obstacle after one of its handles was dragged. Of a rectangle the opposite corner or side stays, of a
+     * circle or an ellipse the centre, of other shapes all other points.
      *
-     * @param obstacle as it was
-     * @param handle the place of the handle in {@link #positions}
-     * @param to where the hand is, metres
-     * @param snap what it is rounded to
-     * @return the obstacle of another shape
+     * @param obstacle the obstacle before
+     * @param handle the index of the handle in {@link #positions}
+     * @param to the position of the mouse, metres
+     * @param snap the steps that sizes and positions are rounded to
      */
     public static Obstacle dragHandle(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
         return obstacle.shape().accept(HANDLES).drag(obstacle, handle, to, snap);
@@ -71,23 +65,12 @@ public final class ShapeHandles {
         return obstacle.withShape(shape).withPose(pose);
     }
 
-    /**
-     * The size of an obstacle in words.
-     *
-     * @param obstacle the obstacle
-     * @param handle the handle that changes it, by its place in {@link #positions}
-     * @return for people
-     */
+    /** Returns the size that a handle changes, in the user's language. */
     public static String sizeText(Obstacle obstacle, int handle) {
         return obstacle.shape().accept(HANDLES).sizeText(obstacle, handle);
     }
 
-    /**
-     * A length as it stands beside a hand.
-     *
-     * @param value metres
-     * @return three digits behind the point
-     */
+    /** Returns a length in metres with three decimals. */
     public static String formatMetres(double value) {
         return String.format(Locale.ROOT, "%.3f", value);
     }

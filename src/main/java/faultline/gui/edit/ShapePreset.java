@@ -7,7 +7,7 @@ import faultline.world.ObstacleShape;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** The shapes of the palette: placed by a click in their usual size, or drawn from corner to corner. */
+/** The shapes of the palette, placed by a click in their default size or drawn from corner to corner. */
 public enum ShapePreset {
     /** A rectangle. */
     RECTANGLE(0.6, 0.4, false),
@@ -37,25 +37,14 @@ public enum ShapePreset {
         this.regular = regular;
     }
 
-    /**
-     * An obstacle of the usual size.
-     *
-     * @param id its id
-     * @param middle where, metres
-     * @return the obstacle
-     */
+    /** Returns an obstacle of the default size, given its id and its centre, metres. */
     public Obstacle createAt(String id, Vector2 middle) {
         return create(id, middle, width, height);
     }
 
     /**
-     * An obstacle from one corner of its bounds to the opposite one; one of a regular shape takes the longer side for
-     * both.
-     *
-     * @param id its id
-     * @param from a corner, metres
-     * @param to the opposite corner, metres
-     * @return the obstacle, two centimetres wide and high at least
+     * Returns an obstacle between two opposite corners of its bounds, metres, at least 2 cm wide and high; a regular
+     * shape has the longer side for both.
      */
     public Obstacle createBetween(String id, Vector2 from, Vector2 to) {
         double across = Math.max(MIN_SIZE, Math.abs(to.x() - from.x()));

@@ -3,44 +3,32 @@ package faultline.gui.edit;
 import faultline.geometry.Vector2;
 
 /**
- * To what a hand's places, lengths and angles are rounded.
+ * The steps that positions, lengths and angles of a drag are rounded to.
  *
- * @param gridStep of places and lengths, metres; 0 for as they are
- * @param angleStep of angles, radians; 0 for as they are
+ * @param gridStep the step of positions and lengths, metres; 0 for none
+ * @param angleStep the step of angles, radians; 0 for none
  */
 public record SnapSettings(double gridStep, double angleStep) {
 
     private static final double MIN_STEP = 1e-5;
 
-    /** Rounds nothing that a hand means. */
+    /** No snapping. */
     public static final SnapSettings NONE = new SnapSettings(0, 0);
 
-    /**
-     * A place on the grid.
-     *
-     * @param free where the hand is, metres
-     * @return the nearest place
-     */
+    /** Returns the nearest point on the grid. */
     public Vector2 point(Vector2 free) {
         return new Vector2(length(free.x()), length(free.y()));
     }
 
     /**
-     * A length on the grid.
-     *
-     * @param free as the hand has it, metres
-     * @return the nearest length; without a grid, to the hundredth of a millimetre, because no hand means more
+     * Returns the nearest length on the grid; without a grid, to a hundredth of a millimetre, which is finer than a
+     * drag.
      */
     public double length(double free) {
         return roundTo(free, gridStep > 0 ? gridStep : MIN_STEP);
     }
 
-    /**
-     * An angle among the allowed ones.
-     *
-     * @param free as the hand has it, radians
-     * @return the nearest angle
-     */
+    /** Returns the nearest allowed angle. */
     public double angle(double free) {
         return angleStep > 0 ? roundTo(free, angleStep) : free;
     }

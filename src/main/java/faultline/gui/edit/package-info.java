@@ -1,6 +1,6 @@
 /**
- * What a user does to the scenario: edits with names that can be undone and redone, and what new obstacles are made of.
- * Event dispatch thread only. It knows neither the window nor the canvas; commands go out through a channel, and what
- * became of them comes back.
+ * Edits of the scenario: named edits that can be undone, the commands that do not show yet, and the shapes of new
+ * obstacles. Event dispatch thread only. It knows neither the window nor the canvas; commands are sent through a
+ * channel, which returns their results.
  */
 package faultline.gui.edit;

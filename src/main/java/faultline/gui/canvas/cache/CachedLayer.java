@@ -5,64 +5,68 @@ import java.awt.Graphics2D;
 import java.util.Optional;
 
 /**
- * Keeps a part of the picture as an image, and brings it up to date a little with each frame, so that no frame takes
- * long. Where the content has only moved, or changed here and there, the image is moved and mended; else a new one is
- * made behind the old one, which shows until then, stretched to the new view.
+ * Caches a layer of the canvas as an image, and updates it over several frames, so that no frame takes long. If the
+ * content has moved, or changed in a few places, the image is shifted and patched; otherwise a new image is painted
+ * behind the old one, which is drawn until then, scaled to the new view.
  *
- * @param <M> what it shows
+ * @param <C> the content
  */
-public final class CachedLayer<M extends LayerContent<M>> {
+public final class CachedLayer<C extends LayerContent<C>> {
 
-    private Optional<LayerProgress<M>> front = Optional.empty();
-    private Optional<LayerProgress<M>> back = Optional.empty();
+    /** Drawn; null before the first update. */
+    private LayerProgress<C> front;
+    /** Painted behind the front image; null if the front image itself is updated. */
+    private LayerProgress<C> back;
+
     private boolean complete;
 
-    /** Comes nearer to what is wanted, by as much as a frame has time for. */
-    public void update(M motif, LayerBuffer.View view, FrameBudget effort) {
-        if (back.isEmpty()) {
-            prepare(motif, view);
+    /** Updates the image for as long as the budget of the frame allows. */
+    public void update(C content, LayerBuffer.View view, FrameBudget budget) {
+        if (back == null) {
+            prepare(content, view);
         }
-        if (back.isPresent()) {
-            back = back.map(kept -> kept.advanced(effort));
+        if (back == null) {
+            front = front.advanced(budget);
         } else {
-            front = front.map(kept -> kept.advanced(effort));
+            back = back.advanced(budget);
+            if (back.isDone()) {
+                front = back;
+                back = null;
+            }
         }
-        if (back.filter(LayerProgress::isDone).isPresent()) {
-            front = back;
-            back = Optional.empty();
-        }
-        complete =
-                back.isEmpty() && front.filter(kept -> kept.shows(motif, view)).isPresent();
+        complete = back == null && front.shows(content, view);
     }
 
-    /** An image that is begun is finished before the next is, or a view that goes on changing would never show. */
-    private void prepare(M motif, LayerBuffer.View view) {
-        if (front.isEmpty()) {
-            front = Optional.of(LayerProgress.blank(motif, view));
-        } else if (!front.get().shows(motif, view)) {
-            Optional<LayerProgress<M>> mended = front.get().adaptTo(motif, view);
-            front = mended.or(() -> front);
-            back = mended.isPresent() ? Optional.empty() : Optional.of(LayerProgress.blank(motif, view));
+    /** Starts an update. A started image is completed first, or a view that keeps changing would never show. */
+    private void prepare(C content, LayerBuffer.View view) {
+        if (front == null) {
+            front = LayerProgress.blank(content, view);
+        } else if (!front.shows(content, view)) {
+            front.adaptTo(content, view)
+                    .ifPresentOrElse(adapted -> front = adapted, () -> back = LayerProgress.blank(content, view));
         }
     }
 
-    /** Keeps nothing of what was shown. */
+    /** Discards the images. */
     public void clear() {
-        front = Optional.empty();
-        back = Optional.empty();
+        front = null;
+        back = null;
     }
 
-    /** Whether all that was wanted last is there; if not, it must be brought again soon. */
+    /** Returns whether the image shows the last content; if not, the update must be repeated soon. */
     public boolean isComplete() {
         return complete;
     }
 
-    /** What the image that shows was made of. */
-    public Optional<M> shownContent() {
-        return front.map(LayerProgress::content);
+    /** Returns the content of the image that is drawn; empty if there is none. */
+    public Optional<C> shownContent() {
+        return Optional.ofNullable(front).map(LayerProgress::content);
     }
 
-    public void draw(Graphics2D graphics, Camera now) {
-        front.ifPresent(kept -> kept.buffer().draw(graphics, now));
+    /** Draws the image, scaled to the camera. */
+    public void draw(Graphics2D graphics, Camera camera) {
+        if (front != null) {
+            front.buffer().draw(graphics, camera);
+        }
     }
 }

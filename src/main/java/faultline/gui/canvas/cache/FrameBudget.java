@@ -3,12 +3,12 @@ package faultline.gui.canvas.cache;
 import java.util.function.LongSupplier;
 
 /**
- * How much painting on kept images a frame has time for. What is done is counted, so that the same things are painted
- * in the same frame wherever there is time for them; where the machine is slow or busy, the clock ends it sooner.
+ * The time that a frame has for painting cached images. Work is counted by its cost, so that the same work is done in
+ * the same frame on every machine that is fast enough; on a slow or busy machine the clock ends it sooner.
  */
 public final class FrameBudget {
 
-    /** So long may a frame be painted on, nanoseconds. */
+    /** The time limit of a frame, nanoseconds. */
     private static final long MAX_NANOS = 5_000_000;
 
     private static final double FULL = 1;
@@ -17,27 +17,23 @@ public final class FrameBudget {
     private final long startNanos;
     private double remaining = FULL;
 
-    /**
-     * The effort of a frame that is begun now.
-     *
-     * @param clock nanoseconds
-     */
+    /** Starts the budget of a frame with a clock, in nanoseconds. */
     public FrameBudget(LongSupplier clock) {
         this.clock = clock;
         this.startNanos = clock.getAsLong();
     }
 
-    /** Counts something that was done, as a share of what a frame has time for: some 5 ms. */
+    /** Spends a fraction of the budget, which is about 5 ms. */
     void spend(double share) {
         remaining -= share;
     }
 
-    /** What is left, a share; not positive where nothing is. */
+    /** Returns the remaining fraction; not positive if the budget is spent. */
     double remaining() {
         return remaining;
     }
 
-    /** However late it is, each frame does something, or a slow machine would never come to an end. */
+    /** Returns whether the budget is spent. Each frame does some work, or a slow machine would never finish. */
     public boolean isSpent() {
         return remaining <= 0 || remaining < FULL && clock.getAsLong() - startNanos > MAX_NANOS;
     }

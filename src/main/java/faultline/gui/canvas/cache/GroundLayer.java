@@ -16,26 +16,26 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The ground with the obstacles that stand still on it. Its first piece is all that lies beneath them.
+ * The ground and the still obstacles on it. Its first piece is everything beneath the obstacles.
  *
- * @param world whose edge shows; nothing else of it does
- * @param obstacles that stand still, in drawing order
- * @param marked the ids of those that are marked as selected
- * @param painter of all that
+ * @param world its size and enclosure are painted, nothing else
+ * @param obstacles the still obstacles, in drawing order
+ * @param marked the ids of the obstacles that are marked as selected
+ * @param painter paints all of it
  */
 public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> marked, ScenePainter painter)
         implements LayerContent<GroundLayer> {
 
-    /** A frame has time for so many obstacles without names. */
+    /** The number of obstacles without labels that a frame has time for. */
     private static final double OBSTACLES_PER_FRAME = 200;
 
-    /** What all that lies beneath the obstacles takes of a frame's time. */
+    /** The cost of everything beneath the obstacles, as a fraction of a frame. */
     private static final double BACKDROP_COST = 0.1;
 
     private static final double LABEL_COST = 1;
-    /** So many pixels cost as much to fill as an obstacle costs in any case. */
+    /** The number of filled pixels that cost as much as the fixed cost of an obstacle. */
     private static final double PIXELS_PER_OBSTACLE = 4000;
-    /** Where more obstacles than this have changed, all is painted anew. */
+    /** If more obstacles have changed, everything is repainted. */
     private static final int MAX_CHANGES = 16;
 
     @Override
@@ -49,30 +49,30 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
     }
 
     @Override
-    public int paint(DrawContext brush, Rectangle clip, int from, FrameBudget effort) {
+    public int paint(DrawContext context, Rectangle clip, int from, FrameBudget budget) {
         if (from == 0) {
-            painter.paintBackground(brush, world);
-            effort.spend(BACKDROP_COST
+            painter.paintBackground(context, world);
+            budget.spend(BACKDROP_COST
                     * clip.width
                     * clip.height
-                    / (brush.camera().width() * brush.camera().height()));
+                    / (context.camera().width() * context.camera().height()));
         }
         int next = Math.max(1, from);
-        for (; next < pieceCount() && !effort.isSpent(); next++) {
+        for (; next < pieceCount() && !budget.isSpent(); next++) {
             Obstacle obstacle = obstacles.get(next - 1);
-            Rectangle2D extent = painter.obstacleBounds(brush.camera(), obstacle);
+            Rectangle2D extent = painter.obstacleBounds(context.camera(), obstacle);
             if (extent.intersects(clip)) {
-                paint(brush, obstacle);
-                effort.spend(cost(extent) / OBSTACLES_PER_FRAME);
+                paint(context, obstacle);
+                budget.spend(cost(extent) / OBSTACLES_PER_FRAME);
             }
         }
         return next;
     }
 
-    private void paint(DrawContext brush, Obstacle obstacle) {
-        painter.paintObstacle(brush, obstacle);
+    private void paint(DrawContext context, Obstacle obstacle) {
+        painter.paintObstacle(context, obstacle);
         if (marked.contains(obstacle.id())) {
-            SelectionPainter.paintOutline(brush, obstacle);
+            SelectionPainter.paintOutline(context, obstacle);
         }
     }
 
@@ -118,7 +118,7 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
                 || marked.contains(obstacle.id()) != earlier.marked.contains(obstacle.id());
     }
 
-    /** Whether those that are there before and after lie on each other in the same way. */
+    /** Returns whether the obstacles that exist before and after are in the same order. */
     private boolean isSameOrder(Map<String, Obstacle> before, Map<String, Obstacle> now, GroundLayer earlier) {
         List<String> ids =
                 obstacles.stream().map(Obstacle::id).filter(before::containsKey).toList();

@@ -15,33 +15,30 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * A part of the picture kept as an image at the resolution of the device, so that it is as crisp as if it were painted.
+ * An image of a layer at the resolution of the device, as sharp as if it were painted directly.
  *
- * @param image its pixels are the device's
- * @param view what it was made for
+ * @param image the image; its pixels are device pixels
+ * @param view the view that it was painted for
  */
 public record LayerBuffer(BufferedImage image, View view) {
 
     /**
-     * All that a kept part of the picture depends on besides the world.
+     * Everything but the content that an image depends on.
      *
-     * @param camera from the world to the picture
+     * @param camera the mapping from the world to the canvas
      * @param palette the colours
      * @param deviceScale device pixels per pixel
      */
     public record View(Camera camera, Palette palette, double deviceScale) {
 
-        /** A content moved by less of a pixel than this from whole pixels has moved by whole pixels. */
+        /** An offset that differs by less from whole pixels is an offset by whole pixels. */
         private static final double ROUNDING = 1e-6;
 
         Rectangle bounds() {
             return camera.bounds();
         }
 
-        /**
-         * By how many pixels the content moves to look as in another view; empty where that is not all that is to be
-         * done.
-         */
+        /** Returns the offset, pixels, that shows the content in another view; empty if an offset is not enough. */
         Optional<Point> offsetTo(View other) {
             Camera to = other.camera;
             double dx = (camera.x() - to.x()) * camera.scale();
@@ -60,7 +57,7 @@ public record LayerBuffer(BufferedImage image, View view) {
         }
     }
 
-    /** An empty image; an opaque one is shown faster. */
+    /** Returns an empty image; an opaque one is drawn faster. */
     static LayerBuffer blank(View view, boolean opaque) {
         int width = (int) Math.ceil(view.camera().width() * view.deviceScale());
         int height = (int) Math.ceil(view.camera().height() * view.deviceScale());
@@ -69,7 +66,7 @@ public record LayerBuffer(BufferedImage image, View view) {
                 view);
     }
 
-    /** Adds to the image within a rectangle of pixels. */
+    /** Paints within a rectangle, pixels. */
     void paint(Rectangle clip, Consumer<DrawContext> painter) {
         Graphics2D graphics = graphics();
         graphics.setClip(clip);
@@ -77,18 +74,14 @@ public record LayerBuffer(BufferedImage image, View view) {
         graphics.dispose();
     }
 
-    /** Makes a rectangle of pixels transparent, where the image can be. */
+    /** Makes a rectangle, pixels, transparent, unless the image is opaque. */
     void clear(Rectangle part) {
         if (image.getColorModel().hasAlpha()) {
-            fillTransparent(part);
+            Graphics2D graphics = graphics();
+            graphics.setComposite(AlphaComposite.Clear);
+            graphics.fill(part);
+            graphics.dispose();
         }
-    }
-
-    private void fillTransparent(Rectangle part) {
-        Graphics2D graphics = graphics();
-        graphics.setComposite(AlphaComposite.Clear);
-        graphics.fill(part);
-        graphics.dispose();
     }
 
     private Graphics2D graphics() {
@@ -97,7 +90,7 @@ public record LayerBuffer(BufferedImage image, View view) {
         return graphics;
     }
 
-    /** This image for another view, its content moved; what comes into view is what was there before. */
+    /** Returns this image for another view, with its content moved; what comes into view is not painted. */
     LayerBuffer moved(Point by, View to) {
         Graphics2D graphics = image.createGraphics();
         graphics.setComposite(AlphaComposite.Src);
@@ -107,7 +100,7 @@ public record LayerBuffer(BufferedImage image, View view) {
         return new LayerBuffer(image, to);
     }
 
-    /** What comes into view when the content moves; parts may be empty. */
+    /** Returns the parts that come into view when the content moves; they may be empty. */
     List<Rectangle> exposedParts(Point by) {
         int width = view.camera().width();
         int height = view.camera().height();
@@ -116,7 +109,7 @@ public record LayerBuffer(BufferedImage image, View view) {
                 new Rectangle(0, by.y > 0 ? 0 : height + by.y, width, Math.abs(by.y)));
     }
 
-    /** Shows the image: pixel for pixel in its own view, stretched in another. */
+    /** Draws the image: pixel by pixel in its own view, scaled in another. */
     void draw(Graphics2D graphics, Camera now) {
         Camera then = view.camera();
         AffineTransform place = new AffineTransform();

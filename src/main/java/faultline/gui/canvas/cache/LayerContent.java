@@ -7,43 +7,40 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a kept part of the picture shows at one moment: pieces, painted in their order. Immutable.
+ * The content of a layer at one moment: pieces, painted in order. Immutable.
  *
- * @param <M> the kind of motif
+ * @param <C> the kind of content
  */
-interface LayerContent<M extends LayerContent<M>> {
+interface LayerContent<C extends LayerContent<C>> {
 
-    /** Whether the first piece covers all. */
+    /** Returns whether the first piece covers everything. */
     boolean isOpaque();
 
-    /** How many pieces there are. */
+    /** Returns the number of pieces. */
     int pieceCount();
 
     /**
-     * Paints pieces, but no more than a frame has time for; those that do not touch the clip cost next to nothing.
+     * Paints pieces until the budget is spent; those outside the clip cost next to nothing.
      *
-     * @param brush where to
-     * @param clip to which the brush is clipped, pixels
-     * @param from the first piece
-     * @param effort which is not spent yet
-     * @return the first piece that was not painted
+     * @param context the drawing context
+     * @param clip the clip of the context, pixels
+     * @param from the index of the first piece
+     * @param budget the budget of the frame, not spent
+     * @return the index of the first piece that was not painted
      */
-    int paint(DrawContext brush, Rectangle clip, int from, FrameBudget effort);
+    int paint(DrawContext context, Rectangle clip, int from, FrameBudget budget);
 
-    /** Whether a picture of an earlier motif will do for this one. */
-    boolean isSatisfiedBy(M earlier);
+    /** Returns whether an image of an earlier content also shows this one. */
+    boolean isSatisfiedBy(C earlier);
+
+    /** Returns what turns an image of an earlier content into one of this; empty if a new image is cheaper. */
+    Optional<Patch> patchSince(C earlier, Camera camera);
 
     /**
-     * What turns a picture of an earlier motif into one of this; empty where a new picture is cheaper or nothing can be
-     * told.
-     */
-    Optional<Patch> patchSince(M earlier, Camera camera);
-
-    /**
-     * How a picture is brought up to date.
+     * An update of an image.
      *
-     * @param parts what must be painted anew, pixels; they may overlap
-     * @param from the first piece that is not in the picture; 0 to clear the parts and paint all of them
+     * @param parts the parts to paint, pixels; they may overlap
+     * @param from the first piece that the image lacks; 0 to clear the parts and paint all pieces
      */
     record Patch(List<Rectangle> parts, int from) {}
 }

@@ -9,20 +9,20 @@ import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
 
 /**
- * An image that is kept, and how far it is made.
+ * An image of a layer and its progress.
  *
- * @param content what it shows
- * @param buffer the picture so far
- * @param parts what is still to be painted, one after the other, pixels
- * @param next the first piece that is not painted in the first of them
+ * @param content the content that it shows
+ * @param buffer the image so far
+ * @param parts the parts still to be painted, one after the other, pixels
+ * @param next the first piece that is not painted in the first part
  */
-record LayerProgress<M extends LayerContent<M>>(M content, LayerBuffer buffer, List<Rectangle> parts, int next) {
+record LayerProgress<C extends LayerContent<C>>(C content, LayerBuffer buffer, List<Rectangle> parts, int next) {
 
     LayerProgress {
         parts = disjoint(parts);
     }
 
-    /** The same without what is there twice, which translucent edges would show. */
+    /** Returns the parts without overlaps, which would show at translucent edges. */
     private static List<Rectangle> disjoint(List<Rectangle> parts) {
         List<Rectangle> apart = new ArrayList<>();
         for (Rectangle part : parts) {
@@ -37,39 +37,39 @@ record LayerProgress<M extends LayerContent<M>>(M content, LayerBuffer buffer, L
         return List.copyOf(apart);
     }
 
-    static <M extends LayerContent<M>> LayerProgress<M> blank(M motif, LayerBuffer.View view) {
-        return new LayerProgress<>(motif, LayerBuffer.blank(view, motif.isOpaque()), List.of(view.bounds()), 0);
+    static <C extends LayerContent<C>> LayerProgress<C> blank(C content, LayerBuffer.View view) {
+        return new LayerProgress<>(content, LayerBuffer.blank(view, content.isOpaque()), List.of(view.bounds()), 0);
     }
 
     boolean isDone() {
         return parts.isEmpty();
     }
 
-    boolean shows(M wanted, LayerBuffer.View view) {
+    boolean shows(C wanted, LayerBuffer.View view) {
         return isDone() && buffer.view().equals(view) && wanted.isSatisfiedBy(content);
     }
 
-    /** This painted on until all is painted or the effort is spent. */
-    LayerProgress<M> advanced(FrameBudget effort) {
-        LayerProgress<M> now = this;
-        while (!now.isDone() && !effort.isSpent()) {
-            now = now.paintNextPart(effort);
+    /** Returns this image, painted until it is complete or the budget is spent. */
+    LayerProgress<C> advanced(FrameBudget budget) {
+        LayerProgress<C> now = this;
+        while (!now.isDone() && !budget.isSpent()) {
+            now = now.paintNextPart(budget);
         }
         return now;
     }
 
-    private LayerProgress<M> paintNextPart(FrameBudget effort) {
+    private LayerProgress<C> paintNextPart(FrameBudget budget) {
         Rectangle part = parts.get(0);
         int[] reached = {next};
-        buffer.paint(part, brush -> reached[0] = content.paint(brush, part, next, effort));
+        buffer.paint(part, context -> reached[0] = content.paint(context, part, next, budget));
         boolean done = reached[0] >= content.pieceCount();
         return done
                 ? new LayerProgress<>(content, buffer, parts.subList(1, parts.size()), 0)
                 : new LayerProgress<>(content, buffer, parts, reached[0]);
     }
 
-    /** This on its way to another motif or another view; empty where a new image is cheaper. */
-    Optional<LayerProgress<M>> adaptTo(M wanted, LayerBuffer.View view) {
+    /** Returns this image on its way to another content or view; empty if a new image is cheaper. */
+    Optional<LayerProgress<C>> adaptTo(C wanted, LayerBuffer.View view) {
         if (!buffer.view().equals(view)) {
             return buffer.view().offsetTo(view).map(by -> moved(by, view));
         }
@@ -78,7 +78,7 @@ record LayerProgress<M extends LayerContent<M>>(M content, LayerBuffer buffer, L
                 : wanted.patchSince(content, view.camera()).map(patch -> patched(wanted, patch));
     }
 
-    private LayerProgress<M> moved(Point by, LayerBuffer.View to) {
+    private LayerProgress<C> moved(Point by, LayerBuffer.View to) {
         Stream<Rectangle> left = parts.stream().map(part -> {
             Rectangle there = new Rectangle(part);
             there.translate(by.x, by.y);
@@ -92,8 +92,8 @@ record LayerProgress<M extends LayerContent<M>>(M content, LayerBuffer buffer, L
                 .cleared();
     }
 
-    /** What is only added waits until the rest is done. */
-    private LayerProgress<M> patched(M newer, LayerContent.Patch patch) {
+    /** Pieces that are only added wait until the rest is painted. */
+    private LayerProgress<C> patched(C newer, LayerContent.Patch patch) {
         if (patch.from() > 0) {
             return isDone() ? new LayerProgress<>(newer, buffer, patch.parts(), patch.from()) : this;
         }
@@ -105,7 +105,7 @@ record LayerProgress<M extends LayerContent<M>>(M content, LayerBuffer buffer, L
                 .cleared();
     }
 
-    private LayerProgress<M> cleared() {
+    private LayerProgress<C> cleared() {
         parts.forEach(buffer::clear);
         return this;
     }

@@ -10,21 +10,21 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A path, point by point. Points are added to its picture in batches, because an image that changes must be sent to the
- * screen again as a whole; the few points since the last batch are painted with each frame.
+ * A path, point by point. Points are added to its image in batches, because a changed image must be sent to the screen
+ * as a whole; the few points since the last batch are painted with each frame.
  *
- * @param path so far
- * @param style how it is drawn
+ * @param path the path so far
+ * @param style the line style
  */
 public record PathLayer(RobotPath path, PathStyle style) implements LayerContent<PathLayer> {
 
-    /** How many points are left to be painted with each frame before they are added: about four seconds of driving. */
+    /** The number of points that are painted with each frame before they are added: about four seconds of driving. */
     private static final int BATCH_SIZE = 256;
 
-    /** How many points a frame has time to draw. */
+    /** The number of points that a frame has time for. */
     private static final double POINTS_PER_FRAME = 5000;
 
-    /** More points than this are not painted with each frame, whatever is missing. */
+    /** The largest number of points that are painted with each frame, even if more are missing. */
     private static final int MAX_TAIL = 1024;
 
     @Override
@@ -38,15 +38,15 @@ public record PathLayer(RobotPath path, PathStyle style) implements LayerContent
     }
 
     @Override
-    public int paint(DrawContext brush, Rectangle clip, int from, FrameBudget effort) {
+    public int paint(DrawContext context, Rectangle clip, int from, FrameBudget budget) {
         PathPainter.PaintedSection painted = PathPainter.paint(
-                brush,
+                context,
                 path,
                 style,
                 Math.max(0, from - 1),
-                (int) Math.ceil(POINTS_PER_FRAME * effort.remaining()),
+                (int) Math.ceil(POINTS_PER_FRAME * budget.remaining()),
                 clip);
-        effort.spend(painted.cost() / POINTS_PER_FRAME);
+        budget.spend(painted.cost() / POINTS_PER_FRAME);
         return painted.endIndex();
     }
 
@@ -62,10 +62,7 @@ public record PathLayer(RobotPath path, PathStyle style) implements LayerContent
                 : Optional.empty();
     }
 
-    /**
-     * The index of the first point to be painted with each frame beside the picture of an earlier motif: the last one
-     * in that picture.
-     */
+    /** Returns the index of the first point to be painted with each frame: the last one in the image. */
     public int tailStart(Optional<PathLayer> shown) {
         int painted = shown.map(PathLayer::path)
                 .filter(path::isContinuationOf)
