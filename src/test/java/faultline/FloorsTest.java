@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,6 +23,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 class FloorsTest {
 
     private static final Path ROOT = Path.of("src/main/java/faultline");
+    private static final int MAX_METHOD_LINES = 40;
+    private static final Set<String> NOT_YET_SPLIT = Set.of("SurvivalStudy.java");
+    private static final int MAX_LINE_LENGTH = 120;
+    private static final int MAX_FILES_PER_PACKAGE = 34;
 
     @Test
     void everySourceFileObeysTheRulesOfItsPackage() throws IOException {
@@ -64,6 +69,32 @@ class FloorsTest {
         Map<String, Set<String>> uses =
                 Map.of("a", Set.of("b", "d"), "b", Set.of("c"), "c", Set.of("d", "b"), "d", Set.of());
         assertEquals(Set.of("b", "c"), Set.copyOf(PackageGraph.cycle(uses)));
+    }
+
+    @Test
+    void noPackageIsLarge() throws IOException {
+        Map<Path, Long> sizes =
+                sources().stream().collect(Collectors.groupingBy(Path::getParent, Collectors.counting()));
+        sizes.values().removeIf(size -> size <= MAX_FILES_PER_PACKAGE);
+        assertEquals(Map.of(), sizes);
+    }
+
+    @Test
+    void noMethodIsLong() throws IOException {
+        List<Path> measured = allSources().stream()
+                .filter(file -> !NOT_YET_SPLIT.contains(file.getFileName().toString()))
+                .toList();
+        assertEquals(List.of(), SourceMetrics.longMethods(measured, MAX_METHOD_LINES));
+    }
+
+    @Test
+    void noLineIsLong() throws IOException {
+        List<String> found = new ArrayList<>();
+        for (Path file : allSources()) {
+            SourceMetrics.longLines(Files.readString(file), MAX_LINE_LENGTH)
+                    .forEach(number -> found.add(file + ":" + number));
+        }
+        assertEquals(List.of(), found);
     }
 
     @Test
@@ -124,6 +155,12 @@ class FloorsTest {
             """)
     void allowedCodePasses(String path, String line) {
         assertEquals(List.of(), LayerRules.violations(path, line));
+    }
+
+    private static List<Path> allSources() throws IOException {
+        try (Stream<Path> files = Files.walk(Path.of("src"))) {
+            return files.filter(file -> file.toString().endsWith(".java")).toList();
+        }
     }
 
     private static List<Path> sources() throws IOException {

@@ -64,8 +64,9 @@ final class LayerRules {
             "\"\"\".*?\"\"\"|\"[^\"\\\\\n]*+(?:\\\\.[^\"\\\\\n]*+)*+\"|'\\\\?.'|//[^\n]*|/\\*.*?\\*/", Pattern.DOTALL);
     private static final Pattern PACKAGE_REFERENCE = Pattern.compile("\\bfaultline\\.([a-z]\\w*(?:\\.[a-z]\\w*)*)");
     private static final Pattern SWING_USE = Pattern.compile("\\bjavax\\.swing\\b|\\bjava\\.awt\\.event\\b");
-    private static final Pattern CLOCK_USE = Pattern.compile(
-            "\\bSystem\\.(?:currentTimeMillis|nanoTime)\\b|\\bThread\\.sleep\\b|\\bparkNanos\\b|\\bjava\\.time\\.(?:Instant|Clock|LocalDateTime)\\b");
+    private static final Pattern CLOCK_USE =
+            Pattern.compile("\\bSystem\\.(?:currentTimeMillis|nanoTime)\\b|\\bThread\\.sleep\\b|\\bparkNanos"
+                    + "\\b|\\bjava\\.time\\.(?:Instant|Clock|LocalDateTime)\\b");
     private static final Pattern INEXACT_MATHS =
             Pattern.compile("\\bMath\\.(?:sin|cos|tan|asin|acos|atan2?|sinh|cosh|tanh|exp|expm1|log|log10"
                     + "|log1p|pow|cbrt|hypot)\\b|import static java\\.lang\\.Math\\b");

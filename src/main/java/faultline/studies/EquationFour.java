@@ -7,6 +7,7 @@ import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** The study of eq. (4), t_p = t_D / 2: which quantities are varied, and how far. */
 final class EquationFour {
@@ -22,6 +23,12 @@ final class EquationFour {
     private EquationFour() {}
 
     static List<ParameterSweep> sweeps() {
+        return Stream.of(rangeSweeps(), timeSweeps(), mountingSweeps(), wallSweeps())
+                .flatMap(List::stream)
+                .toList();
+    }
+
+    private static List<ParameterSweep> rangeSweeps() {
         return List.of(
                 sweep(
                         "distance",
@@ -44,7 +51,11 @@ final class EquationFour {
                         "full cone angle (degrees)",
                         steps(2, 4, 15),
                         (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
-                                .withRobot(AlignmentTrial.robot(RANGE, Degrees.toRadians(value), RATE, TAU))),
+                                .withRobot(AlignmentTrial.robot(RANGE, Degrees.toRadians(value), RATE, TAU))));
+    }
+
+    private static List<ParameterSweep> timeSweeps() {
+        return List.of(
                 sweep(
                         "spin-rate",
                         "Spin rate",
@@ -65,7 +76,11 @@ final class EquationFour {
                         "time constant (ms)",
                         steps(0, 20, 11),
                         (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
-                                .withRobot(AlignmentTrial.robot(RANGE, CONE, RATE, value / 1000))),
+                                .withRobot(AlignmentTrial.robot(RANGE, CONE, RATE, value / 1000))));
+    }
+
+    private static List<ParameterSweep> mountingSweeps() {
+        return List.of(
                 sweep(
                         "seat-along",
                         "Seat of the sensor along its axis",
@@ -86,7 +101,11 @@ final class EquationFour {
                         "standard deviation of the noise (mm)",
                         steps(0, 1, 13),
                         (value, timing, variant) ->
-                                AlignmentTrial.standard(timing, variant).withRobot(withNoise(value / 1000))),
+                                AlignmentTrial.standard(timing, variant).withRobot(withNoise(value / 1000))));
+    }
+
+    private static List<ParameterSweep> wallSweeps() {
+        return List.of(
                 sweep(
                         "wall-length",
                         "Wall that ends ahead",

@@ -126,8 +126,8 @@ class CommandLineTest {
         List<String> rows = Files.readAllLines(trace);
         assertTrue(
                 rows.get(0)
-                        .startsWith(
-                                "tick,t,x,y,heading_deg,v,omega,left_v,right_v,state,collided,front.true,front.reading,"),
+                        .startsWith("tick,t,x,y,heading_deg,v,omega,left_v,right_v,state,"
+                                + "collided,front.true,front.reading,"),
                 rows.get(0));
         assertEquals(1 + 1 + 1200, rows.size());
         assertEquals(1200, ImageIO.read(image.toFile()).getWidth());

@@ -67,7 +67,8 @@ class ExternalControllerTest {
     @Test
     void theChildIsAskedOnceATickAndIsToldTheEnd() throws Exception {
         String child = "read hello; echo '" + READY + "'; i=0; while [ $i -lt 50 ]; do read line; "
-                + "echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,\\\"v_m_s\\\":0.1,\\\"omega_rad_s\\\":0}\"; i=$((i+1)); done; "
+                + "echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,\\\"v_m_s\\\":0.1,"
+                + "\\\"omega_rad_s\\\":0}\"; i=$((i+1)); done; "
                 + "read end; echo \"$end\" >&2";
         RunResult result = run(shell(child), office(), PATIENCE);
         assertEquals(50, result.ticks());
@@ -127,7 +128,8 @@ class ExternalControllerTest {
     @Test
     void aChildThatReadsNothingCannotHoldUpTheRun() {
         String deaf = "echo '" + READY + "'; i=0; while [ $i -lt 100000 ]; do "
-                + "echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,\\\"left_v\\\":1,\\\"right_v\\\":1}\"; i=$((i+1)); done; sleep 60";
+                + "echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,\\\"left_v\\\":1,\\"
+                + "\"right_v\\\":1}\"; i=$((i+1)); done; sleep 60";
         SimulationSetup setup = office().withDuration(1000);
         RunFailedException e = assertThrows(RunFailedException.class, () -> run(shell(deaf), setup, PATIENCE));
         assertTrue(e.getMessage().contains("does not read its standard input"), e.getMessage());

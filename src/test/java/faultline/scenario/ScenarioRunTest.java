@@ -78,7 +78,8 @@ class ScenarioRunTest {
                         .getMessage());
         assertThrows(IllegalArgumentException.class, () -> run.poseAt(-1));
         assertEquals(
-                "the robot has no sensor \"lefft\", only front, front-left, left, rear-left, rear, rear-right, right, front-right; did you mean "
+                "the robot has no sensor \"lefft\", only front, front-left, left, rear-left, "
+                        + "rear, rear-right, right, front-right; did you mean "
                         + "\"left\"?",
                 assertThrows(IllegalArgumentException.class, () -> run.reading("lefft", 1))
                         .getMessage());

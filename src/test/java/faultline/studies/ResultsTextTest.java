@@ -105,7 +105,8 @@ class ResultsTextTest {
         double f3 = moments.where("frame", "F3").number("t_s");
         double f4 = moments.where("frame", "F4").number("t_s");
         assertSaid(
-                "F3 is at %.2f s and F4 at %.2f s, so t_D = %.2f s and t_p = %.2f s; the robot ends %.1f degrees short of parallel",
+                "F3 is at %.2f s and F4 at %.2f s, so t_D = %.2f s and t_p = %.2f s; "
+                        + "the robot ends %.1f degrees short of parallel",
                 f3, f4, f4 - f3, (f4 - f3) / 2, -moments.where("frame", "P").number("heading_deg"));
     }
 

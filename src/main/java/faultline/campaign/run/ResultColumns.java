@@ -29,13 +29,15 @@ public final class ResultColumns {
             new Result(
                     "outcome",
                     "",
-                    "carried_on, collided, stopped (at rest without contact), lost, undecided (the run was too short), or"
+                    "carried_on, collided, stopped (at rest without contact), lost, "
+                            + "undecided (the run was too short), or"
                             + " broken",
                     (result, carry) -> Outcome.of(result, carry).word()),
             new Result(
                     "carried_on",
                     "",
-                    "1 if there was no contact and 0.80 of the wall was passed within 0.15 m of the wanted way in the time"
+                    "1 if there was no contact and 0.80 of the wall was passed within "
+                            + "0.15 m of the wanted way in the time"
                             + " of two laps after the fault, 0 if not, empty if undecided",
                     ResultColumns::carriedOn),
             new Result(

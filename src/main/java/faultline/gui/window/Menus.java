@@ -26,7 +26,16 @@ final class Menus {
         Menus menus = new Menus(actions);
         JMenuBar bar = new GuardedMenuBar();
         bar.add(menus.createFileMenu());
-        bar.add(menus.createMenu(
+        bar.add(menus.createEditMenu());
+        bar.add(menus.createViewMenu());
+        bar.add(menus.createSimulationMenu());
+        bar.add(menus.createObstacleMenu());
+        bar.add(menus.createMenu("help", "guide", "shortcuts", SEPARATOR, "about"));
+        return bar;
+    }
+
+    private JMenu createEditMenu() {
+        return createMenu(
                 "edit",
                 "undo",
                 "redo",
@@ -37,8 +46,11 @@ final class Menus {
                 "duplicate",
                 "delete",
                 SEPARATOR,
-                "selectAll"));
-        JMenu view = menus.createMenu(
+                "selectAll");
+    }
+
+    private JMenu createViewMenu() {
+        JMenu view = createMenu(
                 "view",
                 "fit",
                 "zoomIn",
@@ -56,10 +68,13 @@ final class Menus {
                 SEPARATOR,
                 "instruments",
                 "dark");
-        view.add(menus.createMenu("language", "languageEnglish", "languagePolish"));
-        view.add(menus.createMenu("textSize", "textSizeNormal", "textSizeLarge", "textSizeLargest"));
-        bar.add(view);
-        JMenu simulation = menus.createMenu(
+        view.add(createMenu("language", "languageEnglish", "languagePolish"));
+        view.add(createMenu("textSize", "textSizeNormal", "textSizeLarge", "textSizeLargest"));
+        return view;
+    }
+
+    private JMenu createSimulationMenu() {
+        JMenu simulation = createMenu(
                 "simulation",
                 "run",
                 "step",
@@ -76,13 +91,10 @@ final class Menus {
                 "faster",
                 "realTime",
                 SEPARATOR);
-        simulation.add(menus.createMenu(
+        simulation.add(createMenu(
                 "sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8"));
-        simulation.add(menus.createMenu("presets", "sensorsTwo", "sensorsThree", "sensorsAll"));
-        bar.add(simulation);
-        bar.add(menus.createObstacleMenu());
-        bar.add(menus.createMenu("help", "guide", "shortcuts", SEPARATOR, "about"));
-        return bar;
+        simulation.add(createMenu("presets", "sensorsTwo", "sensorsThree", "sensorsAll"));
+        return simulation;
     }
 
     private JMenu createObstacleMenu() {

@@ -47,20 +47,9 @@ class UndoControllerTest {
 
     @Test
     void tenEditsAreTakenBackOneByOneAndDoneAgain() {
-        List<Command> edits = List.of(
-                moveTo(4.5),
-                new Command.MoveObstacle("desk", new Pose(4.5, 2, 1)),
-                new Command.PlaceObstacle(LAMP),
-                new Command.PlaceObstacle(new Obstacle("lamp", new ObstacleShape.Circle(0.3), LAMP.pose())),
-                new Command.SwitchSensor("left", false),
-                new Command.ConfigureSensor(FRONT.withRange(0.4)),
-                new Command.ConfigureSensor(FRONT.withRange(0.4).withCone(0.5)),
-                new Command.InjectFault("front", new Fault.Stuck(0.3)),
-                new Command.SetPlatform(0.3, 0.2, 0.3),
-                new Command.RemoveObstacle("desk"));
         List<Snapshot> states = new ArrayList<>(List.of(world.snapshot()));
         List<String> names = new ArrayList<>();
-        for (Command edit : edits) {
+        for (Command edit : tenEdits()) {
             now += 5000;
             runOnEdt(() -> controller.send(edit));
             states.add(world.snapshot());
@@ -89,6 +78,20 @@ class UndoControllerTest {
             assertEquals(withoutOrder(states.get(done)), withoutOrder(world.snapshot()));
         }
         assertEquals(Optional.empty(), callOnEdt(controller::redoName));
+    }
+
+    private List<Command> tenEdits() {
+        return List.of(
+                moveTo(4.5),
+                new Command.MoveObstacle("desk", new Pose(4.5, 2, 1)),
+                new Command.PlaceObstacle(LAMP),
+                new Command.PlaceObstacle(new Obstacle("lamp", new ObstacleShape.Circle(0.3), LAMP.pose())),
+                new Command.SwitchSensor("left", false),
+                new Command.ConfigureSensor(FRONT.withRange(0.4)),
+                new Command.ConfigureSensor(FRONT.withRange(0.4).withCone(0.5)),
+                new Command.InjectFault("front", new Fault.Stuck(0.3)),
+                new Command.SetPlatform(0.3, 0.2, 0.3),
+                new Command.RemoveObstacle("desk"));
     }
 
     /** An obstacle that comes back is drawn last. */

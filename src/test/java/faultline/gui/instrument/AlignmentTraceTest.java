@@ -124,8 +124,9 @@ class AlignmentTraceTest {
         runOnEdt(() -> instrument.setFrame(FRAME));
         String words = callOnEdt(() -> instrument.getAccessibleContext().getAccessibleDescription());
         assertTrue(
-                words.matches(
-                        "timing rule equal readings, F3 \\d+\\.\\d{3} s, F4 \\d+\\.\\d{3} s, t_D \\d\\.\\d{3} s, t_p \\d\\.\\d{3} s, predicted heading .+°, actual heading .+°, error [+\u2212]0\\.\\d\\d°"),
+                words.matches("timing rule equal readings, F3 \\d+\\.\\d{3} s, F4 \\d+\\.\\d{3} s, t_D \\d\\.\\d{3} "
+                        + "s, t_p \\d\\.\\d{3} s, predicted heading .+°, actual heading "
+                        + ".+°, error [+\u2212]0\\.\\d\\d°"),
                 words);
         runOnEdt(() -> SampleRuns.render(instrument, 900, 200));
     }

@@ -16,8 +16,9 @@ import org.junit.jupiter.api.Test;
 
 class MessagesTest {
 
-    private static final Pattern TEXT = Pattern.compile(
-            "(?:Messages\\.get|Messages\\.contains|cell|label|name|addRow)\\((?:\\d, |\\w+, )?\"([a-z]\\w*\\.[\\w.]+\\w)\"");
+    private static final Pattern TEXT =
+            Pattern.compile("(?:Messages\\.get|Messages\\.contains|cell|label|name|addRow)\\((?:"
+                    + "\\d, |\\w+, )?\"([a-z]\\w*\\.[\\w.]+\\w)\"");
     private static final Pattern ACTION = Pattern.compile("(?:UiAction\\.(?:of|toggle)|layer|rename)\\(\"(\\w+)\"");
 
     @Test

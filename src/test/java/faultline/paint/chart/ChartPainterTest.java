@@ -89,8 +89,8 @@ class ChartPainterTest {
         surface.drawText("t_D = 1", Vector2.ZERO, TextStyle.plain(12, Color.BLACK));
         assertTrue(
                 surface.toSvg(SvgTheme.LIGHT)
-                        .contains(
-                                ">t<tspan dy=\"3\" font-size=\"9\">D</tspan><tspan dy=\"-3\" dx=\"3.84\">= 1</tspan></text>"),
+                        .contains(">t<tspan dy=\"3\" font-size=\"9\">D</tspan><tspan dy=\"-3\" "
+                                + "dx=\"3.84\">= 1</tspan></text>"),
                 surface.toSvg(SvgTheme.LIGHT));
     }
 

@@ -52,7 +52,8 @@ class HostileFilesTest {
         assertEquals(complaint, problemIn(new byte[] {0, 1, 2, 3}));
         assertEquals(complaint, problemIn("hello"));
         assertEquals(
-                "file.xml:1:53: this is not well-formed XML, after \"...lns=\"urn:faultline:scenario:1\"><world></\", inside <world> of line 1",
+                "file.xml:1:53: this is not well-formed XML, after "
+                        + "\"...lns=\"urn:faultline:scenario:1\"><world></\", inside <world> of line 1",
                 problemIn(OPEN + "<world></robot></scenario>"));
         assertEquals(
                 "file.xml: the bytes are not text in the encoding that the file names, allowed is UTF-8",
@@ -107,7 +108,8 @@ class HostileFilesTest {
         String points = OPEN + "<world width=\"6\" height=\"4\"><wall id=\"w\" x=\"0\" y=\"0\" points=\""
                 + "1,1 ".repeat(3_000_000) + "\"/></world><robot x=\"1\" y=\"1\"/></scenario>";
         assertEquals(
-                "points of <wall> holds more points than are left of the 100000 obstacles and points that a file may hold",
+                "points of <wall> holds more points than are left of the 100000 "
+                        + "obstacles and points that a file may hold",
                 problemIn(points).split(": ", 2)[1]);
         String id = OPEN + "<world width=\"6\" height=\"4\"><circle radius=\"1\" x=\"3\" y=\"3\" id=\""
                 + "i".repeat(12_000_000) + "\"/></world><robot x=\"1\" y=\"1\"/></scenario>";
@@ -143,13 +145,15 @@ class HostileFilesTest {
     @Test
     void nothingOfAnotherNamespaceHasAnyEffect() throws IOException {
         assertEquals(
-                "file.xml:1:154: <world> may not hold <xi:include xmlns=\"http://www.w3.org/2001/XInclude\">, allowed is rectangle, circle, "
+                "file.xml:1:154: <world> may not hold <xi:include "
+                        + "xmlns=\"http://www.w3.org/2001/XInclude\">, allowed is rectangle, circle, "
                         + "ellipse, polygon, wall",
                 problemIn(OPEN
                         + "<world width=\"6\" height=\"4\"><xi:include xmlns:xi=\"http://www.w3.org/2001/XInclude\""
                         + " href=\"file:///etc/passwd\"/></world><robot x=\"1\" y=\"1\"/></scenario>"));
         assertEquals(
-                "file.xml:1:164: <robot> has no attribute \"xsi:type\", allowed is x, y, heading, length, width, track, speed, turnRate, "
+                "file.xml:1:164: <robot> has no attribute \"xsi:type\", allowed is x, y, "
+                        + "heading, length, width, track, speed, turnRate, "
                         + "defaultSensors",
                 problemIn(OPEN + "<world width=\"6\" height=\"4\"/><robot x=\"1\" y=\"1\" xsi:type=\"motor\" "
                         + "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\"/></scenario>"));

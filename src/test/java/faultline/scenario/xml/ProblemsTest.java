@@ -101,13 +101,18 @@ class ProblemsTest {
                 """;
         assertEquals(
                 List.of(
-                        "room.xml:1:60: duration of <scenario> is \"long\", allowed is a number from 0 to 10000000 seconds",
+                        "room.xml:1:60: duration of <scenario> is \"long\", allowed is "
+                                + "a number from 0 to 10000000 seconds",
                         "room.xml:2:38: y of <robot> is \"one\", allowed is a number from -100000 to 100000 metres",
-                        "room.xml:2:38: <robot> has no attribute \"colour\", allowed is x, y, heading, length, width, track, speed, turnRate, defaultSensors",
-                        "room.xml:3:20: <world> lacks the attribute \"height\", allowed is a number from 0.000001 to 100000 metres",
-                        "room.xml:4:47: radius of <circle> is \"0\", allowed is a number from 0.000001 to 100000 metres",
+                        "room.xml:2:38: <robot> has no attribute \"colour\", allowed is x, y, heading, "
+                                + "length, width, track, speed, turnRate, defaultSensors",
+                        "room.xml:3:20: <world> lacks the attribute \"height\", allowed is "
+                                + "a number from 0.000001 to 100000 metres",
+                        "room.xml:4:47: radius of <circle> is \"0\", allowed is a "
+                                + "number from 0.000001 to 100000 metres",
                         "room.xml:7:35: at of <switch> is \"-1\", allowed is a number from 0 to 10000000 seconds",
-                        "room.xml:7:35: sensor of <switch> is \"lft\", allowed is one of the robot's sensors: front, front-left, left, rear-left, rear, "
+                        "room.xml:7:35: sensor of <switch> is \"lft\", allowed is one of the robot's "
+                                + "sensors: front, front-left, left, rear-left, rear, "
                                 + "rear-right, right, front-right; did you mean \"left\"?",
                         "room.xml:7:35: <switch> lacks the attribute \"on\", allowed is true or false"),
                 SampleScenario.problems(text));

@@ -62,9 +62,9 @@ class ScenarioReaderTest {
     @Test
     void theFirstExampleOfTheFormatReadsAsItStandsButForTheRobotThatTouchesTheNiche() throws ScenarioException {
         assertEquals(
-                List.of(
-                        "room.xml:13:100: <robot> starts at 1,1 where it touches or overlaps \"niche\", allowed is a place with room for "
-                                + "the whole platform"),
+                List.of("room.xml:13:100: <robot> starts at 1,1 where it touches or overlaps "
+                        + "\"niche\", allowed is a place with room for "
+                        + "the whole platform"),
                 SampleScenario.problems(FIRST_EXAMPLE.formatted("1")));
         Scenario scenario = SampleScenario.read(FIRST_EXAMPLE.formatted("0.5"));
         SimulationSetup setup = scenario.setup();
@@ -195,11 +195,11 @@ class ScenarioReaderTest {
     void aSchemaLocationAttributeIsIgnored() {
         assertEquals(
                 List.of(),
-                SampleScenario.problems(
-                        SampleScenario.withReplacement(
-                                "name=\"Plain\"",
-                                "name=\"Plain\" "
-                                        + "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" xsi:schemaLocation=\"urn:faultline:scenario:1 scenario-1.xsd\"")));
+                SampleScenario.problems(SampleScenario.withReplacement(
+                        "name=\"Plain\"",
+                        "name=\"Plain\" "
+                                + "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
+                                + "xsi:schemaLocation=\"urn:faultline:scenario:1 scenario-1.xsd\"")));
     }
 
     @Test
