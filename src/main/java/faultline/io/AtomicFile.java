@@ -43,7 +43,7 @@ public final class AtomicFile implements AutoCloseable {
      */
     public static AtomicFile create(Path file) throws IOException {
         if (Files.isDirectory(file)) {
-            throw new IOException(file + ": this is a folder, allowed is a file");
+            throw new MessageException(file.toString(), WriteProblem.IS_FOLDER.with(), null);
         }
         try {
             Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
@@ -51,11 +51,11 @@ public final class AtomicFile implements AutoCloseable {
                 return new AtomicFile(target, target, Files.newOutputStream(target));
             }
             if (Files.exists(target) && !Files.isWritable(target)) {
-                throw new IOException(file + ": the file may not be written");
+                throw new MessageException(file.toString(), WriteProblem.READ_ONLY.with(), null);
             }
             return createTemporary(target);
         } catch (java.nio.file.FileSystemException e) {
-            throw new IOException(file + ": the file cannot be written there", e);
+            throw new MessageException(file.toString(), WriteProblem.CANNOT_WRITE.with(), e);
         }
     }
 

@@ -3,8 +3,8 @@ package faultline.scenario;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.geometry.Pose;
-import faultline.io.DidYouMean;
 import faultline.io.MessageText;
+import faultline.scenario.xml.Allowed;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
@@ -58,7 +58,7 @@ final class TickLog implements TickObserver {
         int index = sensors.indexOf(sensor);
         if (index < 0) {
             throw new IllegalArgumentException("the robot has no sensor " + MessageText.quoted(sensor) + ", only "
-                    + MessageText.joinNames(sensors) + DidYouMean.hint(sensor, sensors));
+                    + Allowed.names(sensors, sensor));
         }
         return index;
     }

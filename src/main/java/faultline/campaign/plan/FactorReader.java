@@ -1,7 +1,7 @@
 package faultline.campaign.plan;
 
-import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
+import faultline.scenario.xml.Allowed;
 import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.Problems;
@@ -145,7 +145,7 @@ final class FactorReader {
         AttributeReader fields = new AttributeReader(node, problems);
         List<String> on = words(fields.requiredText("on", "the sensors that are on"));
         if (!sensors.containsAll(on)) {
-            fields.report("on", String.join(" ", on), "some of " + MessageText.joinNames(sensors));
+            fields.report("on", String.join(" ", on), "some of " + Allowed.names(sensors));
         }
         fields.reportUnknownAndMissing();
         return on;

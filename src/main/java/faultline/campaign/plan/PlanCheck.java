@@ -79,7 +79,7 @@ final class PlanCheck {
         SourceLocation location = inPlan || edits.isEmpty()
                 ? problem.location()
                 : edits.get(edits.size() - 1).location();
-        if (reported.add(location + problem.message())) {
+        if (reported.add(location.toString() + problem.message())) {
             problems.add(location, problem.message() + " (in " + world + ")");
         }
     }

@@ -3,6 +3,7 @@ package faultline.campaign.plan;
 import faultline.io.DidYouMean;
 import faultline.io.MessageText;
 import faultline.scenario.xml.Problem;
+import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.SourceLocation;
 import faultline.scenario.xml.XmlElement;
@@ -41,7 +42,7 @@ final class ScenarioTree {
             return set(root, path.steps(), path.attribute(), text, location);
         } catch (NoSuchElementException e) {
             String message = "attribute of <set> is " + MessageText.quoted(path.toString()) + ", but " + e.getMessage();
-            throw new ScenarioException(List.of(new Problem(file, location, message)));
+            throw new ScenarioException(List.of(new Problem(file, location, ProblemKind.OTHER.with(message))));
         }
     }
 

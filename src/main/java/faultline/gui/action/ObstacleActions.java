@@ -10,7 +10,6 @@ import faultline.gui.edit.ShapePreset;
 import faultline.gui.edit.SnapSettings;
 import faultline.gui.edit.UndoController;
 import faultline.gui.settings.WindowPreferences;
-import faultline.gui.text.MessageTranslator;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.scenario.xml.ObstacleXml;
@@ -211,8 +210,7 @@ public final class ObstacleActions {
             addCopies(ObstacleXml.parse(text));
         } catch (ScenarioException exception) {
             int more = exception.problems().size() - 1;
-            String first =
-                    MessageTranslator.translate(exception.problems().get(0).message());
+            String first = Messages.get(exception.problems().get(0).message());
             notifier.accept(
                     more == 0
                             ? Messages.get("note.notPasted", first)

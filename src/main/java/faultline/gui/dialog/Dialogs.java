@@ -5,7 +5,6 @@ import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.TaskKind;
 import faultline.gui.text.ErrorMessages;
-import faultline.gui.text.MessageTranslator;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.scenario.xml.Problem;
@@ -76,7 +75,7 @@ public final class Dialogs {
         return Messages.get(
                 "broken",
                 Path.of(first.file()).getFileName() + first.location().toString() + ": "
-                        + MessageTranslator.translate(first.message()));
+                        + Messages.get(first.message()));
     }
 
     private JDialog createProblemsDialog(Path file, List<Problem> problems) {
@@ -84,7 +83,7 @@ public final class Dialogs {
                 .map(problem -> List.of(
                         positionText(problem.location().line()),
                         positionText(problem.location().column()),
-                        MessageTranslator.translate(problem.message())))
+                        Messages.get(problem.message())))
                 .toList();
         List<String> columns =
                 List.of(Messages.get("badFile.line"), Messages.get("badFile.column"), Messages.get("badFile.what"));

@@ -1,5 +1,6 @@
 package faultline.gui.text;
 
+import faultline.io.MessageException;
 import faultline.scenario.xml.ScenarioException;
 import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
@@ -26,7 +27,10 @@ public final class ErrorMessages {
             return describe(exception.getCause());
         }
         if (exception instanceof ScenarioException bad) {
-            return MessageTranslator.translate(bad.problems().get(0).message());
+            return Messages.get(bad.problems().get(0).message());
+        }
+        if (exception instanceof MessageException file) {
+            return (file.subject().isEmpty() ? "" : file.subject() + ": ") + Messages.get(file.reason());
         }
         if (exception instanceof OutOfMemoryError) {
             return Messages.get("reason.memory");
@@ -36,7 +40,6 @@ public final class ErrorMessages {
         }
         return Optional.ofNullable(exception.getMessage())
                 .filter(message -> !message.isBlank())
-                .map(MessageTranslator::translate)
                 .orElseGet(
                         () -> Messages.get("reason.inside", exception.getClass().getSimpleName()));
     }
@@ -50,11 +53,8 @@ public final class ErrorMessages {
      */
     public static String describe(Throwable exception, Path file) {
         String prefix = file + ": ";
-        boolean stripPrefix = !(exception instanceof ScenarioException || exception instanceof FileSystemException);
-        return Optional.ofNullable(exception.getMessage())
-                .filter(text -> stripPrefix && text.startsWith(prefix))
-                .map(text -> MessageTranslator.translate(text.substring(prefix.length())))
-                .orElseGet(() -> describe(exception));
+        String text = describe(exception);
+        return text.startsWith(prefix) ? text.substring(prefix.length()) : text;
     }
 
     /** Describes a file system error, whose message is often only the file's name. */

@@ -1,5 +1,6 @@
 package faultline.gui.text;
 
+import faultline.io.Message;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -78,6 +79,11 @@ public final class Messages {
      */
     public static String get(String key, String... values) {
         return new MessageFormat(get(key), Locale.ROOT).format(values);
+    }
+
+    /** Returns a message in the current language. */
+    public static String get(Message message) {
+        return message.text(template -> get(template.key()));
     }
 
     /** Returns the text of a key of the examples' bundle, or the example's own text if there is none. */

@@ -3,6 +3,7 @@ package faultline.scenario.xml;
 import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
+import faultline.io.Message;
 import faultline.io.MessageText;
 import java.math.BigDecimal;
 import java.util.ArrayList;
@@ -25,16 +26,13 @@ public final class AttributeReader {
     private static final Set<String> SCHEMA_LOCATION_ATTRIBUTES =
             Set.of("xsi:schemaLocation", "xsi:noNamespaceSchemaLocation");
 
-    private static final String ID_RULE =
-            "1 to 100 characters, none of them a comma, a double quote or a control character";
-
     /** Enough for any outline; stands in for points that could not be read. */
     private static final List<Vector2> PLACEHOLDER_POINTS = List.of(Vector2.ZERO, new Vector2(1, 0), new Vector2(0, 1));
 
     private final XmlElement node;
     private final Problems problems;
     private final Set<String> requested = new LinkedHashSet<>();
-    private final Map<String, Supplier<String>> missing = new LinkedHashMap<>();
+    private final Map<String, Supplier<Object>> missing = new LinkedHashMap<>();
 
     public AttributeReader(XmlElement node, Problems complaints) {
         this.node = node;
@@ -58,7 +56,7 @@ public final class AttributeReader {
 
     /** A number that must be there. */
     double number(String name, NumberRange range) {
-        return required(name, () -> number(range))
+        return required(name, () -> numberRule(range))
                 .map(text -> parseNumber(name, text, range))
                 .orElse(placeholder(range));
     }
@@ -89,9 +87,7 @@ public final class AttributeReader {
     }
 
     boolean flag(String name) {
-        return required(name, () -> "true or false")
-                .map(text -> flag(name, text))
-                .orElse(false);
+        return required(name, Allowed.FLAG::with).map(text -> flag(name, text)).orElse(false);
     }
 
     public boolean flag(String name, boolean fallback) {
@@ -116,14 +112,14 @@ public final class AttributeReader {
         } catch (NumberFormatException e) {
             // Told below, like a number out of range.
         }
-        report(name, text, "a whole number from " + least + " to " + most);
+        report(name, text, Allowed.WHOLE_NUMBER.with(Allowed.CLOSED.with(least, most)));
         return least;
     }
 
     /** A name of something, which must be there. */
     public String id(String name) {
-        Optional<String> given = required(name, () -> ID_RULE);
-        given.filter(text -> !isValidId(text)).ifPresent(text -> report(name, text, ID_RULE));
+        Optional<String> given = required(name, Allowed.ID::with);
+        given.filter(text -> !isValidId(text)).ifPresent(text -> report(name, text, Allowed.ID.with()));
         return given.filter(AttributeReader::isValidId).orElse("?");
     }
 
@@ -136,7 +132,7 @@ public final class AttributeReader {
     /** One of a few words, which must be there. */
     <T> Optional<T> choice(String name, Map<String, T> options) {
         List<String> words = List.copyOf(options.keySet());
-        return required(name, () -> MessageText.joinNames(words)).flatMap(text -> choice(name, text, options, words));
+        return required(name, () -> Allowed.names(words)).flatMap(text -> choice(name, text, options, words));
     }
 
     public <T> T choice(String name, Map<String, T> options, T fallback) {
@@ -147,15 +143,14 @@ public final class AttributeReader {
     private <T> Optional<T> choice(String name, String text, Map<String, T> options, List<String> words) {
         Optional<T> chosen = Optional.ofNullable(options.get(text.strip()));
         if (chosen.isEmpty()) {
-            report(name, text, MessageText.joinNames(words) + DidYouMean.hint(text.strip(), words));
+            report(name, text, Allowed.names(words, text.strip()));
         }
         return chosen;
     }
 
     /** Points as "x,y x,y", which must be there; no more of them than there may be. */
     List<Vector2> points(String name, int least, int most) {
-        String allowed =
-                least + " or more points as x,y with blanks between them, each number " + NumberRange.COORDINATE;
+        Message allowed = Allowed.POINTS.with(least, NumberRange.COORDINATE.rule());
         List<Vector2> points = required(name, () -> allowed)
                 .map(text -> points(name, text, most, allowed))
                 .orElse(PLACEHOLDER_POINTS);
@@ -166,7 +161,7 @@ public final class AttributeReader {
         return points;
     }
 
-    private List<Vector2> points(String name, String text, int most, String allowed) {
+    private List<Vector2> points(String name, String text, int most, Message allowed) {
         List<Vector2> points = new ArrayList<>();
         PointParser pairs = new PointParser(text);
         while (pairs.hasNext() && points.size() < most) {
@@ -179,17 +174,14 @@ public final class AttributeReader {
             points.add(point.get());
         }
         if (pairs.hasNext()) {
-            problems.add(
-                    node,
-                    describeAttribute(name) + " holds more points than are left of the " + ScenarioLimits.MAX_PARTS
-                            + " obstacles and points that a file may hold");
+            problems.add(node, ProblemKind.TOO_MANY_POINTS.with(name, node.name(), ScenarioLimits.MAX_PARTS));
         }
         return points;
     }
 
     /** Complains of a value that is there. */
-    public void report(String name, String given, String allowed) {
-        problems.add(node, describeAttribute(name) + " is " + MessageText.quoted(given) + ", allowed is " + allowed);
+    public void report(String name, String given, Object allowed) {
+        problems.add(node, ProblemKind.VALUE.with(name, node.name(), MessageText.excerpt(given), allowed));
     }
 
     /**
@@ -201,17 +193,18 @@ public final class AttributeReader {
             if (!requested.contains(name) && !SCHEMA_LOCATION_ATTRIBUTES.contains(name)) {
                 problems.add(
                         node,
-                        "<" + node.name() + "> has no attribute " + MessageText.quoted(name) + ", allowed is "
-                                + (requested.isEmpty() ? "none" : MessageText.joinNames(requested))
-                                + DidYouMean.hint(name, requested));
+                        ProblemKind.UNKNOWN_ATTRIBUTE.with(
+                                node.name(),
+                                MessageText.excerpt(name),
+                                requested.isEmpty() ? Allowed.NONE.with() : Allowed.names(requested, name)));
                 DidYouMean.nearest(name, requested).ifPresent(missing::remove);
             }
         }
-        missing.forEach((name, allowed) -> problems.add(
-                node, "<" + node.name() + "> lacks the attribute \"" + name + "\", allowed is " + allowed.get()));
+        missing.forEach((name, allowed) ->
+                problems.add(node, ProblemKind.MISSING_ATTRIBUTE.with(node.name(), name, allowed.get())));
     }
 
-    private Optional<String> required(String name, Supplier<String> allowed) {
+    private Optional<String> required(String name, Supplier<Object> allowed) {
         Optional<String> text = text(name);
         if (text.isEmpty()) {
             missing.put(name, allowed);
@@ -225,7 +218,7 @@ public final class AttributeReader {
                 .map(exact -> DecimalText.toDouble(exact, text))
                 .filter(nearest -> nearest != 0 || range.minInclusive());
         if (value.isEmpty()) {
-            report(name, text, number(range));
+            report(name, text, numberRule(range));
         }
         return value.orElse(placeholder(range));
     }
@@ -240,20 +233,16 @@ public final class AttributeReader {
         return exact.map(number -> DecimalText.toRadians(number, text)).orElse(1.0);
     }
 
-    private static String number(NumberRange range) {
-        return "a number " + range;
+    private static Message numberRule(NumberRange range) {
+        return Allowed.NUMBER.with(range.rule());
     }
 
-    private static String plainNumberRule(NumberRange range) {
-        return "a number without exponent, " + range;
+    private static Message plainNumberRule(NumberRange range) {
+        return Allowed.PLAIN_NUMBER.with(range.rule());
     }
 
-    /** A value that nothing else will take offence at. */
+    /** Returns a value that causes no other problem. */
     private static double placeholder(NumberRange range) {
         return Math.min(1, range.max().doubleValue());
-    }
-
-    private String describeAttribute(String name) {
-        return name + " of <" + node.name() + ">";
     }
 }

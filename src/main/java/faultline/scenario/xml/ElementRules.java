@@ -1,6 +1,5 @@
 package faultline.scenario.xml;
 
-import faultline.io.DidYouMean;
 import faultline.io.MessageText;
 import java.util.Collection;
 import java.util.HashSet;
@@ -18,29 +17,33 @@ public final class ElementRules {
         if (!node.text().isBlank()) {
             complaints.add(
                     node,
-                    "<" + node.name() + "> holds the text "
-                            + MessageText.quoted(node.text().strip()) + ", allowed is "
-                            + (allowed.isEmpty() ? "nothing" : "elements only: " + MessageText.joinNames(allowed)));
+                    ProblemKind.TEXT.with(
+                            node.name(),
+                            MessageText.excerpt(node.text().strip()),
+                            allowed.isEmpty()
+                                    ? Allowed.NOTHING.with()
+                                    : Allowed.ELEMENTS.with(Allowed.names(allowed))));
         }
         for (XmlElement child : node.children()) {
             if (!allowed.contains(child.name())) {
-                complaints.add(
+                reportUnknown(
+                        node,
                         child,
-                        "<" + node.name() + "> may not hold " + MessageText.oneLine("<" + child.name() + ">")
-                                + ", allowed is " + (allowed.isEmpty() ? "nothing" : MessageText.joinNames(allowed))
-                                + DidYouMean.hint(child.name(), allowed));
+                        allowed.isEmpty() ? Allowed.NOTHING.with() : Allowed.names(allowed, child.name()),
+                        complaints);
             }
         }
+    }
+
+    private static void reportUnknown(XmlElement node, XmlElement child, Object allowed, Problems problems) {
+        problems.add(child, ProblemKind.UNKNOWN_ELEMENT.with(node.name(), MessageText.oneLine(child.name()), allowed));
     }
 
     /** The text of an element that holds nothing else. */
     public static String readText(XmlElement node, Problems complaints) {
         new AttributeReader(node, complaints).reportUnknownAndMissing();
         for (XmlElement child : node.children()) {
-            complaints.add(
-                    child,
-                    "<" + node.name() + "> may not hold " + MessageText.oneLine("<" + child.name() + ">")
-                            + ", allowed is text");
+            reportUnknown(node, child, Allowed.TEXT.with(), complaints);
         }
         return node.text();
     }
@@ -50,7 +53,7 @@ public final class ElementRules {
         Set<String> seen = new HashSet<>();
         for (XmlElement child : node.children()) {
             if (names.contains(child.name()) && !seen.add(child.name())) {
-                complaints.add(child, "<" + node.name() + "> holds a second <" + child.name() + ">, allowed is one");
+                complaints.add(child, ProblemKind.DUPLICATE_ELEMENT.with(node.name(), child.name()));
             }
         }
     }
@@ -65,10 +68,7 @@ public final class ElementRules {
         }
         SourceLocation first = seen.putIfAbsent(id, node.location());
         if (first != null) {
-            complaints.add(
-                    node,
-                    "id of <" + node.name() + "> is " + MessageText.quoted(id) + ", which the one in line "
-                            + first.line() + " has already, allowed is each id once");
+            complaints.add(node, ProblemKind.DUPLICATE_ID.with(node.name(), MessageText.excerpt(id), first.line()));
         }
     }
 }

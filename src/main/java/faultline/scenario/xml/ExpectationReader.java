@@ -3,8 +3,6 @@ package faultline.scenario.xml;
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerFactory;
 import faultline.engine.metrics.Expectation;
-import faultline.io.DidYouMean;
-import faultline.io.MessageText;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -53,10 +51,7 @@ final class ExpectationReader {
     private void checkState(AttributeReader fields, String name, String state) {
         if (!knownStates.contains(state)) {
             fields.report(
-                    name,
-                    state,
-                    "one of the controller's states: " + MessageText.joinNames(knownStates)
-                            + DidYouMean.hint(state, knownStates));
+                    name, state, Allowed.withHint(Allowed.STATES.with(Allowed.names(knownStates)), state, knownStates));
         }
     }
 }

@@ -1,41 +1,43 @@
 package faultline.scenario.xml;
 
+import faultline.io.Message;
 import java.math.BigDecimal;
 
 /**
- * The numbers that an attribute may have: the same bounds as in the schema.
+ * The numbers that an attribute may have, with the same bounds as in the schema.
  *
  * @param min the lower bound
- * @param minInclusive whether it is itself allowed
+ * @param minInclusive whether the bound itself is allowed
  * @param max the upper bound
- * @param maxInclusive whether it is itself allowed
- * @param unit in words, empty for a number without one
+ * @param maxInclusive whether the bound itself is allowed
+ * @param unit the rule that names the unit
  */
-record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean maxInclusive, String unit) {
+record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean maxInclusive, Allowed unit) {
 
-    static final NumberRange SIZE = closed("0.000001", "100000", "metres");
-    static final NumberRange COORDINATE = closed("-100000", "100000", "metres");
-    static final NumberRange NOISE = closed("0", "100", "metres");
-    static final NumberRange ANGLE = closed("-1000000", "1000000", "degrees");
-    static final NumberRange CONE = new NumberRange(BigDecimal.ZERO, false, new BigDecimal("180"), false, "degrees");
+    static final NumberRange SIZE = closed("0.000001", "100000", Allowed.METRES);
+    static final NumberRange COORDINATE = closed("-100000", "100000", Allowed.METRES);
+    static final NumberRange NOISE = closed("0", "100", Allowed.METRES);
+    static final NumberRange ANGLE = closed("-1000000", "1000000", Allowed.DEGREES);
+    static final NumberRange CONE =
+            new NumberRange(BigDecimal.ZERO, false, new BigDecimal("180"), false, Allowed.DEGREES);
     static final NumberRange INCIDENCE_ANGLE =
-            new NumberRange(BigDecimal.ZERO, false, new BigDecimal("90"), true, "degrees");
-    static final NumberRange TURN_RATE = closed("0.001", "36000", "degrees per second");
-    static final NumberRange SPEED = closed("0", "1000", "metres per second");
-    static final NumberRange POSITIVE_SPEED = positive("1000", "metres per second");
-    static final NumberRange TIME = closed("0", "10000000", "seconds");
-    static final NumberRange TICK = closed("0.00001", "1", "seconds");
-    static final NumberRange TIME_CONSTANT = closed("0", "1000", "seconds");
-    static final NumberRange VOLTAGE = closed("-10000", "10000", "volts");
-    static final NumberRange POSITIVE_VOLTAGE = positive("10000", "volts");
-    static final NumberRange SPEED_CONSTANT = positive("1000", "metres per second and volt");
-    static final NumberRange FRACTION = closed("0", "1", "");
+            new NumberRange(BigDecimal.ZERO, false, new BigDecimal("90"), true, Allowed.DEGREES);
+    static final NumberRange TURN_RATE = closed("0.001", "36000", Allowed.TURN_RATE);
+    static final NumberRange SPEED = closed("0", "1000", Allowed.SPEED);
+    static final NumberRange POSITIVE_SPEED = positive("1000", Allowed.SPEED);
+    static final NumberRange TIME = closed("0", "10000000", Allowed.SECONDS);
+    static final NumberRange TICK = closed("0.00001", "1", Allowed.SECONDS);
+    static final NumberRange TIME_CONSTANT = closed("0", "1000", Allowed.SECONDS);
+    static final NumberRange VOLTAGE = closed("-10000", "10000", Allowed.VOLTS);
+    static final NumberRange POSITIVE_VOLTAGE = positive("10000", Allowed.VOLTS);
+    static final NumberRange SPEED_CONSTANT = positive("1000", Allowed.SPEED_CONSTANT);
+    static final NumberRange FRACTION = closed("0", "1", Allowed.UNITLESS);
 
-    static NumberRange closed(String least, String most, String unit) {
+    static NumberRange closed(String least, String most, Allowed unit) {
         return new NumberRange(new BigDecimal(least), true, new BigDecimal(most), true, unit);
     }
 
-    private static NumberRange positive(String most, String unit) {
+    private static NumberRange positive(String most, Allowed unit) {
         return new NumberRange(BigDecimal.ZERO, false, new BigDecimal(most), true, unit);
     }
 
@@ -45,13 +47,9 @@ record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean
         return (minInclusive ? below >= 0 : below > 0) && (maxInclusive ? above <= 0 : above < 0);
     }
 
-    /** What is allowed, in words. */
-    @Override
-    public String toString() {
-        return (minInclusive ? "from " : "more than ")
-                + min.toPlainString()
-                + (maxInclusive ? minInclusive ? " to " : " and at most " : " and less than ")
-                + max.toPlainString()
-                + (unit.isEmpty() ? "" : " " + unit);
+    /** Returns this range as a rule, such as "from 0 to 100 metres". */
+    Message rule() {
+        Allowed kind = minInclusive ? Allowed.CLOSED : maxInclusive ? Allowed.HALF_OPEN : Allowed.OPEN;
+        return unit.with(kind.with(min.toPlainString(), max.toPlainString()));
     }
 }

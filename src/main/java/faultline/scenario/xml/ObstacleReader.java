@@ -83,8 +83,9 @@ final class ObstacleReader {
         if (motion.loop() && length > 0 && length < motion.speed() * ScenarioLimits.MIN_LOOP_TIME) {
             problems.add(
                     node,
-                    "<motion> goes round its way-points in " + DecimalText.formatRounded(length / motion.speed())
-                            + " s, allowed is " + DecimalText.format(ScenarioLimits.MIN_LOOP_TIME) + " s or more");
+                    ProblemKind.LOOP_TIME.with(
+                            DecimalText.formatRounded(length / motion.speed()),
+                            DecimalText.format(ScenarioLimits.MIN_LOOP_TIME)));
         }
     }
 

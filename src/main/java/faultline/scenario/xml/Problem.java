@@ -1,5 +1,6 @@
 package faultline.scenario.xml;
 
+import faultline.io.Message;
 import faultline.io.MessageText;
 
 /**
@@ -9,7 +10,7 @@ import faultline.io.MessageText;
  * @param location where in the file, {@link SourceLocation#NONE} where it is the whole file
  * @param message what is wrong, the value given, what is allowed
  */
-public record Problem(String file, SourceLocation location, String message) {
+public record Problem(String file, SourceLocation location, Message message) {
 
     /**
      * The line for a user.

@@ -1,5 +1,6 @@
 package faultline.scenario.xml;
 
+import faultline.io.Message;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -18,12 +19,22 @@ public final class Problems {
         this.file = file;
     }
 
+    public void add(XmlElement node, Message message) {
+        add(node.location(), message);
+    }
+
+    /** Adds a problem with an English text that is not translated. */
     public void add(XmlElement node, String text) {
         add(node.location(), text);
     }
 
+    /** Adds a problem with an English text that is not translated. */
     public void add(SourceLocation place, String text) {
-        Problem complaint = new Problem(file, place, text);
+        add(place, ProblemKind.OTHER.with(text));
+    }
+
+    void add(SourceLocation place, Message message) {
+        Problem complaint = new Problem(file, place, message);
         if (problems.size() == MAX_LISTED) {
             omitted++;
         } else if (!problems.contains(complaint)) {
@@ -46,7 +57,7 @@ public final class Problems {
         List<Problem> ordered = new ArrayList<>(problems);
         ordered.sort(Comparator.comparing(Problem::location));
         if (omitted > 0) {
-            ordered.add(new Problem(file, SourceLocation.NONE, "and " + omitted + " more complaints"));
+            ordered.add(new Problem(file, SourceLocation.NONE, ProblemKind.MORE.with(omitted)));
         }
         return ordered;
     }

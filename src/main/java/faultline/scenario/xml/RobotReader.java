@@ -59,15 +59,14 @@ final class RobotReader {
         if (motor.maxSpeed() > ScenarioLimits.MAX_WHEEL_SPEED) {
             problems.add(
                     node.firstChild("motor").orElse(node),
-                    "<motor> drives its wheels at up to " + DecimalText.formatRounded(motor.maxSpeed())
-                            + " m/s (speedConstant times maxVoltage), allowed is "
-                            + DecimalText.format(ScenarioLimits.MAX_WHEEL_SPEED) + " m/s or less");
+                    ProblemKind.WHEEL_SPEED.with(
+                            DecimalText.formatRounded(motor.maxSpeed()),
+                            DecimalText.format(ScenarioLimits.MAX_WHEEL_SPEED)));
         } else if (spin > ScenarioLimits.MAX_SPIN_RATE) {
             problems.add(
                     node,
-                    "<robot> could spin at " + DecimalText.formatRounded(spin)
-                            + " rad/s (twice its wheels' top speed by its track), allowed is "
-                            + DecimalText.format(ScenarioLimits.MAX_SPIN_RATE) + " rad/s or less");
+                    ProblemKind.SPIN_RATE.with(
+                            DecimalText.formatRounded(spin), DecimalText.format(ScenarioLimits.MAX_SPIN_RATE)));
         }
     }
 

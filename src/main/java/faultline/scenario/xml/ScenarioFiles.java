@@ -1,6 +1,7 @@
 package faultline.scenario.xml;
 
 import faultline.io.AtomicFile;
+import faultline.io.Message;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -23,37 +24,37 @@ public final class ScenarioFiles {
     }
 
     static byte[] readBytes(Path file) throws ScenarioException {
-        return readBytes(file, "scenario file");
+        return readBytes(file, Allowed.SCENARIO_FILE.with());
     }
 
     /**
      * Returns the bytes of a file.
      *
-     * @param kind what the file is to be, such as "scenario file", for problems
+     * @param kind what the file is to be, such as {@link Allowed#SCENARIO_FILE}, for problems
      * @throws ScenarioException if the file cannot be read, or is too large
      */
-    public static byte[] readBytes(Path file, String kind) throws ScenarioException {
+    public static byte[] readBytes(Path file, Object kind) throws ScenarioException {
         String name = file.toString();
         try {
             checkRegularFile(name, file, kind);
             return Files.readAllBytes(file);
         } catch (NoSuchFileException e) {
-            throw problem(name, "there is no such file");
+            throw problem(name, ProblemKind.NO_SUCH_FILE.with());
         } catch (IOException e) {
-            throw problem(name, "the file cannot be read");
+            throw problem(name, ProblemKind.UNREADABLE_FILE.with());
         }
     }
 
     /** A device or a pipe could go on for ever, so this comes before anything is read. */
-    private static void checkRegularFile(String name, Path file, String kind) throws ScenarioException, IOException {
+    private static void checkRegularFile(String name, Path file, Object kind) throws ScenarioException, IOException {
         if (Files.isDirectory(file)) {
-            throw problem(name, "this is a folder, allowed is a " + kind);
+            throw problem(name, ProblemKind.FOLDER.with(kind));
         }
         if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw problem(name, "this is no regular file, allowed is a " + kind);
+            throw problem(name, ProblemKind.IRREGULAR_FILE.with(kind));
         }
         if (Files.size(file) > ScenarioLimits.MAX_BYTES) {
-            throw problem(name, "the file has " + Files.size(file) + " bytes, allowed is " + ScenarioLimits.MAX_BYTES);
+            throw problem(name, ProblemKind.TOO_MANY_BYTES.with(Files.size(file), ScenarioLimits.MAX_BYTES));
         }
     }
 
@@ -66,11 +67,11 @@ public final class ScenarioFiles {
     public static ScenarioContent readShipped(String name) throws ScenarioException {
         try (InputStream in = ScenarioFiles.class.getResourceAsStream("/scenarios/" + name)) {
             if (in == null) {
-                throw problem(name, "no such scenario ships with the program");
+                throw problem(name, ProblemKind.NOT_SHIPPED.with());
             }
             return parse(name, in.readAllBytes());
         } catch (IOException e) {
-            throw problem(name, "the scenario cannot be read from the program's own files");
+            throw problem(name, ProblemKind.UNREADABLE_RESOURCE.with());
         }
     }
 
@@ -83,7 +84,7 @@ public final class ScenarioFiles {
      */
     public static ScenarioContent parse(String name, byte[] bytes) throws ScenarioException {
         if (bytes.length == 0) {
-            throw problem(name, "the file is empty, allowed is a scenario");
+            throw problem(name, ProblemKind.EMPTY_FILE.with());
         }
         return ScenarioReader.read(name, bytes);
     }
@@ -113,7 +114,7 @@ public final class ScenarioFiles {
         return ScenarioWriter.toBytes(content, XmlComments.NONE);
     }
 
-    private static ScenarioException problem(String name, String text) {
-        return new ScenarioException(List.of(new Problem(name, SourceLocation.NONE, text)));
+    private static ScenarioException problem(String name, Message message) {
+        return new ScenarioException(List.of(new Problem(name, SourceLocation.NONE, message)));
     }
 }

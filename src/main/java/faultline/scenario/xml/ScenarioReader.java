@@ -1,10 +1,13 @@
 package faultline.scenario.xml;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
+import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
 import faultline.io.MessageText;
+import faultline.world.Clearance;
 import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Optional;
@@ -64,10 +67,7 @@ public final class ScenarioReader {
 
     private Optional<ScenarioContent> read(XmlElement root) {
         if (!root.name().equals("scenario")) {
-            problems.add(
-                    root,
-                    "the root element is <" + MessageText.oneLine(root.name()) + ">, allowed is <scenario xmlns=\""
-                            + ScenarioSchema.NAMESPACE + "\">");
+            problems.add(root, ProblemKind.ROOT.with(MessageText.oneLine(root.name()), ScenarioSchema.NAMESPACE));
             return Optional.empty();
         }
         ElementRules.checkChildren(root, CHILD_ELEMENTS, problems);
@@ -99,7 +99,7 @@ public final class ScenarioReader {
                 head.seed,
                 head.duration);
         if (problems.isEmpty()) {
-            StartPoseCheck.check(root.firstChild("robot").orElseThrow(), setup, problems);
+            checkStart(root.firstChild("robot").orElseThrow(), setup, problems);
         }
         return Optional.of(new ScenarioContent(head.name, head.description, head.recorded, setup, expect));
     }
@@ -129,8 +129,28 @@ public final class ScenarioReader {
     private Optional<XmlElement> requiredSection(XmlElement root, String name) {
         Optional<XmlElement> section = root.firstChild(name);
         if (section.isEmpty()) {
-            problems.add(root, "<scenario> lacks the element <" + name + ">, allowed is one");
+            problems.add(root, ProblemKind.MISSING_ELEMENT.with(name));
         }
         return section;
+    }
+
+    private static void checkStart(XmlElement robot, SimulationSetup setup, Problems complaints) {
+        WorldSpec world = setup.world();
+        Vector2 start = setup.start().position();
+        if (world.enclosed()
+                && !(start.x() > 0 && start.x() < world.width() && start.y() > 0 && start.y() < world.height())) {
+            complaints.add(
+                    robot,
+                    ProblemKind.START_OUTSIDE.with(
+                            formatPoint(start), DecimalText.format(world.width()), DecimalText.format(world.height())));
+            return;
+        }
+        Clearance.findObstruction(world, setup.robot(), setup.start())
+                .ifPresent(obstacle -> complaints.add(
+                        robot, ProblemKind.START_OVERLAPS.with(formatPoint(start), MessageText.excerpt(obstacle))));
+    }
+
+    private static String formatPoint(Vector2 start) {
+        return DecimalText.format(start.x()) + "," + DecimalText.format(start.y());
     }
 }

@@ -3,6 +3,7 @@ package faultline.scenario.xml;
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
+import faultline.io.MessageException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
@@ -20,11 +21,11 @@ final class ScenarioWriter {
         byte[] bytes = toText(scenario, remarks).getBytes(StandardCharsets.UTF_8);
         try {
             if (!ScenarioReader.read("", bytes).equals(scenario)) {
-                throw new IOException("the scenario cannot be saved: it would not read back the same");
+                throw new MessageException("", ProblemKind.NOT_SAVED.with(ProblemKind.NOT_REPRODUCIBLE.with()), null);
             }
         } catch (ScenarioException e) {
-            throw new IOException(
-                    "the scenario cannot be saved: " + e.problems().get(0).message(), e);
+            throw new MessageException(
+                    "", ProblemKind.NOT_SAVED.with(e.problems().get(0).message()), e);
         }
         return bytes;
     }

@@ -3,10 +3,9 @@ package faultline.scenario.xml;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
 import faultline.io.DecimalText;
-import faultline.io.DidYouMean;
-import faultline.io.MessageText;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
+import faultline.sensor.FaultKind;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -22,6 +21,14 @@ import java.util.stream.Stream;
 
 /** Makes commands of the timeline's elements, one handler for each. */
 final class TimelineReader {
+
+    private static final Map<String, FaultKind> FAULT_KINDS = new LinkedHashMap<>();
+
+    static {
+        for (FaultKind kind : FaultKind.values()) {
+            FAULT_KINDS.put(kind.fileName(), kind);
+        }
+    }
 
     /**
      * Reads one element: its time is known, its attributes are at hand, and what it comes to is put at the end of the
@@ -80,7 +87,7 @@ final class TimelineReader {
 
     private Stream<TimedCommand> readFault(XmlElement node, AttributeReader fields, double at) {
         String sensor = readSensorId(fields);
-        Optional<Fault> fault = FaultAttributes.read(fields);
+        Optional<Fault> fault = readFaultAttributes(fields);
         Stream<TimedCommand> breaks =
                 fault.stream().map(broken -> new TimedCommand(at, new Command.InjectFault(sensor, broken)));
         if (!fields.isPresent("until")) {
@@ -88,10 +95,7 @@ final class TimelineReader {
         }
         double until = fields.number("until", NumberRange.TIME);
         if (until <= at) {
-            problems.add(
-                    node,
-                    "until of <fault> is " + DecimalText.format(until) + ", allowed is a time after at, which is "
-                            + DecimalText.format(at));
+            problems.add(node, ProblemKind.UNTIL.with(DecimalText.format(until), DecimalText.format(at)));
         }
         return Stream.concat(
                 breaks, fault.stream().map(mended -> new TimedCommand(until, new Command.ClearFault(sensor, mended))));
@@ -100,7 +104,7 @@ final class TimelineReader {
     private Stream<TimedCommand> readMend(XmlElement node, AttributeReader fields, double at) {
         String sensor = readSensorId(fields);
         if (fields.isPresent("kind") || fields.isPresent("value")) {
-            return FaultAttributes.read(fields).stream()
+            return readFaultAttributes(fields).stream()
                     .map(fault -> new TimedCommand(at, new Command.ClearFault(sensor, fault)));
         }
         return singleCommand(at, new Command.ClearFaults(sensor));
@@ -130,14 +134,12 @@ final class TimelineReader {
                 .toList();
         if (inside.size() != 1) {
             problems.add(
-                    node,
-                    "<put> holds " + inside.size() + " obstacles, allowed is one of "
-                            + MessageText.joinNames(obstacleReader.elementNames()));
+                    node, ProblemKind.OBSTACLE_COUNT.with(inside.size(), Allowed.names(obstacleReader.elementNames())));
             return Stream.empty();
         }
         Obstacle obstacle = obstacleReader.read(inside.get(0));
         if (obstacle.id().equals(WorldSpec.ENCLOSURE)) {
-            problems.add(inside.get(0), WorldReader.reservedIdMessage(inside.get(0)));
+            problems.add(inside.get(0), WorldReader.reservedId(inside.get(0)));
         }
         return singleCommand(at, new Command.PlaceObstacle(obstacle));
     }
@@ -160,22 +162,44 @@ final class TimelineReader {
     }
 
     private String readSensorId(AttributeReader fields) {
-        return readKnownId(fields, "sensor", sensors.keySet(), "the robot's sensors");
+        return readKnownId(fields, "sensor", sensors.keySet(), Allowed.SENSORS);
     }
 
     private String readObstacleId(AttributeReader fields) {
-        return readKnownId(fields, "obstacle", obstacleIds, "the obstacles");
+        return readKnownId(fields, "obstacle", obstacleIds, Allowed.OBSTACLES);
     }
 
-    private static String readKnownId(AttributeReader fields, String attribute, Set<String> ids, String what) {
+    private static String readKnownId(AttributeReader fields, String attribute, Set<String> ids, Allowed rule) {
         String id = fields.id(attribute);
         if (fields.isPresent(attribute) && !ids.contains(id) && !id.equals("?")) {
             fields.report(
                     attribute,
                     id,
-                    (ids.isEmpty() ? "none: there are none" : "one of " + what + ": " + MessageText.joinNames(ids))
-                            + DidYouMean.hint(id, ids));
+                    ids.isEmpty() ? Allowed.NO_IDS.with() : Allowed.withHint(rule.with(Allowed.names(ids)), id, ids));
         }
         return id;
+    }
+
+    /** Returns the fault that the attributes kind and value describe, unless the kind is unknown. */
+    private static Optional<Fault> readFaultAttributes(AttributeReader fields) {
+        Optional<Fault> fault =
+                fields.choice("kind", FAULT_KINDS).map(kind -> kind.createFault(readFaultValue(fields, kind)));
+        fields.text("value");
+        return fault;
+    }
+
+    private static double readFaultValue(AttributeReader fields, FaultKind kind) {
+        if (kind.takesValue()) {
+            return fields.number("value", faultValueRange(kind), kind.defaultValue());
+        }
+        fields.text("value").ifPresent(text -> fields.report("value", text, Allowed.NO_VALUE.with(kind.fileName())));
+        return kind.defaultValue();
+    }
+
+    private static NumberRange faultValueRange(FaultKind kind) {
+        return NumberRange.closed(
+                DecimalText.format(kind.minValue()),
+                DecimalText.format(kind.maxValue()),
+                kind.unit().equals("m") ? Allowed.METRES : Allowed.UNITLESS);
     }
 }

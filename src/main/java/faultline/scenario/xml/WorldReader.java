@@ -1,5 +1,6 @@
 package faultline.scenario.xml;
 
+import faultline.io.Message;
 import faultline.io.MessageText;
 import faultline.world.Obstacle;
 import faultline.world.WorldSpec;
@@ -44,10 +45,7 @@ final class WorldReader {
         List<Obstacle> list = new ArrayList<>();
         for (XmlElement child : world.children()) {
             if (obstacles.isFull()) {
-                problems.add(
-                        child,
-                        "<world> holds too much, allowed is " + ScenarioLimits.MAX_PARTS
-                                + " obstacles and points together");
+                problems.add(child, ProblemKind.TOO_MANY_PARTS.with(ScenarioLimits.MAX_PARTS));
                 return list;
             }
             if (obstacles.elementNames().contains(child.name())) {
@@ -62,23 +60,22 @@ final class WorldReader {
 
     private void checkId(XmlElement node, String id) {
         if (id.equals(WorldSpec.ENCLOSURE)) {
-            problems.add(node, reservedIdMessage(node));
+            problems.add(node, reservedId(node));
         }
         ElementRules.checkUniqueId(node, id, ids, problems);
     }
 
-    /** The complaint about an obstacle that is called like the wall round the world. */
-    static String reservedIdMessage(XmlElement node) {
-        return "id of <" + node.name() + "> is \"" + WorldSpec.ENCLOSURE
-                + "\", allowed is any other: it names the wall round the world";
+    /** Returns the problem of an obstacle with the name of the enclosing wall. */
+    static Message reservedId(XmlElement node) {
+        return ProblemKind.RESERVED_ID.with(node.name(), WorldSpec.ENCLOSURE);
     }
 
     private void checkMotion(XmlElement node, Obstacle obstacle, int maxMoving) {
         if (obstacle.isMoving() && ++movingCount > maxMoving) {
             problems.add(
                     node,
-                    "<" + node.name() + "> " + MessageText.quoted(obstacle.id()) + " is moving obstacle number "
-                            + movingCount + ", allowed is " + maxMoving + " (maxMoving of <world>)");
+                    ProblemKind.TOO_MANY_MOVING.with(
+                            node.name(), MessageText.excerpt(obstacle.id()), movingCount, maxMoving));
         }
     }
 }

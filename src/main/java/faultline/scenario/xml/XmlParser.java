@@ -1,5 +1,6 @@
 package faultline.scenario.xml;
 
+import faultline.io.Message;
 import faultline.io.MessageText;
 import java.io.ByteArrayInputStream;
 import java.io.CharConversionException;
@@ -23,8 +24,6 @@ import org.xml.sax.SAXParseException;
 public final class XmlParser {
 
     private static final int EXCERPT_LENGTH = 40;
-    private static final String ENCODING_PROBLEM =
-            "the bytes are not text in the encoding that the file names, allowed is UTF-8";
 
     private final byte[] bytes;
     private final Problems problems;
@@ -49,13 +48,13 @@ public final class XmlParser {
                     tree.openElements().isEmpty()
                             ? SourceLocation.NONE
                             : tree.openElements().get(0).location(),
-                    e.getMessage());
+                    e.problem());
         } catch (SAXParseException e) {
             problems.add(new SourceLocation(e.getLineNumber(), e.getColumnNumber()), describe(e));
         } catch (CharConversionException | UnsupportedEncodingException e) {
-            problems.add(SourceLocation.NONE, ENCODING_PROBLEM);
+            problems.add(SourceLocation.NONE, ProblemKind.ENCODING.with());
         } catch (SAXException | IOException e) {
-            problems.add(SourceLocation.NONE, "the file cannot be read as XML");
+            problems.add(SourceLocation.NONE, ProblemKind.UNREADABLE_XML.with());
         }
         return Optional.empty();
     }
@@ -65,8 +64,7 @@ public final class XmlParser {
         tree.schemaError()
                 .ifPresent(offence -> problems.add(
                         new SourceLocation(offence.getLineNumber(), offence.getColumnNumber()),
-                        "this is not as the schema " + format.schemaFile() + " has it (rule " + schemaRule(offence)
-                                + ")"));
+                        ProblemKind.SCHEMA.with(format.schemaFile(), schemaRule(offence))));
     }
 
     /** The rule of the XML Schema standard that was broken; the parser puts it before its text in every language. */
@@ -95,32 +93,40 @@ public final class XmlParser {
         }
     }
 
-    private String describe(SAXParseException e) {
+    private Message describe(SAXParseException e) {
         String message = String.valueOf(e.getMessage());
         if (message.contains("disallow-doctype-decl")) {
-            return "the file has a DOCTYPE, allowed is none";
+            return ProblemKind.DOCTYPE.with();
         }
         if (e.getException() instanceof CharConversionException) {
-            return ENCODING_PROBLEM;
+            return ProblemKind.ENCODING.with();
         }
         if (message.startsWith("JAXP")) {
-            return "the file goes beyond a limit of the XML parser";
+            return ProblemKind.PARSER_LIMIT.with();
         }
-        if (tree.openElements().isEmpty() && tree.root().isEmpty()) {
-            return "this is not XML, allowed is a document that begins with <" + format.rootElement() + ">"
-                    + excerpt(e);
+        String before = excerpt(e);
+        List<XmlElement> open = tree.openElements();
+        if (open.isEmpty()) {
+            return tree.root().isEmpty() ? describeNoXml(before) : describeMalformed(before);
         }
-        return "this is not well-formed XML" + excerpt(e) + enclosingElement(tree.openElements());
+        String element = MessageText.oneLine(open.get(0).name());
+        int line = open.get(0).location().line();
+        return before.isEmpty()
+                ? ProblemKind.MALFORMED_INSIDE.with(element, line)
+                : ProblemKind.MALFORMED_AFTER_INSIDE.with(before, element, line);
     }
 
-    private static String enclosingElement(List<XmlElement> open) {
-        return open.isEmpty()
-                ? ""
-                : ", inside <" + MessageText.oneLine(open.get(0).name()) + "> of line "
-                        + open.get(0).location().line();
+    private Message describeNoXml(String before) {
+        return before.isEmpty()
+                ? ProblemKind.NOT_XML.with(format.rootElement())
+                : ProblemKind.NOT_XML_AFTER.with(format.rootElement(), before);
     }
 
-    /** The text just before the place where the parser gave up. */
+    private static Message describeMalformed(String before) {
+        return before.isEmpty() ? ProblemKind.MALFORMED.with() : ProblemKind.MALFORMED_AFTER.with(before);
+    }
+
+    /** Returns the text just before the place where the parser stopped; empty if there is none. */
     private String excerpt(SAXParseException e) {
         List<String> lines = new String(bytes, StandardCharsets.UTF_8)
                 .lines()
@@ -132,6 +138,6 @@ public final class XmlParser {
         String line = lines.get(lines.size() - 1);
         int end = Math.max(0, Math.min(line.length(), e.getColumnNumber() - 1));
         String before = line.substring(Math.max(0, end - EXCERPT_LENGTH), end).strip();
-        return before.isEmpty() ? "" : ", after " + MessageText.quoted((end > EXCERPT_LENGTH ? "..." : "") + before);
+        return before.isEmpty() ? "" : MessageText.excerpt((end > EXCERPT_LENGTH ? "..." : "") + before);
     }
 }

@@ -1,5 +1,6 @@
 package faultline.scenario.xml;
 
+import faultline.io.Message;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -25,8 +26,15 @@ final class XmlTreeBuilder extends DefaultHandler {
 
         private static final long serialVersionUID = 1L;
 
-        LimitExceededException(String message) {
-            super(message);
+        private final transient Message problem;
+
+        LimitExceededException(Message problem) {
+            super(problem.toString());
+            this.problem = problem;
+        }
+
+        Message problem() {
+            return problem;
         }
     }
 
@@ -55,12 +63,10 @@ final class XmlTreeBuilder extends DefaultHandler {
     @Override
     public void startElement(String uri, String localName, String qName, Attributes attributes) throws SAXException {
         if (++elementCount > ScenarioLimits.MAX_ELEMENTS) {
-            throw new LimitExceededException(
-                    "the file has too many elements, allowed is " + ScenarioLimits.MAX_ELEMENTS);
+            throw new LimitExceededException(ProblemKind.TOO_MANY_ELEMENTS.with(ScenarioLimits.MAX_ELEMENTS));
         }
         if (pendingElements.size() == ScenarioLimits.MAX_DEPTH) {
-            throw new LimitExceededException(
-                    "the elements are nested too deep, allowed is " + ScenarioLimits.MAX_DEPTH);
+            throw new LimitExceededException(ProblemKind.TOO_DEEP.with(ScenarioLimits.MAX_DEPTH));
         }
         String name = uri.equals(namespace) ? localName : foreignName(uri, qName);
         pendingElements.push(new PendingElement(

@@ -3,6 +3,8 @@ package faultline.gui.text;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.io.AtomicFile;
+import faultline.io.MessageException;
+import faultline.io.WriteProblem;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -58,7 +60,7 @@ class ErrorMessagesTest {
                         "access is denied",
                         "brak dostępu"),
                 Arguments.of(
-                        new IOException("the file may not be written"),
+                        new MessageException("", WriteProblem.READ_ONLY.with(), null),
                         "the file may not be written",
                         "nie wolno zapisywać tego pliku"));
     }
@@ -76,6 +78,8 @@ class ErrorMessagesTest {
         IOException why = Assertions.assertThrows(
                 IOException.class, () -> AtomicFile.create(folder).close());
         assertEquals("this is a folder, allowed is a file", ErrorMessages.describe(why, folder));
+        Messages.setLanguage(Language.POLISH);
+        assertEquals("to jest folder, dozwolone: plik", ErrorMessages.describe(why, folder));
     }
 
     @Test

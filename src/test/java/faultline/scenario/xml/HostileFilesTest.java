@@ -3,6 +3,7 @@ package faultline.scenario.xml;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import faultline.gui.text.Translations;
 import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -29,9 +30,9 @@ class HostileFilesTest {
     }
 
     private String problemIn(Path file) {
-        String message =
-                assertThrows(ScenarioException.class, () -> Scenario.load(file)).getMessage();
-        return message.replace(folder + "/", "");
+        ScenarioException exception = assertThrows(ScenarioException.class, () -> Scenario.load(file));
+        exception.problems().forEach(problem -> Translations.assertTranslated(problem.message()));
+        return exception.getMessage().replace(folder + "/", "");
     }
 
     @Test

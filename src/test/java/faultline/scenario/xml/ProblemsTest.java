@@ -45,9 +45,9 @@ class ProblemsTest {
             kind="stuck"       | kind="off"         | 20:70: value of <fault> is "0.4", allowed is none, because a fault of kind off takes no value
             value="0.4"        | value="-0.4"       | 20:73: value of <fault> is "-0.4", allowed is a number from 0 to 100 metres
             "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower", allowed is wall-follower, none, drive; did you mean "wall-follower"?
-            distance="0.25"    | left="2"           | 18:46: <controller> has no attribute "left", allowed is type, distance, hand, period, timing
-            collision="false"  | states="FOLOW"     | 29:27: states of <expect> is "FOLOW", allowed is one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND; did you mean "FOLLOW"?
-            collision="false"  | finalState="NONE"  | 29:30: finalState of <expect> is "NONE", allowed is one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND
+            distance="0.25"    | left="2"           | 18:46: <controller> has no attribute "left", allowed is type, distance, hand, period, timing, diagnosis
+            collision="false"  | states="FOLOW"     | 29:27: states of <expect> is "FOLOW", allowed is one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP; did you mean "FOLLOW"?
+            collision="false"  | finalState="NONE"  | 29:30: finalState of <expect> is "NONE", allowed is one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP
             collision="false"  | minCoverage="90"   | 29:29: minCoverage of <expect> is "90", allowed is a number from 0 to 1
             # Elements and attributes
             <circle id="pole"  | <circel id="pole"  | 5:50: <world> may not hold <circel>, allowed is rectangle, circle, ellipse, polygon, wall; did you mean "circle"?

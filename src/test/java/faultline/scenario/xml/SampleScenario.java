@@ -1,5 +1,6 @@
 package faultline.scenario.xml;
 
+import faultline.gui.text.Translations;
 import faultline.scenario.Scenario;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -49,12 +50,13 @@ final class SampleScenario {
         return Scenario.of(ScenarioReader.read("room.xml", text.getBytes(StandardCharsets.UTF_8)));
     }
 
-    /** The complaint lines of a text, empty where it is valid. */
+    /** Returns the problems of a text as lines, each checked to be translated; empty if the text is valid. */
     static List<String> problems(String text) {
         try {
             read(text);
             return List.of();
         } catch (ScenarioException e) {
+            e.problems().forEach(problem -> Translations.assertTranslated(problem.message()));
             return e.problems().stream().map(Problem::toString).toList();
         }
     }

@@ -1,0 +1,91 @@
+package faultline.gui.text;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.io.Message;
+import faultline.scenario.xml.Allowed;
+import faultline.scenario.xml.ProblemKind;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The problems of files are translated from their data. The tests of scenario files check each sentence, too. */
+class ProblemTranslationTest {
+
+    private static final Pattern PLACEHOLDER = Pattern.compile("\\{\\d}");
+
+    @AfterEach
+    void setEnglish() {
+        Messages.setLanguage(Language.ENGLISH);
+    }
+
+    private static Stream<Message.Template> templates() {
+        return Stream.concat(Stream.of(ProblemKind.values()), Stream.of(Allowed.values()));
+    }
+
+    @ParameterizedTest
+    @MethodSource("templates")
+    void everyKindOfProblemHasTheSamePlaceholdersInAllLanguages(Message.Template template) {
+        assertEquals(template.english(), Messages.get(Language.ENGLISH, template.key()));
+        assertEquals(placeholders(template.english()), placeholders(Messages.get(Language.POLISH, template.key())));
+    }
+
+    private static List<String> placeholders(String pattern) {
+        return PLACEHOLDER
+                .matcher(pattern)
+                .results()
+                .map(found -> found.group())
+                .sorted()
+                .toList();
+    }
+
+    private static Stream<Arguments> translations() {
+        List<String> kinds = List.of("off", "stuck");
+        return Stream.of(
+                Arguments.of(
+                        ProblemKind.VALUE.with("kind", "fault", "stick", Allowed.names(kinds, "stick")),
+                        "kind w <fault> to \"stick\", dozwolone: off, stuck; czy chodziło o \"stuck\"?"),
+                Arguments.of(
+                        ProblemKind.VALUE.with(
+                                "width",
+                                "world",
+                                "-6",
+                                Allowed.NUMBER.with(Allowed.METRES.with(Allowed.CLOSED.with("0.000001", "100000")))),
+                        "width w <world> to \"-6\", dozwolone: liczba od 0.000001 do 100000 (metry)"),
+                Arguments.of(
+                        ProblemKind.VALUE.with("name", "x", "a number from 1 to 2", Allowed.NONE.with()),
+                        "name w <x> to \"a number from 1 to 2\", dozwolone: brak"),
+                Arguments.of(
+                        ProblemKind.VALUE.with("kind", "fault", "{0} it''s", Allowed.FLAG.with()),
+                        "kind w <fault> to \"{0} it''s\", dozwolone: true lub false"),
+                Arguments.of(
+                        ProblemKind.UNKNOWN_ELEMENT.with("world", "text", "circle"),
+                        "<world> nie może zawierać <text>, dozwolone: circle"),
+                Arguments.of(
+                        ProblemKind.MALFORMED_AFTER_INSIDE.with("<a", "world", 3),
+                        "to nie jest poprawny XML, za \"<a\", wewnątrz <world> z wiersza 3"),
+                Arguments.of(
+                        ProblemKind.NOT_SAVED.with(ProblemKind.NOT_REPRODUCIBLE.with()),
+                        "nie można zapisać scenariusza: po wczytaniu byłby inny"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("translations")
+    void aProblemIsTranslatedExceptForTheUsersOwnText(Message message, String polish) {
+        Messages.setLanguage(Language.POLISH);
+        assertEquals(polish, Messages.get(message));
+    }
+
+    @Test
+    void manyAllowedNamesAreShortened() {
+        List<String> names =
+                Stream.iterate(1, i -> i + 1).limit(14).map(i -> "s" + i).toList();
+        assertEquals(
+                "s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12 and 2 more", String.valueOf(Allowed.names(names)));
+    }
+}
