@@ -20,7 +20,6 @@ import java.util.List;
 /** The robot's sensors at work: true and reported readings, tick by tick; mutable, on the world's thread. */
 final class SensorArray {
 
-    private final long seed;
     private final List<MountedSensor> mountedSensors = new ArrayList<>();
     private final CandidateBuffer candidates = new CandidateBuffer();
     private double[] truth = new double[0];
@@ -28,7 +27,6 @@ final class SensorArray {
     private double sensingRadius;
 
     SensorArray(RobotSpec robot, long seed) {
-        this.seed = seed;
         robot.sensors()
                 .forEach(sensor ->
                         mountedSensors.add(new MountedSensor(sensor, SensorRandom.streamKey(seed, sensor.id()))));

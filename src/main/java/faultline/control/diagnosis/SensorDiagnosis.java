@@ -213,7 +213,6 @@ public final class SensorDiagnosis {
     private void test(int sensor, double x, double y, double axis, double reading, int oldest) {
         int asked = trusted | 1 << sensor;
         int all = asked;
-        int any = 0;
         double half = cones[sensor].half() + ARC_MARGIN / Math.max(reading, ARC_MARGIN);
         for (int i = 0; i < SAMPLES; i++) {
             double angle = axis + half * (2.0 * i / (SAMPLES - 1) - 1);
@@ -226,12 +225,11 @@ public final class SensorDiagnosis {
                 return;
             }
             all &= by;
-            any |= by;
         }
-        blame(sensor, all, any);
+        blame(sensor, all);
     }
 
-    private void blame(int sensor, int all, int any) {
+    private void blame(int sensor, int all) {
         if (all == 0) {
             // No one sensor contradicts the whole claim, but together they do.
             conflicts.add(sensor, sensor, 0.5);
@@ -276,7 +274,7 @@ public final class SensorDiagnosis {
         double against = conflicts.against(sensor, trusted);
         if (isTrusted(sensor)) {
             standoff[sensor] = hasStandoff(sensor) ? standoff[sensor] + 1 : 0;
-            if (against > THRESHOLD && isWorst(sensor, against) || standoff[sensor] > MAX_STANDOFF) {
+            if (against > THRESHOLD && isWorst(against) || standoff[sensor] > MAX_STANDOFF) {
                 boolean own = conflicts.pair(sensor, sensor) > against / 2;
                 boolean blind = own && time - blindness[sensor] < 0.5;
                 distrust(
@@ -314,7 +312,7 @@ public final class SensorDiagnosis {
         }
     }
 
-    private boolean isWorst(int sensor, double against) {
+    private boolean isWorst(double against) {
         for (int other = 0; other < cones.length; other++) {
             if (isTrusted(other) && conflicts.against(other, trusted) > against) {
                 return false;

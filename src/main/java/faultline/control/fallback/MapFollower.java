@@ -53,7 +53,6 @@ public final class MapFollower {
     private double untilPlan;
     private boolean scanning;
     private double scanTo;
-    private double lastKnown;
     private double scanned;
     private double v;
     private double omega;
@@ -93,7 +92,7 @@ public final class MapFollower {
             map.refresh(diagnosis, robot.sensors().size(), MEMORY, robot.boundingRadius() + NEAR);
             plan();
         }
-        act(dt);
+        act();
     }
 
     private DeadReckoning at() {
@@ -156,7 +155,6 @@ public final class MapFollower {
 
     private void checkKnown() {
         double known = knownAhead();
-        lastKnown = known;
         double needed = scanning ? WORTHWHILE : 0.06;
         if (known >= needed) {
             scanning = false;
@@ -189,7 +187,7 @@ public final class MapFollower {
         return Angles.difference(at().heading() + cone.bearing(), bearing);
     }
 
-    private void act(double dt) {
+    private void act() {
         double rate = Math.min(robot.turnRate(), 2 * robot.motor().maxSpeed() / robot.track());
         if (scanning) {
             scanned += at().turned();

@@ -22,7 +22,6 @@ import java.util.function.BooleanSupplier;
 /** Opens and saves files, and asks the questions that this requires. */
 public final class FileController {
 
-    private final Component parent;
     private final Workspace workspace;
     private final DocumentStore documentStore;
     private final FileDialogs fileDialogs;
@@ -33,7 +32,6 @@ public final class FileController {
      * whether that changed a value.
      */
     public FileController(Component parent, Workspace workspace, BooleanSupplier commitPendingEdit) {
-        this.parent = parent;
         this.workspace = workspace;
         this.documentStore = new DocumentStore(workspace);
         this.commitPendingEdit = commitPendingEdit;
@@ -127,7 +125,8 @@ public final class FileController {
     }
 
     private void save() {
-        commitPendingEdit.getAsBoolean();
+        // A number that cannot be applied does not prevent the save.
+        boolean ignored = commitPendingEdit.getAsBoolean();
         save(FileController::doNothing);
     }
 
