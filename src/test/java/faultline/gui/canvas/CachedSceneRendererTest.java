@@ -38,9 +38,9 @@ class CachedSceneRendererTest {
 
     private static final int OBSTACLES = 300;
     private static final int STEPS = 120;
-    /** After so many frames all that can be wanted in these tests is painted. */
+    /** The number of frames after which everything in these tests is painted. */
     private static final int FRAMES = 40;
-    /** Where two strokes of the path meet, a few pixels are unlike those of one stroke. */
+    /** The number of pixels that may differ where two strokes of the path meet. */
     private static final int JOINTS = 25;
 
     private final RobotPath path = SampleFrames.pathThrough(IntStream.range(0, 3000)
@@ -108,7 +108,7 @@ class CachedSceneRendererTest {
         }
     }
 
-    /** As the middle button does. */
+    /** Pans as the middle button does. */
     private void pan(int dx, int dy) {
         mouse(MouseEvent.MOUSE_PRESSED, 300, 200);
         mouse(MouseEvent.MOUSE_DRAGGED, 300 + dx, 200 + dy);
@@ -146,7 +146,7 @@ class CachedSceneRendererTest {
         assertTrue(unlike <= JOINTS, when + ": " + unlike + " pixels differ");
     }
 
-    /** The last of so many frames. */
+    /** Returns the last of a number of frames. */
     private BufferedImage paint(int frames) {
         return callOnEdt(() -> {
             BufferedImage image = new BufferedImage(

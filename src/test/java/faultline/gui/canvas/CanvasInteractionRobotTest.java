@@ -31,12 +31,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 
 /**
- * Drives the canvas in a real window with mouse and keys. The window stands in for the session: it does what it is told
- * at once.
+ * Drives the canvas in a real window with mouse and keys. The window stands in for the session: it does what it is
+ * cursors at once.
  */
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
         disabledReason = "drives a real window, which needs a display")
+/**
+ * Drives the canvas in a real window with mouse and keyboard. The test executes commands at once in place of a session.
+ */
 class CanvasInteractionRobotTest {
 
     private static final int LEFT = InputEvent.BUTTON1_DOWN_MASK;
@@ -44,7 +47,7 @@ class CanvasInteractionRobotTest {
     private static final int RIGHT = InputEvent.BUTTON3_DOWN_MASK;
     private static final Pose ROBOT = new Pose(1, 1, 0);
     private static final Pose START = new Pose(4, 2, 0);
-    /** A pixel of the mouse and some, metres, at about 100 pixels to the metre. */
+    /** The tolerance of a mouse position, metres, at about 100 pixels per metre. */
     private static final double PIXEL = 0.02;
 
     private final GuiRobot robot = new GuiRobot();
@@ -181,16 +184,20 @@ class CanvasInteractionRobotTest {
 
     @Test
     void theCursorsPositionIsReportedAndItsShapeSaysWhatADragWouldDo() {
-        List<Optional<Vector2>> told = new ArrayList<>();
-        runOnEdt(() -> canvas.addCursorListener(told::add));
+        List<Optional<Vector2>> cursors = new ArrayList<>();
+        runOnEdt(() -> canvas.addCursorListener(cursors::add));
         Vector2 box = screen(new Vector2(4, 2));
         robot.moveTo(canvas, box.x(), box.y());
         robot.waitFor(
                 "the cursor says that the box can be moved",
                 () -> canvas.getCursor().getType() == Cursor.MOVE_CURSOR);
-        assertEquals(0, callOnEdt(() -> told.get(told.size() - 1)).orElseThrow().distanceTo(new Vector2(4, 2)), PIXEL);
+        assertEquals(
+                0,
+                callOnEdt(() -> cursors.get(cursors.size() - 1)).orElseThrow().distanceTo(new Vector2(4, 2)),
+                PIXEL);
         robot.moveTo(canvas, -20, 100);
-        robot.waitFor("the cursor has left", () -> told.get(told.size() - 1).isEmpty());
+        robot.waitFor(
+                "the cursor has left", () -> cursors.get(cursors.size() - 1).isEmpty());
     }
 
     private void click(Vector2 world) {
@@ -225,7 +232,7 @@ class CanvasInteractionRobotTest {
         return callOnEdt(() -> moves.get(moves.size() - 1).pose());
     }
 
-    /** Within what the rounding of the mouse to pixels makes. */
+    /** Asserts a pose within the rounding of the mouse to pixels. */
     private static void assertPose(Pose expected, Pose actual) {
         assertEquals(0, expected.position().distanceTo(actual.position()), PIXEL, expected + " and " + actual);
         assertEquals(

@@ -27,10 +27,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
-/**
- * The canvas keeps parts of its picture; whatever happens, it must look as if it had been painted at once. No display
- * is needed.
- */
+/** With its cached layers, the canvas looks as if it had been painted at once. No display is needed. */
 class CanvasRenderingTest {
 
     private static final int WIDTH = 600;
@@ -91,12 +88,12 @@ class CanvasRenderingTest {
     @Test
     void anEarlierRunLooksLikeInAFileAndLeavesNothingWhenItIsRemoved() {
         Frame frame = SampleFrames.fullFrame();
-        ReferenceOverlay ghost = SampleReferenceOverlays.office();
+        ReferenceOverlay overlay = SampleReferenceOverlays.office();
         shown(frame);
-        runOnEdt(() -> canvas.setReferenceOverlay(Optional.of(ghost)));
+        runOnEdt(() -> canvas.setReferenceOverlay(Optional.of(overlay)));
         BufferedImage file = callOnEdt(
                 () -> canvas.renderRequest(Palette.LIGHT).orElseThrow().toImage(1));
-        assertTrue(Pixels.countVisiblyDifferent(file, picture(frame)) > 100, "the ghost shows");
+        assertTrue(Pixels.countVisiblyDifferent(file, picture(frame)) > 100, "the reference run is shown");
         assertTrue(Pixels.countVisiblyDifferent(file, shown(frame)) < 30, "but for joints of its path");
         runOnEdt(() -> canvas.setReferenceOverlay(Optional.empty()));
         assertLooksLikeAFile(frame);
@@ -184,7 +181,7 @@ class CanvasRenderingTest {
         int mixed = blocksOfMoreThanOneColour(paint(2));
         assertTrue(
                 mixed > 1000,
-                "only " + mixed + " blocks of 2 x 2 pixels have more than one colour: the picture was blown up");
+                "only " + mixed + " blocks of 2 x 2 pixels have more than one colour: the image was enlarged");
     }
 
     private static int blocksOfMoreThanOneColour(BufferedImage image) {
@@ -203,10 +200,7 @@ class CanvasRenderingTest {
         assertEquals(0, Pixels.countDifferent(picture(frame), shown(frame)));
     }
 
-    /**
-     * A path of two strokes is blended a little differently from one stroke, and where they meet some pixels are
-     * unlike.
-     */
+    /** A path of two strokes is blended slightly differently from one stroke, so some pixels differ where they meet. */
     private void assertLooksLikeAFileButForJoints(Frame frame) {
         int unlike = Pixels.countVisiblyDifferent(picture(frame), shown(frame));
         assertTrue(unlike < 5, unlike + " pixels differ");
@@ -221,7 +215,7 @@ class CanvasRenderingTest {
         return paintedUntilComplete();
     }
 
-    /** What shows when all is painted, which may take several frames. */
+    /** Returns the image when everything is painted, which may take several frames. */
     private BufferedImage paintedUntilComplete() {
         for (int frame = 1; frame < MAX_FRAMES; frame++) {
             paint(1);

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
-/** An earlier run beside the one on the bench, without a display. */
+/** Comparison of the run with a reference run, without a display. */
 @ExtendWith(EdtChecker.class)
 class ComparisonControllerTest {
 
@@ -51,7 +51,7 @@ class ComparisonControllerTest {
         open(OFFICE);
         step(TICKS);
         runOnEdt(controller::captureCurrentRun);
-        waitFor("the ghost", haunting -> haunting.isPresent());
+        waitFor("the reference run", comparison -> comparison.isPresent());
     }
 
     @AfterEach
@@ -100,11 +100,11 @@ class ComparisonControllerTest {
         return callOnEdt(() -> update().orElseThrow().divergence());
     }
 
-    /** Switches the left sensor off at the start of tick CHANGED, and runs on. */
+    /** Switches the left sensor off at the start of tick CHANGED and runs to the end. */
     private void runDifferently() {
         restart();
         step(CHANGED - 1);
-        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("left", false)), told -> {}));
+        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("left", false)), results -> {}));
         step(TICKS - CHANGED + 1);
     }
 
@@ -120,13 +120,14 @@ class ComparisonControllerTest {
     void anotherRunDivergesInTheTickInWhichTheFirstBitDiffers() {
         runDifferently();
         assertEquals(OptionalLong.of(CHANGED), divergence());
-        ReferenceRun ghost = callOnEdt(() -> update().orElseThrow().reference().run());
+        ReferenceRun reference =
+                callOnEdt(() -> update().orElseThrow().reference().run());
         SessionFrame frame = callOnEdt(() -> run.frame().orElseThrow());
         assertTrue(LongStream.range(0, CHANGED)
-                .allMatch(tick -> ghost.hashTrace().hashAt(tick)
+                .allMatch(tick -> reference.hashTrace().hashAt(tick)
                         == frame.recording().hashTrace().hashAt(tick)));
         assertTrue(LongStream.rangeClosed(CHANGED, TICKS)
-                .allMatch(tick -> ghost.hashTrace().hashAt(tick)
+                .allMatch(tick -> reference.hashTrace().hashAt(tick)
                         != frame.recording().hashTrace().hashAt(tick)));
     }
 
@@ -143,7 +144,7 @@ class ComparisonControllerTest {
         runDifferently();
         runOnEdt(() -> run.navigator().seek(CHANGED / 2));
         waitForTick(CHANGED / 2);
-        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("rear", true)), told -> {}));
+        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("rear", true)), results -> {}));
         step(TICKS);
         assertEquals(OptionalLong.empty(), divergence(), "the rear sensor was on already");
     }
@@ -158,7 +159,7 @@ class ComparisonControllerTest {
     @Test
     void anotherScenarioRemovesTheReferenceRun() {
         open(Path.of("scenarios/yard.xml"));
-        waitFor("no ghost", haunting -> haunting.isEmpty());
+        waitFor("no reference run", comparison -> comparison.isEmpty());
     }
 
     @Test
@@ -167,8 +168,9 @@ class ComparisonControllerTest {
         Scenario office = Scenario.load(OFFICE);
         office.withSetup(office.setup().withSeed(7).withDuration(0.3)).save(file);
         runOnEdt(() -> controller.loadReference(file));
-        waitFor("the other ghost", haunting -> haunting.filter(RunComparison::seedDiffers)
-                .isPresent());
+        waitFor(
+                "the other reference run",
+                comparison -> comparison.filter(RunComparison::seedDiffers).isPresent());
         assertEquals(
                 30, callOnEdt(() -> update().orElseThrow().reference().run().lastTick()));
     }
@@ -193,11 +195,11 @@ class ComparisonControllerTest {
         Scenario office = Scenario.load(OFFICE);
         office.withSetup(office.setup().withDuration(MANY_HOURS)).save(file);
         runOnEdt(() -> controller.loadReference(file));
-        Await.until("the ghost's run", () -> isReferenceRunning());
+        Await.until("the reference run to be replayed", () -> isReferenceRunning());
         assertTrue(callOnEdt(controller::isLoading));
         runOnEdt(controller::removeReference);
         assertFalse(callOnEdt(controller::isLoading));
-        Await.until("the end of the ghost's run", () -> !isReferenceRunning());
+        Await.until("the end of the reference run", () -> !isReferenceRunning());
         assertTrue(callOnEdt(() -> update().isEmpty()));
         assertEquals(List.of(), failures, "to be given up is no failure");
     }

@@ -27,10 +27,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What becomes of edits when the program dies, when they are given up, and when somebody else writes the file. */
+/** Edits after a crash, after they are discarded, and when another program writes the file. */
 class CrashRecoveryTest {
 
-    /** No process has such a number. */
+    /** No process has this id. */
     private static final long DEAD = Integer.MAX_VALUE - 7;
 
     private static final Pose ELSEWHERE = new Pose(2, 3, 0);
@@ -70,20 +70,20 @@ class CrashRecoveryTest {
         RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
         autosave(dying);
         Await.until("the kept edits", () -> dying.findOrphan().isPresent());
-        RecoveryStore.RecoveredFile rescue =
+        RecoveryStore.RecoveredFile recovered =
                 new RecoveryStore(folder.resolve("kept")).findOrphan().orElseThrow();
-        assertEquals(Optional.of(file.toAbsolutePath()), rescue.origin());
-        assertEquals(edited, rescue.scenario());
+        assertEquals(Optional.of(file.toAbsolutePath()), recovered.origin());
+        assertEquals(edited, recovered.scenario());
         runOnEdt(() -> documentStore.open(file));
         Await.until("the file without the edits", () -> !workspace.scenario().equals(Optional.of(edited)));
-        runOnEdt(() -> documentStore.recover(rescue));
+        runOnEdt(() -> documentStore.recover(recovered));
         Await.until("the edits", () -> workspace.scenario().equals(Optional.of(edited)));
         assertTrue(callOnEdt(workspace::isChanged));
         assertEquals(
                 Optional.of(Scenario.load(file)),
                 callOnEdt(workspace::savedScenario),
                 "what the file holds is known, so nobody has changed it");
-        assertEquals(rescue.origin(), callOnEdt(workspace::file));
+        assertEquals(recovered.origin(), callOnEdt(workspace::file));
     }
 
     @Test
@@ -101,9 +101,9 @@ class CrashRecoveryTest {
         RecoveryStore own = new RecoveryStore(folder.resolve("kept"));
         own.save(null, callOnEdt(() -> workspace.scenario().orElseThrow()));
         own.delete();
-        RecoveryStore.RecoveredFile rescue = own.findOrphan().orElseThrow();
-        assertEquals(Optional.of(file.toAbsolutePath()), rescue.origin());
-        own.adopt(rescue);
+        RecoveryStore.RecoveredFile recovered = own.findOrphan().orElseThrow();
+        assertEquals(Optional.of(file.toAbsolutePath()), recovered.origin());
+        own.adopt(recovered);
         assertEquals(Optional.empty(), own.findOrphan());
         assertEquals(2, recoveryFiles().size(), "they are this process's own now: " + recoveryFiles());
     }
@@ -221,7 +221,7 @@ class CrashRecoveryTest {
     private static void poll(FileWatch watch, int times) {
         for (int i = 0; i < times; i++) {
             runOnEdt(watch::poll);
-            Await.until("the end of a look", () -> !watch.isPolling());
+            Await.until("the end of a poll", () -> !watch.isPolling());
         }
     }
 
@@ -232,7 +232,7 @@ class CrashRecoveryTest {
     }
 
     private void send(Command command) {
-        run.send(List.of(command), outcomes -> {});
+        run.send(List.of(command), results -> {});
     }
 
     private void edit() {
@@ -247,11 +247,11 @@ class CrashRecoveryTest {
         Await.until("the scenario", () -> workspace.scenario().isPresent());
     }
 
-    /** Nothing here fails. */
+    /** No task may fail. */
     private static final class FailingListener implements WorkspaceListener {
         @Override
-        public void taskFailed(TaskKind what, Path with, Throwable why) {
-            throw new AssertionError(why);
+        public void taskFailed(TaskKind task, Path taskFile, Throwable failure) {
+            throw new AssertionError(failure);
         }
     }
 }

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Names of files that are made of names of scenarios. */
+/** File names derived from the names of scenarios. */
 class FileNamesTest {
 
     @ParameterizedTest

@@ -25,10 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
-/**
- * What becomes of edits when the run is taken to another moment of its time. Two edits are made: at tick 10 and at tick
- * 20, of 30.
- */
+/** Edits while the run is moved to other ticks. Two edits are made, at tick 10 and at tick 20 of 30. */
 @ExtendWith(EdtChecker.class)
 class RunNavigatorTest {
 
@@ -259,7 +256,7 @@ class RunNavigatorTest {
         return callOnEdt(() -> run.frame().orElseThrow().snapshot().tick());
     }
 
-    /** What commands have made of the scenario is found out without waiting for it. */
+    /** Waits until the results of commands have edited the scenario. */
     private void waitForEdited(Pose pose) {
         Await.until("the scenario's pole at " + pose, () -> {
             run.frame();
@@ -286,7 +283,7 @@ class RunNavigatorTest {
                 () -> pole(run.frame().orElseThrow().snapshot().obstacles()).equals(pose));
     }
 
-    /** Passes on what the edit desk must know, as the window does. */
+    /** Forwards events to the undo controller, as the window does. */
     private final class NavigationForwarder implements WorkspaceListener {
         @Override
         public void scenarioRestarted() {
@@ -299,8 +296,8 @@ class RunNavigatorTest {
         }
 
         @Override
-        public void taskFailed(TaskKind what, Path file, Throwable why) {
-            throw new AssertionError(why);
+        public void taskFailed(TaskKind task, Path file, Throwable failure) {
+            throw new AssertionError(failure);
         }
     }
 }

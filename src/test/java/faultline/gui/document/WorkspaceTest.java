@@ -31,7 +31,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The bench on the event dispatch thread, without a window and without a display. */
+/** The workspace on the event dispatch thread, without a window and without a display. */
 class WorkspaceTest {
 
     private static final String OBSTACLE = "pole";
@@ -75,8 +75,8 @@ class WorkspaceTest {
             }
 
             @Override
-            public void taskFailed(TaskKind what, Path with, Throwable why) {
-                failures.add(why);
+            public void taskFailed(TaskKind task, Path taskFile, Throwable failure) {
+                failures.add(failure);
             }
         }));
         runOnEdt(() -> {
@@ -280,7 +280,7 @@ class WorkspaceTest {
     }
 
     private void send(Command command) {
-        run.send(List.of(command), outcomes -> {});
+        run.send(List.of(command), results -> {});
     }
 
     private void move() {

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
-/** Presets of sensors, and copies of obstacles. */
+/** Presets of sensors and copies of obstacles. */
 class PresetsTest {
 
     private static List<String> on(RobotSpec robot, boolean wallOnLeft, int count) {

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** New obstacles, and handles that change them. */
+/** New obstacles and the handles that change them. */
 class ShapesTest {
 
     @Test

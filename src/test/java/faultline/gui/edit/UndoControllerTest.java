@@ -21,7 +21,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
-/** The edit desk before a world that does what it is told at once. */
+/** The undo controller with a world that executes commands at once. */
 class UndoControllerTest {
 
     private static final Obstacle DESK = new Obstacle("desk", new ObstacleShape.Rectangle(0.5, 0.5), new Pose(4, 2, 0));
@@ -33,8 +33,8 @@ class UndoControllerTest {
     private long now;
     private final UndoController controller = callOnEdt(() -> new UndoController(this::execute, () -> {}, () -> now));
 
-    private void execute(List<Command> commands, Consumer<List<CommandResult>> told) {
-        told.accept(commands.stream().map(world::execute).toList());
+    private void execute(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
+        onExecuted.accept(commands.stream().map(world::execute).toList());
     }
 
     private static Command moveTo(double x) {
@@ -94,7 +94,7 @@ class UndoControllerTest {
                 new Command.RemoveObstacle("desk"));
     }
 
-    /** An obstacle that comes back is drawn last. */
+    /** Returns the world without its drawing order: a restored obstacle is drawn last. */
     private static List<Object> withoutOrder(Snapshot world) {
         return List.of(java.util.Set.copyOf(world.obstacles()), world.robot(), world.sensors());
     }
@@ -195,7 +195,7 @@ class UndoControllerTest {
         assertEquals(List.of(pole), world.snapshot().obstacles());
     }
 
-    /** A robot so long that it reaches where the obstacles were, or of its usual length. */
+    /** Makes the robot so long that it reaches the places of the obstacles, or of its default length. */
     private void longRobot(boolean isLong) {
         assertEquals(
                 Optional.empty(),

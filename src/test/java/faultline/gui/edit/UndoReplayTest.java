@@ -21,7 +21,7 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Edits that are undone and redone while time runs are part of the run, and its journal replays them to the bit. */
+/** Edits that are undone and redone during a run are part of it, and its journal replays them exactly. */
 @Timeout(value = 1, unit = TimeUnit.MINUTES)
 class UndoReplayTest {
 
@@ -38,20 +38,20 @@ class UndoReplayTest {
     void aRunWithUndoneEditsReplaysToTheBit() throws Exception {
         Scenario office = Scenario.loadShipped("office.xml");
         try (Session session = Session.start(office.setup())) {
-            UndoController desk = GuiRobot.callOnEdt(() -> new UndoController(
-                    (commands, told) ->
-                            session.send(commands, outcomes -> EventQueue.invokeLater(() -> told.accept(outcomes))),
+            UndoController controller = GuiRobot.callOnEdt(() -> new UndoController(
+                    (commands, onExecuted) ->
+                            session.send(commands, results -> EventQueue.invokeLater(() -> onExecuted.accept(results))),
                     () -> {}));
             session.setSpeed(20);
             session.resume();
             await(() -> session.frame().snapshot().tick() > 100);
-            runOnEdt(() -> desk.send(new Command.SwitchSensor("left", false)));
-            runOnEdt(() -> desk.send(new Command.PlaceObstacle(BOX)));
-            await(() -> GuiRobot.callOnEdt(desk::undoName)
+            runOnEdt(() -> controller.send(new Command.SwitchSensor("left", false)));
+            runOnEdt(() -> controller.send(new Command.PlaceObstacle(BOX)));
+            await(() -> GuiRobot.callOnEdt(controller::undoName)
                     .filter("Add new-box"::equals)
                     .isPresent());
-            runOnEdt(desk::undo);
-            runOnEdt(desk::undo);
+            runOnEdt(controller::undo);
+            runOnEdt(controller::undo);
             await(() -> session.frame()
                             .snapshot()
                             .robot()
@@ -59,7 +59,7 @@ class UndoReplayTest {
                             .orElseThrow()
                             .on()
                     && !session.frame().snapshot().obstacles().contains(BOX));
-            runOnEdt(desk::redo);
+            runOnEdt(controller::redo);
             long then = session.frame().snapshot().tick();
             await(() -> session.frame().snapshot().tick() > then + 200);
             session.pause();

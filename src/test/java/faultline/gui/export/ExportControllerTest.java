@@ -55,7 +55,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Each format written from a run and read back, without a display. */
+/** Exports a run in every format and reads the result, without a display. */
 @ExtendWith(EdtChecker.class)
 class ExportControllerTest {
 
@@ -205,11 +205,11 @@ class ExportControllerTest {
         perform("record");
     }
 
-    /** The pictures of the film that ends now. */
+    /** Ends the recording and returns the number of images of the animated GIF. */
     private int recordedFrameCount() throws IOException {
         runOnEdt(() -> setRecording(false));
         Path file = folder.resolve("out.gif");
-        Await.until("the film", () -> written.remove(file));
+        Await.until("the GIF", () -> written.remove(file));
         return frameCount(Files.readAllBytes(file));
     }
 
@@ -220,9 +220,9 @@ class ExportControllerTest {
                 from));
     }
 
-    private static int frameCount(AnimatedGifExport film) throws IOException {
+    private static int frameCount(AnimatedGifExport gif) throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        film.write(out, new TaskProgress());
+        gif.write(out, new TaskProgress());
         return frameCount(out.toByteArray());
     }
 
@@ -234,10 +234,10 @@ class ExportControllerTest {
 
     @Test
     void aCancelledGifExportStopsAtOnce() {
-        AnimatedGifExport film = gifExport(0);
+        AnimatedGifExport gif = gifExport(0);
         TaskProgress progress = new TaskProgress();
         progress.cancel();
-        assertThrows(CancellationException.class, () -> film.write(new ByteArrayOutputStream(), progress));
+        assertThrows(CancellationException.class, () -> gif.write(new ByteArrayOutputStream(), progress));
     }
 
     @Test
@@ -255,13 +255,13 @@ class ExportControllerTest {
                 },
                 file,
                 written::add,
-                why -> {}));
+                failure -> {}));
         runOnEdt(task::start);
         assertTrue(Thread.getAllStackTraces().keySet().stream()
                 .anyMatch(thread -> thread.getName().equals("faultline-background") && !thread.isDaemon()));
         released.countDown();
-        Await.until("the word that it is written", () -> written.contains(file));
-        Await.until("the end of the thread that keeps the program", () -> Thread.getAllStackTraces().keySet().stream()
+        Await.until("the export", () -> written.contains(file));
+        Await.until("the end of the background thread", () -> Thread.getAllStackTraces().keySet().stream()
                 .noneMatch(thread -> thread.getName().equals("faultline-background") && !thread.isDaemon()));
     }
 
@@ -276,7 +276,7 @@ class ExportControllerTest {
                 },
                 file,
                 written::add,
-                why -> {}));
+                failure -> {}));
         runOnEdt(task::start);
         Await.until("the end of the task", task::isDone);
         assertFalse(Files.exists(file));
@@ -315,7 +315,7 @@ class ExportControllerTest {
     private Path exportToFile(String action, String extension) {
         Path file = folder.resolve("out" + extension);
         runOnEdt(() -> perform(action));
-        Await.until("the word that it is written", () -> written.remove(file));
+        Await.until("the export", () -> written.remove(file));
         return file;
     }
 
@@ -330,11 +330,11 @@ class ExportControllerTest {
                 .orElseThrow();
     }
 
-    /** Nothing here fails. */
+    /** No task may fail. */
     private static final class FailingListener implements WorkspaceListener {
         @Override
-        public void taskFailed(TaskKind what, Path file, Throwable why) {
-            throw new AssertionError(why);
+        public void taskFailed(TaskKind task, Path file, Throwable failure) {
+            throw new AssertionError(failure);
         }
     }
 }

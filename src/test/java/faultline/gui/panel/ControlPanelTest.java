@@ -59,7 +59,7 @@ class ControlPanelTest {
         });
     }
 
-    /** Keeps commands, and how to refuse them. */
+    /** Records commands, and how to refuse them. */
     private void execute(List<Command> sent, Consumer<List<CommandResult>> onExecuted) {
         commands.addAll(sent);
         refusals.add(() -> onExecuted.accept(List.of()));

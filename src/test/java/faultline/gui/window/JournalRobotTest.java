@@ -196,7 +196,7 @@ class JournalRobotTest {
         driver.waitForFrame(
                 "a sensor is switched off", frame -> !sensors(frame).get(0).on());
         driver.robot().waitFor("the window says what becomes of the later edit", () -> driver.statusNote()
-                .endsWith("later edits under Redo: 1"));
+                .endsWith("under Redo: 1"));
         driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_Y);
         driver.waitForFrame(
                 "the desk is moved again",

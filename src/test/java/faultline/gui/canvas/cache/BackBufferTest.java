@@ -13,7 +13,7 @@ import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A picture of 90 by 70 pixels somewhere on a device that has more pixels than it, also one and a bit for one. */
+/** A component of 90 by 70 pixels at a position on a device with more pixels, including fractional scales. */
 class BackBufferTest {
 
     private static final int WIDTH = 90;
@@ -24,7 +24,7 @@ class BackBufferTest {
     private final BackBuffer backBuffer = new BackBuffer();
     private final BufferedImage device = new BufferedImage(DEVICE, DEVICE, BufferedImage.TYPE_INT_RGB);
 
-    /** Thin slanted lines, which show each device pixel that is blurred, doubled or left out. */
+    /** Thin slanted lines, which reveal every device pixel that is blurred, doubled or missing. */
     private static void lines(Graphics2D graphics, Color colour) {
         graphics.setColor(Color.WHITE);
         graphics.fillRect(0, 0, WIDTH, HEIGHT);
@@ -101,7 +101,7 @@ class BackBufferTest {
         }
     }
 
-    /** The first pixel whose middle is not before an edge. */
+    /** Returns the first pixel whose centre is not before an edge. */
     private static int first(double edge) {
         return (int) Math.ceil(edge - 0.5);
     }

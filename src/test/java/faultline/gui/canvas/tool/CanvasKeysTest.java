@@ -28,9 +28,7 @@ import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import org.junit.jupiter.api.Test;
 
-/**
- * What the canvas does while the frames lag behind the commands, or never bring what was wanted. No display is needed.
- */
+/** The canvas while frames lag behind commands, or never show their effect. No display is needed. */
 class CanvasKeysTest {
 
     private static final Pose ROBOT = new Pose(1, 1, 0);
@@ -49,7 +47,7 @@ class CanvasKeysTest {
         return made;
     });
 
-    /** Keeps commands, and how to refuse them. */
+    /** Records commands, and how to refuse them. */
     private void execute(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
         sent.addAll(commands);
         refusals.add(() -> onExecuted.accept(List.of()));
@@ -97,11 +95,11 @@ class CanvasKeysTest {
 
     @Test
     void anObstacleThatIsGoneIsNoLongerSelected() {
-        List<Set<String>> told = new ArrayList<>();
-        runOnEdt(() -> canvas.tools().addSelectionListener(told::add));
+        List<Set<String>> selections = new ArrayList<>();
+        runOnEdt(() -> canvas.tools().addSelectionListener(selections::add));
         runOnEdt(() -> canvas.setFrame(EMPTY));
         assertEquals(List.of(), callOnEdt(canvas.tools()::selected));
-        assertEquals(List.of(Set.of()), callOnEdt(() -> List.copyOf(told)));
+        assertEquals(List.of(Set.of()), callOnEdt(() -> List.copyOf(selections)));
     }
 
     @Test

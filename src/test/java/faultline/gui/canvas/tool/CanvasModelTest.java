@@ -13,7 +13,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** What stays selected, and what becomes so, while obstacles come and go. */
+/** The selection while obstacles are added and removed. */
 class CanvasModelTest {
 
     private final CanvasModel model = new CanvasModel();

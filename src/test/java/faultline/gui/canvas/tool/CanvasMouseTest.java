@@ -21,7 +21,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Hands that are not steady, or press more than one button. No display is needed. */
+/** Small movements during clicks, and several buttons at a time. No display is needed. */
 class CanvasMouseTest {
 
     private final List<Command> sent = new ArrayList<>();

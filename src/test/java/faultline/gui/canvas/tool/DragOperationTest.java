@@ -77,7 +77,7 @@ class DragOperationTest {
     @Test
     void aSideOfARectangleIsDraggedWhileTheOppositeOneStays() {
         Obstacle box = BOX.withPose(new Pose(2, 1, 0));
-        // Handle 7 is the middle of the right side.
+        // Handle 7 is the midpoint of the right side.
         DragPreview wish = new DragOperation.Resize(box, 7).preview(new Vector2(3.5, 9), SnapSettings.NONE);
         assertEquals(new ObstacleShape.Rectangle(2, 1), only(wish).shape());
         assertEquals(new Pose(2.5, 1, 0), only(wish).pose());

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 
 class ObstacleFinderTest {
 
-    /** A hundred pixels to the metre, the origin in the middle of 800 x 600 pixels. */
+    /** A camera of 100 pixels per metre with the origin at the centre of 800 x 600 pixels. */
     private static final Camera CAMERA = new Camera(0, 0, 100, 800, 600);
 
     private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Rectangle(2, 1), Pose.ORIGIN);
