@@ -2,20 +2,36 @@ package faultline.sensor;
 
 /**
  * One way in which a sensor fails. A fault turns what the sensor would have reported into what it does report; several
- * faults on one sensor act in the order in which they came. A fault keeps no state: what is random about it follows
- * from the dice it is given.
+ * faults on one sensor act in the order in which they came. A fault itself is a value: what it remembers of its past is
+ * kept in the {@link FaultContext} that is made for it when it sets in.
  */
-public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault.Dropout {
+public sealed interface Fault
+        permits Fault.Dead,
+                Fault.Stuck,
+                Fault.Bias,
+                Fault.Dropout,
+                SignalFault.StuckAtLast,
+                SignalFault.Scale,
+                SignalFault.Drift,
+                SignalFault.Noise,
+                SignalFault.Quantised,
+                SignalFault.Bursts,
+                SignalFault.Delayed,
+                SignalFault.Ghost,
+                SignalFault.CrossTalk,
+                OpticalFault.ShortRange,
+                OpticalFault.Cone,
+                OpticalFault.SpecularLoss,
+                OpticalFault.Misaligned {
 
     /**
      * What is reported in place of a reading.
      *
      * @param reading the encoded reading before this fault, see {@link Reading}
-     * @param range the sensor's range, metres
-     * @param dice the sensor's random numbers for this tick
+     * @param context of this fault at this tick
      * @return the encoded reading after this fault: a distance in [0, range], nothing, or off
      */
-    double apply(double reading, double range, SensorRandom dice);
+    double apply(double reading, FaultContext context);
 
     /**
      * The kind of this fault, as files and windows name it.
@@ -25,16 +41,39 @@ public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault
     FaultKind kind();
 
     /**
-     * The one number of this fault.
+     * The number of this fault.
      *
-     * @return metres or a probability, as the kind says; 0 where the kind has none
+     * @return in the kind's unit; 0 if the kind has none
      */
     double value();
+
+    /**
+     * How long the fault lasts each time that it comes.
+     *
+     * @return seconds; 0 for a kind that has no length
+     */
+    default double length() {
+        return 0;
+    }
+
+    /**
+     * Returns the optics of the sensor with this fault.
+     *
+     * @param spec without it
+     */
+    default SensorSpec optics(SensorSpec spec) {
+        return spec;
+    }
+
+    /** Returns the greatest angle of incidence at which a surface still answers the sensor, radians. */
+    default double specularAngle() {
+        return StrictMath.PI / 2;
+    }
 
     /** The sensor gives no answer at all: file kind {@code off}. */
     record Dead() implements Fault {
         @Override
-        public double apply(double reading, double range, SensorRandom dice) {
+        public double apply(double reading, FaultContext context) {
             return Reading.OFF;
         }
 
@@ -56,8 +95,8 @@ public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault
      */
     record Stuck(double value) implements Fault {
         @Override
-        public double apply(double reading, double range, SensorRandom dice) {
-            return value <= range ? value : Reading.NOTHING;
+        public double apply(double reading, FaultContext context) {
+            return value <= context.range() ? value : Reading.NOTHING;
         }
 
         @Override
@@ -74,9 +113,9 @@ public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault
      */
     record Bias(double value) implements Fault {
         @Override
-        public double apply(double reading, double range, SensorRandom dice) {
+        public double apply(double reading, FaultContext context) {
             double biased = Math.max(0, reading + value);
-            return biased <= range ? biased : Reading.NOTHING;
+            return biased <= context.range() ? biased : Reading.NOTHING;
         }
 
         @Override
@@ -92,8 +131,8 @@ public sealed interface Fault permits Fault.Dead, Fault.Stuck, Fault.Bias, Fault
      */
     record Dropout(double value) implements Fault {
         @Override
-        public double apply(double reading, double range, SensorRandom dice) {
-            return dice.nextDouble() < value ? Reading.NOTHING : reading;
+        public double apply(double reading, FaultContext context) {
+            return context.random().nextDouble() < value ? Reading.NOTHING : reading;
         }
 
         @Override

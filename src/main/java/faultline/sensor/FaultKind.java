@@ -2,30 +2,95 @@ package faultline.sensor;
 
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.DoubleFunction;
 
-/** The kinds of fault by the names that scenario files and windows use, each with its one number. */
+/**
+ * The kinds of fault by the names that scenario files and windows use, each with its number. A new kind is one line
+ * here and one record.
+ */
 public enum FaultKind {
 
     /** No answer at all; no number. */
-    OFF("", 0, 0, 0, value -> new Fault.Dead()),
+    OFF(Family.SILENT, "", 0, 0, 0, (value, length) -> new Fault.Dead()),
 
     /** One distance whatever is seen; the number is that distance. */
-    STUCK("m", 0, 100, 0.4, Fault.Stuck::new),
+    STUCK(Family.CONSTANT, "m", 0, 100, 0.4, (value, length) -> new Fault.Stuck(value)),
 
     /** An error on every distance; the number is the error. */
-    BIAS("m", -100, 100, 0.05, Fault.Bias::new),
+    BIAS(Family.SHIFTED, "m", -100, 100, 0.05, (value, length) -> new Fault.Bias(value)),
 
     /** Sees nothing in some ticks; the number is their share. */
-    DROPOUT("", 0, 1, 0.5, Fault.Dropout::new);
+    DROPOUT(Family.INTERMITTENT, "", 0, 1, 0.5, (value, length) -> new Fault.Dropout(value)),
 
+    /** The last report before the fault, for ever; no number. */
+    STUCK_AT_LAST(Family.CONSTANT, "", 0, 0, 0, (value, length) -> new SignalFault.StuckAtLast()),
+
+    /** Every distance multiplied; the number is the factor. */
+    SCALE(Family.SHIFTED, "", 0.01, 100, 1.2, (value, length) -> new SignalFault.Scale(value)),
+
+    /** An error that grows; the number is its rate. */
+    DRIFT(Family.SHIFTED, "m/s", -1, 1, 0.01, (value, length) -> new SignalFault.Drift(value)),
+
+    /** Gaussian noise on every distance; the number is its standard deviation. */
+    NOISE(Family.SHIFTED, "m", 0, 10, 0.03, (value, length) -> new SignalFault.Noise(value)),
+
+    /** Distances in coarse steps; the number is the step. */
+    QUANTISED(Family.SHIFTED, "m", 0.001, 10, 0.05, (value, length) -> new SignalFault.Quantised(value)),
+
+    /** Sees nothing for a while now and then; the number is how often, the length how long on average. */
+    BURSTS(Family.INTERMITTENT, "1/s", 0, 100, 0.5, SignalFault.Bursts::new),
+
+    /** Reports late; the number is the delay. */
+    DELAYED(Family.SHIFTED, "s", 0, 10, 0.2, (value, length) -> new SignalFault.Delayed(value)),
+
+    /** Dirt: sees nothing beyond a distance; the number is that distance. */
+    SHORT_RANGE(Family.INTERMITTENT, "m", 0.01, 100, 0.2, (value, length) -> new OpticalFault.ShortRange(value)),
+
+    /** Another field of view; the number is its full angle. */
+    CONE(Family.SHIFTED, "deg", 0.1, 179, 4, (value, length) -> new OpticalFault.Cone(value)),
+
+    /** Reports something at a random distance in some ticks; the number is their share. */
+    GHOST(Family.INTERMITTENT, "", 0, 1, 0.2, (value, length) -> new SignalFault.Ghost(value)),
+
+    /** Sees the neighbour's light in some ticks; the number is their share. */
+    CROSS_TALK(Family.INTERMITTENT, "", 0, 1, 0.5, (value, length) -> new SignalFault.CrossTalk(value)),
+
+    /** Sees no surface at a slant; the number is the greatest angle of incidence that it sees. */
+    SPECULAR_LOSS(Family.INTERMITTENT, "deg", 0.1, 90, 30, (value, length) -> new OpticalFault.SpecularLoss(value)),
+
+    /** Looks elsewhere; the number is the error of its bearing. */
+    MISALIGNED(Family.SHIFTED, "deg", -180, 180, 15, (value, length) -> new OpticalFault.Misaligned(value));
+
+    /** What the kinds have in common for those who draw them. */
+    public enum Family {
+        /** No answer. */
+        SILENT,
+        /** One distance for ever. */
+        CONSTANT,
+        /** Wrong distances. */
+        SHIFTED,
+        /** Readings that come and go. */
+        INTERMITTENT
+    }
+
+    /** The mean length of a burst that is given none, seconds. */
+    public static final double DEFAULT_LENGTH = 0.5;
+
+    /** The longest mean length of a burst, seconds. */
+    public static final double MAX_LENGTH = 1000;
+
+    private interface Factory {
+        Fault create(double value, double length);
+    }
+
+    private final Family family;
     private final String unit;
     private final double minValue;
     private final double maxValue;
     private final double defaultValue;
-    private final DoubleFunction<Fault> factory;
+    private final Factory factory;
 
-    FaultKind(String unit, double least, double most, double usual, DoubleFunction<Fault> factory) {
+    FaultKind(Family family, String unit, double least, double most, double usual, Factory factory) {
+        this.family = family;
         this.unit = unit;
         this.minValue = least;
         this.maxValue = most;
@@ -54,7 +119,7 @@ public enum FaultKind {
      * @return lower case
      */
     public String fileName() {
-        return name().toLowerCase(Locale.ROOT);
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     /**
@@ -65,20 +130,47 @@ public enum FaultKind {
      * @throws IllegalArgumentException if the number is outside [{@link #minValue()}, {@link #maxValue()}]
      */
     public Fault createFault(double value) {
+        return createFault(value, DEFAULT_LENGTH);
+    }
+
+    /**
+     * Makes a fault of this kind.
+     *
+     * @param value its number, ignored by kinds without one
+     * @param length its mean length, seconds, ignored by kinds without one
+     * @return the fault
+     * @throws IllegalArgumentException if the number is outside [{@link #minValue()}, {@link #maxValue()}]
+     */
+    public Fault createFault(double value, double length) {
         if (takesValue() && !(value >= minValue && value <= maxValue)) {
             throw new IllegalArgumentException(
                     "a " + fileName() + " fault takes a value from " + minValue + " to " + maxValue + ", not " + value);
         }
-        return factory.apply(value);
+        return factory.create(value, length);
+    }
+
+    /** Returns what the kind has in common with others. */
+    public Family family() {
+        return family;
+    }
+
+    /** Returns whether the kind changes what the sensor sees, and not only what it reports. */
+    public boolean changesOptics() {
+        return this == CONE || this == SPECULAR_LOSS || this == MISALIGNED;
+    }
+
+    /** Returns whether the kind has a length: bursts have. */
+    public boolean takesLength() {
+        return this == BURSTS;
     }
 
     /**
      * Whether the kind has a number.
      *
-     * @return false for {@link #OFF}
+     * @return false for {@link #OFF} and {@link #STUCK_AT_LAST}
      */
     public boolean takesValue() {
-        return this != OFF;
+        return this != OFF && this != STUCK_AT_LAST;
     }
 
     /**

@@ -20,13 +20,15 @@ import java.util.List;
 /** The robot's sensors at work: true and reported readings, tick by tick; mutable, on the world's thread. */
 final class SensorArray {
 
+    private final double dt;
     private final List<MountedSensor> mountedSensors = new ArrayList<>();
     private final CandidateBuffer candidates = new CandidateBuffer();
     private double[] truth = new double[0];
     private double[] reported = new double[0];
     private double sensingRadius;
 
-    SensorArray(RobotSpec robot, long seed) {
+    SensorArray(RobotSpec robot, long seed, double dt) {
+        this.dt = dt;
         robot.sensors()
                 .forEach(sensor ->
                         mountedSensors.add(new MountedSensor(sensor, SensorRandom.streamKey(seed, sensor.id()))));
@@ -39,6 +41,7 @@ final class SensorArray {
     private static final class MountedSensor {
         private final long streamKey;
         private final List<Fault> faults = new ArrayList<>();
+        private final ActiveFaults active = new ActiveFaults();
         private SensorSpec spec;
         private RigidMotion frame;
         private double cosHalf;
@@ -99,19 +102,43 @@ final class SensorArray {
         field.findNear(pose.x(), pose.y(), sensingRadius * (1 + 1e-12), candidates);
         for (int i = 0; i < truth.length; i++) {
             MountedSensor mount = mountedSensors.get(i);
-            truth[i] = measure(field, mount, mount.sector(robot));
-            reported[i] = report(mount, truth[i], tick);
+            truth[i] = measure(field, mount, mount.sector(robot), Obstacle.MATT);
+        }
+        for (int i = 0; i < truth.length; i++) {
+            MountedSensor mount = mountedSensors.get(i);
+            mount.active.update(mount.faults, tick, dt, reported[i]);
+            reported[i] = report(mount, seen(field, mount, robot, i), truth[(i + 1) % truth.length], tick);
         }
     }
 
-    private double measure(ObstacleSet field, MountedSensor mount, Sector sector) {
+    /** Returns what a sensor sees through its optics, faults included. */
+    private double seen(ObstacleSet field, MountedSensor mount, RigidMotion robot, int sensor) {
+        if (!mount.active.changesOptics()) {
+            return truth[sensor];
+        }
+        SensorSpec optics = mount.active.optics(mount.spec);
+        RigidMotion frame = RigidMotion.of(
+                new Pose(optics.mountPosition().x(), optics.mountPosition().y(), optics.bearing()));
+        Sector sector = new Sector(
+                robot.after(frame),
+                StrictMath.cos(optics.cone() / 2),
+                StrictMath.sin(optics.cone() / 2),
+                optics.range());
+        return measure(field, mount, sector, mount.active.specularAngle());
+    }
+
+    private double measure(ObstacleSet field, MountedSensor mount, Sector sector, double specularLimit) {
         if (mount.outsideBody && field.isInsideSolid(sector.apex())) {
             return 0;
         }
         double least = Reading.NOTHING;
         for (int i = 0; i < candidates.size(); i++) {
             least = Math.min(
-                    least, nearestDistance(sector, candidates.shape(i), field.specularAngle(candidates.owner(i))));
+                    least,
+                    nearestDistance(
+                            sector,
+                            candidates.shape(i),
+                            Math.min(specularLimit, field.specularAngle(candidates.owner(i)))));
         }
         return least;
     }
@@ -122,23 +149,17 @@ final class SensorArray {
                 : SectorDistance.nearest(sector, figure);
     }
 
-    private static double report(MountedSensor mount, double truth, long tick) {
+    private static double report(MountedSensor mount, double seen, double neighbour, long tick) {
         SensorSpec spec = mount.spec;
         if (!spec.on()) {
             return Reading.OFF;
         }
         if (spec.noise() == 0 && mount.faults.isEmpty()) {
-            return truth;
+            return seen;
         }
         SensorRandom dice = SensorRandom.forTick(mount.streamKey, tick);
-        double reading = addNoise(truth, spec, dice);
-        for (Fault fault : mount.faults) {
-            if (Reading.isOff(reading)) {
-                break;
-            }
-            reading = fault.apply(reading, spec.range(), dice);
-        }
-        return reading;
+        double reading = addNoise(seen, spec, dice);
+        return mount.active.apply(reading, tick, spec.range(), neighbour, dice);
     }
 
     /** Noise adds to a distance, held at 0; beyond the range it reads as nothing. What sees nothing has no noise. */

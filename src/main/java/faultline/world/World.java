@@ -41,7 +41,7 @@ public final class World {
         this.dt = dt;
         this.obstacleSet = new ObstacleSet(spec);
         this.body = new RobotBody(robot, start);
-        this.sensors = new SensorArray(robot, seed);
+        this.sensors = new SensorArray(robot, seed, dt);
         this.motionStep = new MotionStep(obstacleSet, body);
         this.commandHandler =
                 new CommandHandler(spec, obstacleSet, body, sensors, motionStep, () -> sensed ? tick + 1 : 0);

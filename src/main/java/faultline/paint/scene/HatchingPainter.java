@@ -26,14 +26,14 @@ final class HatchingPainter {
      * for none.
      */
     static void paint(DrawContext context, ScreenSector cone, FaultKind kind, Color colour) {
-        switch (kind) {
-            case OFF -> {
+        switch (kind.family()) {
+            case SILENT -> {
                 paintArcs(context, cone, colour, LINE_STROKE);
                 paintRays(context, cone, colour);
             }
-            case STUCK -> paintArcs(context, cone, colour, LINE_STROKE);
-            case BIAS -> paintRays(context, cone, colour);
-            case DROPOUT ->
+            case CONSTANT -> paintArcs(context, cone, colour, LINE_STROKE);
+            case SHIFTED -> paintRays(context, cone, colour);
+            case INTERMITTENT ->
                 paintArcs(context, cone, colour, DrawContext.dashedStroke(1.2, arcStep(cone) / 2, arcStep(cone) / 2));
         }
     }

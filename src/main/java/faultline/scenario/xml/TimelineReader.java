@@ -24,6 +24,11 @@ final class TimelineReader {
 
     private static final Map<String, FaultKind> FAULT_KINDS = new LinkedHashMap<>();
 
+    private static final Map<String, Allowed> FAULT_UNITS =
+            Map.of("m", Allowed.METRES, "deg", Allowed.DEGREES, "s", Allowed.SECONDS, "m/s", Allowed.SPEED);
+    private static final NumberRange FAULT_LENGTH =
+            NumberRange.closed("0.001", DecimalText.format(FaultKind.MAX_LENGTH), Allowed.SECONDS);
+
     static {
         for (FaultKind kind : FaultKind.values()) {
             FAULT_KINDS.put(kind.fileName(), kind);
@@ -182,8 +187,8 @@ final class TimelineReader {
 
     /** Returns the fault that the attributes kind and value describe, unless the kind is unknown. */
     private static Optional<Fault> readFaultAttributes(AttributeReader fields) {
-        Optional<Fault> fault =
-                fields.choice("kind", FAULT_KINDS).map(kind -> kind.createFault(readFaultValue(fields, kind)));
+        Optional<Fault> fault = fields.choice("kind", FAULT_KINDS)
+                .map(kind -> kind.createFault(readFaultValue(fields, kind), readFaultLength(fields, kind)));
         fields.text("value");
         return fault;
     }
@@ -196,10 +201,16 @@ final class TimelineReader {
         return kind.defaultValue();
     }
 
+    private static double readFaultLength(AttributeReader fields, FaultKind kind) {
+        return kind.takesLength()
+                ? fields.number("length", FAULT_LENGTH, FaultKind.DEFAULT_LENGTH)
+                : FaultKind.DEFAULT_LENGTH;
+    }
+
     private static NumberRange faultValueRange(FaultKind kind) {
         return NumberRange.closed(
                 DecimalText.format(kind.minValue()),
                 DecimalText.format(kind.maxValue()),
-                kind.unit().equals("m") ? Allowed.METRES : Allowed.UNITLESS);
+                FAULT_UNITS.getOrDefault(kind.unit(), Allowed.UNITLESS));
     }
 }

@@ -42,7 +42,10 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
 
     private XmlWriter beginFault(String name, String sensor, Fault fault) {
         begin(name).attribute("sensor", sensor).attribute("kind", fault.kind().fileName());
-        return fault.kind().takesValue() ? out.attribute("value", fault.value()) : out;
+        if (fault.kind().takesValue()) {
+            out.attribute("value", fault.value());
+        }
+        return fault.kind().takesLength() ? out.attribute("length", fault.length()) : out;
     }
 
     @Override

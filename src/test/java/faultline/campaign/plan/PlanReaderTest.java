@@ -24,7 +24,7 @@ class PlanReaderTest {
             <set attribute="robot/@speed" value="3..2"/> | plan.xml:3:45: value of <set> is "3..2", allowed is one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C
             <set attribute="robot/@speed" value="0..1"/> | plan.xml:3:45: speed of <robot> is "0", allowed is a number more than 0 and at most 1000 metres per second (in room)
             <faults><fault sensor="frnt" kind="off" at="1"/></faults> | plan.xml:3:49: sensor of <fault> is "frnt", allowed is one of the robot's sensors: front, front-left, left, rear-left, rear, rear-right, right, front-right; did you mean "front"? (in room)
-            <faults><fault sensor="front" kind="any of off stick" at="1"/></faults> | plan.xml:3:63: kind of <fault> is "stick", allowed is off, stuck, bias, dropout; did you mean "stuck"? (in room)
+            <faults><fault sensor="front" kind="any of off stick" at="1"/></faults> | plan.xml:3:63: kind of <fault> is "stick", allowed is off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"? (in room)
             <set attribute="robot/@x" value="4"/> | plan.xml:3:38: <robot> starts at 4,1.2 outside of the enclosed world, allowed is x from 0 to 3 and y from 0 to 2 (in room)
             <faults/> | plan.xml:3:10: <faults> holds no fault, allowed is one or more <fault> or <healthy>
             <fault sensor="front"/> | plan.xml:3:24: <campaign> may not hold <fault>, allowed is description, worlds, seeds, set, variants, faults, masks; did you mean "faults"?

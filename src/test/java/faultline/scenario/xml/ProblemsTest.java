@@ -40,8 +40,8 @@ class ProblemsTest {
             <robot x="1" y="1" | <robot x="1" y="1" speed="1e-400" | 13:37: speed of <robot> is "1e-400", allowed is a number more than 0 and at most 1000 metres per second
             # Words
             on="false"         | on="no"            | 22:44: on of <switch> is "no", allowed is true, false
-            kind="stuck"       | kind="stick"       | 20:72: kind of <fault> is "stick", allowed is off, stuck, bias, dropout; did you mean "stuck"?
-            kind="stuck"       | kind="Stuck"       | 20:72: kind of <fault> is "Stuck", allowed is off, stuck, bias, dropout; did you mean "stuck"?
+            kind="stuck"       | kind="stick"       | 20:72: kind of <fault> is "stick", allowed is off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"?
+            kind="stuck"       | kind="Stuck"       | 20:72: kind of <fault> is "Stuck", allowed is off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"?
             kind="stuck"       | kind="off"         | 20:70: value of <fault> is "0.4", allowed is none, because a fault of kind off takes no value
             value="0.4"        | value="-0.4"       | 20:73: value of <fault> is "-0.4", allowed is a number from 0 to 100 metres
             "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower", allowed is wall-follower, none, drive; did you mean "wall-follower"?

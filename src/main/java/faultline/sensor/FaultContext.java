@@ -1,0 +1,92 @@
+package faultline.sensor;
+
+import java.util.Arrays;
+
+/**
+ * What one active fault works with: the moment, the sensor's random numbers, and what the fault remembers since it set
+ * in. Mutable; belongs to the thread of the world. Asked twice in one tick, a fault answers the same.
+ */
+public final class FaultContext {
+
+    private final long onset;
+    private final double dt;
+    private final double heldReading;
+    private long tick;
+    private double range;
+    private double neighbourReading;
+    private SensorRandom random;
+    private double[] history = new double[64];
+    private boolean inBurst;
+    private long burstTick = -1;
+
+    /**
+     * Creates the context of a fault that sets in.
+     *
+     * @param onset the first tick in which it acts
+     * @param dt the length of a tick, seconds
+     * @param heldReading what the sensor reported last
+     */
+    public FaultContext(long onset, double dt, double heldReading) {
+        this.onset = onset;
+        this.dt = dt;
+        this.heldReading = heldReading;
+    }
+
+    /**
+     * Moves on to a tick.
+     *
+     * @param newTick now
+     * @param newRange of the sensor, metres
+     * @param newNeighbourReading what the next sensor would read without faults
+     * @param draws the sensor's random numbers for this tick
+     * @return this context
+     */
+    public FaultContext at(long newTick, double newRange, double newNeighbourReading, SensorRandom draws) {
+        tick = newTick;
+        range = newRange;
+        neighbourReading = newNeighbourReading;
+        random = draws;
+        return this;
+    }
+
+    double range() {
+        return range;
+    }
+
+    SensorRandom random() {
+        return random;
+    }
+
+    double neighbourReading() {
+        return neighbourReading;
+    }
+
+    double heldReading() {
+        return heldReading;
+    }
+
+    /** Returns how long the fault has lasted, seconds. */
+    double age() {
+        return (tick - onset) * dt;
+    }
+
+    /** Remembers a reading, and returns the one of a time ago, the first one if the fault is younger. */
+    double delayed(double reading, double seconds) {
+        int now = (int) (tick - onset);
+        if (now >= history.length) {
+            history = Arrays.copyOf(history, Math.max(now + 1, 2 * history.length));
+        }
+        history[now] = reading;
+        return history[Math.max(0, now - (int) Math.round(seconds / dt))];
+    }
+
+    /** Returns whether a burst is on: bursts come at a rate and go after a mean length. */
+    boolean inBurst(double rate, double length) {
+        double uniform = random.nextDouble();
+        if (tick != burstTick) {
+            burstTick = tick;
+            inBurst = inBurst ? uniform >= Math.min(1, dt / length) : uniform < Math.min(1, rate * dt);
+        }
+        return inBurst;
+    }
+}

@@ -1,0 +1,92 @@
+package faultline.sensor;
+
+import faultline.geometry.Angles;
+
+/** Faults of the optics: the sensor sees something else than it should. Their numbers are degrees as in files. */
+public final class OpticalFault {
+
+    private OpticalFault() {}
+
+    /**
+     * Dirt: nothing beyond a distance is seen: file kind {@code short-range}.
+     *
+     * @param value that distance, metres
+     */
+    public record ShortRange(double value) implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            return reading > value ? Reading.NOTHING : reading;
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.SHORT_RANGE;
+        }
+    }
+
+    /**
+     * Another field of view, narrower or wider: file kind {@code cone}.
+     *
+     * @param value the full angle, degrees
+     */
+    public record Cone(double value) implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            return reading;
+        }
+
+        @Override
+        public SensorSpec optics(SensorSpec spec) {
+            return spec.withCone(StrictMath.toRadians(value));
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.CONE;
+        }
+    }
+
+    /**
+     * A flat surface is seen up to an angle of incidence only, as if it were glossy: file kind {@code specular-loss}.
+     *
+     * @param value that angle from the normal, degrees
+     */
+    public record SpecularLoss(double value) implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            return reading;
+        }
+
+        @Override
+        public double specularAngle() {
+            return StrictMath.toRadians(value);
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.SPECULAR_LOSS;
+        }
+    }
+
+    /**
+     * The sensor has been knocked aside: file kind {@code misaligned}.
+     *
+     * @param value the error of its bearing, degrees, positive to the left
+     */
+    public record Misaligned(double value) implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            return reading;
+        }
+
+        @Override
+        public SensorSpec optics(SensorSpec spec) {
+            return spec.withBearing(Angles.normalize(spec.bearing() + StrictMath.toRadians(value)));
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.MISALIGNED;
+        }
+    }
+}

@@ -1,0 +1,179 @@
+package faultline.sensor;
+
+/** Faults of the signal: what becomes of a distance on its way from the detector to the controller. */
+public final class SignalFault {
+
+    private SignalFault() {}
+
+    /** Returns a distance as a sensor of a range can report it: not negative, and nothing beyond the range. */
+    private static double limited(double distance, double range) {
+        double reading = Math.max(0, distance);
+        return reading <= range ? reading : Reading.NOTHING;
+    }
+
+    /** Reports for ever what it reported last: file kind {@code stuck-at-last}. */
+    public record StuckAtLast() implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            return context.heldReading();
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.STUCK_AT_LAST;
+        }
+
+        @Override
+        public double value() {
+            return 0;
+        }
+    }
+
+    /**
+     * r' = k r: file kind {@code scale}.
+     *
+     * @param value the factor k, positive
+     */
+    public record Scale(double value) implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            return limited(value * reading, context.range());
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.SCALE;
+        }
+    }
+
+    /**
+     * r' = r + c (t - t0): file kind {@code drift}.
+     *
+     * @param value the rate c, metres per second
+     */
+    public record Drift(double value) implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            return limited(reading + value * context.age(), context.range());
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.DRIFT;
+        }
+    }
+
+    /**
+     * r' = r + n, n normal with mean 0: file kind {@code noise}.
+     *
+     * @param value the standard deviation, metres
+     */
+    public record Noise(double value) implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            return limited(reading + value * context.random().nextGaussian(), context.range());
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.NOISE;
+        }
+    }
+
+    /**
+     * r' = q round(r / q): file kind {@code quantised}.
+     *
+     * @param value the step q, metres, positive
+     */
+    public record Quantised(double value) implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            return reading == Reading.NOTHING
+                    ? reading
+                    : limited(value * Math.floor(reading / value + 0.5), context.range());
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.QUANTISED;
+        }
+    }
+
+    /**
+     * Sees nothing in bursts, a two-state Markov chain (Gilbert 1960): file kind {@code bursts}.
+     *
+     * @param value how often a burst begins, per second outside bursts
+     * @param length the mean length of a burst, seconds, positive
+     */
+    public record Bursts(double value, double length) implements Fault {
+        public Bursts {
+            if (!(length > 0 && length <= FaultKind.MAX_LENGTH)) {
+                throw new IllegalArgumentException("the length of bursts must be positive: " + length);
+            }
+        }
+
+        @Override
+        public double apply(double reading, FaultContext context) {
+            return context.inBurst(value, length) ? Reading.NOTHING : reading;
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.BURSTS;
+        }
+    }
+
+    /**
+     * r'(t) = r(t - d): file kind {@code delayed}.
+     *
+     * @param value the delay d, seconds
+     */
+    public record Delayed(double value) implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            return context.delayed(reading, value);
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.DELAYED;
+        }
+    }
+
+    /**
+     * Reports a uniformly random distance in a share of ticks: file kind {@code ghost}.
+     *
+     * @param value the share, in [0, 1]
+     */
+    public record Ghost(double value) implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            double chance = context.random().nextDouble();
+            double distance = context.range() * context.random().nextDouble();
+            return chance < value ? Math.min(reading, distance) : reading;
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.GHOST;
+        }
+    }
+
+    /**
+     * r' = min(r, r of the next sensor) in a share of ticks: file kind {@code cross-talk}.
+     *
+     * @param value the share, in [0, 1]
+     */
+    public record CrossTalk(double value) implements Fault {
+        @Override
+        public double apply(double reading, FaultContext context) {
+            boolean mixed = context.random().nextDouble() < value;
+            return mixed ? limited(Math.min(reading, context.neighbourReading()), context.range()) : reading;
+        }
+
+        @Override
+        public FaultKind kind() {
+            return FaultKind.CROSS_TALK;
+        }
+    }
+}

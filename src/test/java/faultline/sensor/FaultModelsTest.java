@@ -1,0 +1,124 @@
+package faultline.sensor;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** The formula of each fault, as docs/faults.md gives it. */
+class FaultModelsTest {
+
+    private static final double RANGE = 0.8;
+    private static final double DT = 0.01;
+    private static final long STREAM = SensorRandom.streamKey(7, "left");
+
+    private final FaultContext context = new FaultContext(100, DT, 0.33);
+
+    private double apply(Fault fault, long tick, double reading) {
+        return fault.apply(reading, context.at(tick, RANGE, 0.2, SensorRandom.forTick(STREAM, tick)));
+    }
+
+    private double share(Fault fault, double reading) {
+        long changed = 0;
+        for (long tick = 100; tick < 10_100; tick++) {
+            changed += apply(fault, tick, reading) != reading ? 1 : 0;
+        }
+        return changed / 10_000.0;
+    }
+
+    @Test
+    void aSensorStuckAtLastRepeatsWhatItReportedBefore() {
+        assertEquals(0.33, apply(new SignalFault.StuckAtLast(), 150, 0.6));
+    }
+
+    @Test
+    void aScaledReadingIsMultipliedAndLostBeyondTheRange() {
+        assertEquals(0.6, apply(new SignalFault.Scale(1.5), 100, 0.4), 1e-12);
+        assertEquals(Reading.NOTHING, apply(new SignalFault.Scale(1.5), 100, 0.6));
+    }
+
+    @Test
+    void aDriftGrowsFromItsOnset() {
+        assertEquals(0.4, apply(new SignalFault.Drift(0.01), 100, 0.4), 1e-12);
+        assertEquals(0.41, apply(new SignalFault.Drift(0.01), 200, 0.4), 1e-12);
+    }
+
+    @Test
+    void aQuantisedReadingIsTheNearestStep() {
+        assertEquals(0.4, apply(new SignalFault.Quantised(0.1), 100, 0.44), 1e-12);
+        assertEquals(0.5, apply(new SignalFault.Quantised(0.1), 100, 0.45), 1e-12);
+    }
+
+    @Test
+    void aDelayedReadingIsThatOfSomeTicksAgo() {
+        Fault delayed = new SignalFault.Delayed(0.03);
+        List<Double> reported = new ArrayList<>();
+        for (int i = 0; i < 6; i++) {
+            reported.add(apply(delayed, 100 + i, 0.1 * i));
+        }
+        assertEquals(List.of(0.0, 0.0, 0.0, 0.0, 0.1, 0.2), reported);
+    }
+
+    @Test
+    void noiseHasItsStandardDeviation() {
+        double squares = 0;
+        for (long tick = 100; tick < 10_100; tick++) {
+            double error = apply(new SignalFault.Noise(0.02), tick, 0.4) - 0.4;
+            squares += error * error;
+        }
+        assertEquals(0.02, Math.sqrt(squares / 10_000), 0.0005);
+    }
+
+    @Test
+    void burstsTakeTheShareOfTheirRateAndLength() {
+        // A two-state chain: share = rate * length / (1 + rate * length).
+        assertEquals(0.5 / 1.5, share(new SignalFault.Bursts(1, 0.5), 0.4), 0.07);
+    }
+
+    @Test
+    void ghostsAndCrossTalkComeInTheirShareOfTicks() {
+        assertEquals(0.3 * 0.5, share(new SignalFault.Ghost(0.3), 0.4), 0.02);
+        assertEquals(0.3, share(new SignalFault.CrossTalk(0.3), 0.4), 0.02);
+    }
+
+    @Test
+    void dirtTakesWhatIsFarther() {
+        assertEquals(0.1, apply(new OpticalFault.ShortRange(0.2), 100, 0.1));
+        assertEquals(Reading.NOTHING, apply(new OpticalFault.ShortRange(0.2), 100, 0.3));
+    }
+
+    @Test
+    void opticalFaultsChangeWhatIsSeen() {
+        SensorSpec spec = faultline.robot.RobotSpec.DEFAULT.sensors().get(2);
+        assertEquals(Math.toRadians(4), new OpticalFault.Cone(4).optics(spec).cone(), 1e-12);
+        assertEquals(
+                Math.toRadians(105),
+                new OpticalFault.Misaligned(15).optics(spec).bearing(),
+                1e-12);
+        assertEquals(Math.toRadians(30), new OpticalFault.SpecularLoss(30).specularAngle(), 1e-12);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aFaultAskedTwiceInATickAnswersTheSame(FaultKind kind) {
+        Fault fault = kind.createFault(kind.defaultValue());
+        for (long tick = 100; tick < 200; tick++) {
+            double first = apply(fault, tick, 0.3);
+            assertEquals(first, apply(fault, tick, 0.3));
+            assertTrue(Reading.isOff(first) || first == Reading.NOTHING || first >= 0 && first <= RANGE);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void everyKindMakesAFaultOfItself(FaultKind kind) {
+        Fault fault = kind.createFault(kind.defaultValue());
+        assertEquals(kind, fault.kind());
+        assertEquals(kind.takesValue() ? kind.defaultValue() : 0, fault.value());
+        assertEquals(kind, FaultKind.ofFileName(kind.fileName()).orElseThrow());
+    }
+}
