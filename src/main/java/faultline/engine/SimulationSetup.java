@@ -5,6 +5,7 @@ import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.WorldSpec;
+import java.math.BigDecimal;
 import java.util.List;
 import java.util.Objects;
 
@@ -60,20 +61,20 @@ public record SimulationSetup(
     }
 
     /**
-     * The first tick whose time is not before a time; rounding noise of a millionth of a tick is forgiven.
+     * Returns the first tick that is not before a time. A millionth of a tick is tolerated as a rounding error.
      *
-     * @param seconds not negative
-     * @return the tick
+     * @param seconds the time, not negative
      */
     public long tickAt(double seconds) {
         return (long) Math.ceil(seconds / dt - 1e-6);
     }
 
-    /**
-     * How many ticks a run to {@link #duration} has.
-     *
-     * @return not negative
-     */
+    /** Returns the time of a tick, seconds, without a rounding error: 35.91 for tick 3591 of 0.01 s. */
+    public double timeOf(long tick) {
+        return BigDecimal.valueOf(dt).multiply(BigDecimal.valueOf(tick)).doubleValue();
+    }
+
+    /** Returns the number of ticks up to {@link #duration}. */
     public long ticks() {
         return tickAt(duration);
     }
@@ -88,9 +89,9 @@ public record SimulationSetup(
         return new SimulationSetup(world, newRobot, start, controller, timeline, dt, seed, duration);
     }
 
-    /** Returns this setup with the robot at another pose at time 0. */
-    public SimulationSetup withStart(Pose newStart) {
-        return new SimulationSetup(world, robot, newStart, controller, timeline, dt, seed, duration);
+    /** Returns this setup with another start pose. */
+    public SimulationSetup withStart(Pose pose) {
+        return new SimulationSetup(world, robot, pose, controller, timeline, dt, seed, duration);
     }
 
     /** Returns this setup with another controller. */
@@ -108,8 +109,8 @@ public record SimulationSetup(
         return new SimulationSetup(world, robot, start, controller, timeline, dt, newSeed, duration);
     }
 
-    /** Returns this setup with another duration, seconds. */
-    public SimulationSetup withDuration(double newDuration) {
-        return new SimulationSetup(world, robot, start, controller, timeline, dt, seed, newDuration);
+    /** Returns this setup with another duration, seconds, not negative. */
+    public SimulationSetup withDuration(double seconds) {
+        return new SimulationSetup(world, robot, start, controller, timeline, dt, seed, seconds);
     }
 }

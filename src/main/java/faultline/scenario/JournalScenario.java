@@ -23,8 +23,8 @@ public final class JournalScenario {
     public static Scenario create(Scenario base, Journal journal) {
         SimulationSetup setup = journal.setup();
         List<TimedCommand> timeline = new ArrayList<>(setup.timeline());
-        journal.entries().forEach(entry -> timeline.add(new TimedCommand(entry.tick() * setup.dt(), entry.command())));
-        SimulationSetup replay = setup.withTimeline(timeline).withDuration(journal.ticks() * setup.dt());
+        journal.entries().forEach(entry -> timeline.add(new TimedCommand(setup.timeOf(entry.tick()), entry.command())));
+        SimulationSetup replay = setup.withTimeline(timeline).withDuration(setup.timeOf(journal.ticks()));
         return new Scenario(base.name(), base.description(), true, replay, Expectation.NONE);
     }
 }

@@ -74,7 +74,7 @@ public final class HeadlessRun {
         long start = System.nanoTime();
         List<String> refused = new ArrayList<>();
         CommandListener noting = result -> result.refusal()
-                .ifPresent(refusal -> refused.add("at " + result.tick() * setup.dt() + " s: " + refusal.message()));
+                .ifPresent(refusal -> refused.add("at " + setup.timeOf(result.tick()) + " s: " + refusal.message()));
         try (Simulation simulation = new Simulation(setup, controller, mode, noting)) {
             long ticks = setup.ticks();
             all.forEach(observer -> observer.observe(simulation));
@@ -97,7 +97,7 @@ public final class HeadlessRun {
             double seconds) {
         return new RunResult(
                 simulation.ticks(),
-                simulation.time(),
+                simulation.setup().timeOf(simulation.ticks()),
                 simulation.time() / seconds,
                 simulation.telemetry().state(),
                 List.copyOf(states),
