@@ -35,15 +35,15 @@ class ArchitectureDiagramTest {
 
     @Test
     void boxesDoNotOverlapAndLieInThePicture() {
-        DiagramLayout layout =
-                new DiagramLayout(PackageGraph.read(PackageGraph.compiledClasses()), LayerRules.PACKAGE_ORDER, 900);
+        DiagramLayout layout = new DiagramLayout(
+                PackageGraph.read(PackageGraph.compiledClasses()), LayerRules.PACKAGE_ORDER, ArchitectureDiagram.WIDTH);
         for (List<DiagramLayout.Node> row : layout.rows()) {
             List<DiagramLayout.Node> overlapping = IntStream.range(1, row.size())
                     .filter(i -> left(row.get(i)) < right(row.get(i - 1)))
                     .mapToObj(row::get)
                     .toList();
             assertEquals(List.of(), overlapping);
-            assertTrue(left(row.get(0)) >= 0 && right(row.get(row.size() - 1)) <= 900);
+            assertTrue(left(row.get(0)) >= 0 && right(row.get(row.size() - 1)) <= ArchitectureDiagram.WIDTH);
         }
     }
 
