@@ -22,6 +22,7 @@ import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.UnsupportedFlavorException;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.util.List;
@@ -31,6 +32,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
+import javax.swing.KeyStroke;
 
 /** The actions on obstacles: placing, copying, deleting, motion and snapping. */
 public final class ObstacleActions {
@@ -116,6 +118,9 @@ public final class ObstacleActions {
                 .withAccelerator(menuShortcut(KeyEvent.VK_D)));
         actions.add(UiAction.of("delete", this::delete).withAccelerator(unmodified(KeyEvent.VK_DELETE)));
         actions.add(UiAction.of("selectAll", tools::selectAll).withAccelerator(menuShortcut(KeyEvent.VK_A)));
+        actions.add(UiAction.of("selectNext", () -> tools.selectNext(1)).withAccelerator(unmodified(KeyEvent.VK_N)));
+        actions.add(UiAction.of("selectPrevious", () -> tools.selectNext(-1))
+                .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_N, InputEvent.SHIFT_DOWN_MASK)));
         actions.add(snapGrid);
         actions.add(snapAngle);
     }
@@ -207,7 +212,10 @@ public final class ObstacleActions {
 
     private void paste(String text) {
         try {
-            addCopies(ObstacleXml.parse(text));
+            List<Obstacle> pasted = ObstacleXml.parse(text);
+            if (!pasted.isEmpty()) {
+                addCopies(ObstacleCopies.displaced(pasted, tools.displacementIntoView(pasted)));
+            }
         } catch (ScenarioException exception) {
             int more = exception.problems().size() - 1;
             String first = Messages.get(exception.problems().get(0).message());

@@ -36,6 +36,13 @@ public final class ObstacleCopies {
         return copies;
     }
 
+    /** Returns obstacles displaced as a group, with their routes. */
+    public static List<Obstacle> displaced(List<Obstacle> obstacles, Vector2 by) {
+        return obstacles.stream()
+                .map(obstacle -> moved(obstacle, obstacle.id(), by))
+                .toList();
+    }
+
     private static Obstacle moved(Obstacle original, String id, Vector2 by) {
         Pose pose = original.pose();
         return original.withId(id)

@@ -21,11 +21,12 @@ import javax.swing.JToggleButton;
 /** A chart of values over time, with a choice of signals and a button that holds it still. */
 public final class StripChart extends JPanel {
 
-    private static final int MIN_CHOICE_WIDTH = 100;
+    private static final int MIN_CHOICE_WIDTH = 64;
 
     private final StripView view = new StripView();
     private final JComboBox<SignalGroup> choice = new JComboBox<>();
     private final StripLegend legend = new StripLegend();
+    private final JToggleButton fitValues = new JToggleButton(Glyph.FIT.icon());
     private final JToggleButton freeze = new JToggleButton(Glyph.PAUSE.icon());
     private List<String> sensors = List.of("");
 
@@ -38,6 +39,9 @@ public final class StripChart extends JPanel {
         freeze.getAccessibleContext().setAccessibleName(Messages.get("strip.hold"));
         freeze.setToolTipText(Messages.get("strip.hold.tip"));
         freeze.addActionListener(event -> view.setFrozen(freeze.isSelected()));
+        fitValues.getAccessibleContext().setAccessibleName(Messages.get("strip.fit"));
+        fitValues.setToolTipText(Messages.get("strip.fit.tip"));
+        fitValues.addActionListener(event -> view.setFromZero(!fitValues.isSelected()));
         new StripChartMouse(view, this::freeze).install();
         JPanel bar = new JPanel();
         bar.setLayout(new BoxLayout(bar, BoxLayout.LINE_AXIS));
@@ -46,9 +50,12 @@ public final class StripChart extends JPanel {
         choice.setMaximumSize(choice.getPreferredSize());
         choice.setMinimumSize(new Dimension(TextSize.scaled(MIN_CHOICE_WIDTH), choice.getPreferredSize().height));
         freeze.setMinimumSize(freeze.getPreferredSize());
+        fitValues.setMinimumSize(fitValues.getPreferredSize());
         bar.add(choice);
         bar.add(Box.createHorizontalStrut(6));
         bar.add(freeze);
+        bar.add(Box.createHorizontalStrut(2));
+        bar.add(fitValues);
         bar.add(Box.createHorizontalStrut(10));
         bar.add(legend);
         add(bar, BorderLayout.NORTH);

@@ -21,7 +21,8 @@ record StripScale(SignalGroup signal, StripData data, Plot plot) {
     private static final int BOTTOM_MARGIN = 22;
 
     /** Returns the scale of a chart; width and height in pixels. */
-    static StripScale of(SessionFrame frame, SignalGroup signal, TimeSpan span, int width, int height) {
+    static StripScale of(
+            SessionFrame frame, SignalGroup signal, TimeSpan span, boolean fromZero, int width, int height) {
         PixelRectangle area = new PixelRectangle(
                 LEFT_MARGIN,
                 TOP_MARGIN,
@@ -29,16 +30,19 @@ record StripScale(SignalGroup signal, StripData data, Plot plot) {
                 Math.max(1, height - TOP_MARGIN - BOTTOM_MARGIN));
         StripData data = StripData.of(frame, span, (int) area.width());
         Axis time = Axis.linear("s", span.start(), span.end());
-        return new StripScale(signal, data, new Plot(area, time, createAxis(signal, data)));
+        return new StripScale(signal, data, new Plot(area, time, createAxis(signal, data, fromZero)));
     }
 
-    /** Returns the vertical axis, which always includes zero. */
-    private static Axis createAxis(SignalGroup signal, StripData data) {
+    /** Returns the vertical axis, which includes zero or only the values. */
+    private static Axis createAxis(SignalGroup signal, StripData data, boolean fromZero) {
         double[] values = values(signal, data).toArray();
         boolean flat = DoubleStream.of(values).allMatch(value -> value == 0);
         return flat
                 ? Axis.linear(signal.unit(), 0, 1)
-                : Axis.covering(signal.unit(), DoubleStream.concat(DoubleStream.of(0), DoubleStream.of(values)));
+                : Axis.covering(
+                        signal.unit(),
+                        DoubleStream.concat(
+                                fromZero ? DoubleStream.of(0) : DoubleStream.empty(), DoubleStream.of(values)));
     }
 
     private static DoubleStream values(SignalGroup signal, StripData data) {

@@ -27,6 +27,7 @@ final class StripView extends JComponent {
     private transient TimeSpan span = TimeSpan.DEFAULT;
     private transient OptionalDouble pointer = OptionalDouble.empty();
     private boolean frozen;
+    private boolean fromZero = true;
 
     StripView() {
         setMinimumSize(MIN_SIZE);
@@ -56,6 +57,12 @@ final class StripView extends JComponent {
     void setFrozen(boolean hold) {
         frozen = hold;
         frame.ifPresent(this::setFrame);
+    }
+
+    /** Includes zero in the vertical axis, or fits it to the values. */
+    void setFromZero(boolean newFromZero) {
+        fromZero = newFromZero;
+        repaint();
     }
 
     boolean isFrozen() {
@@ -103,7 +110,8 @@ final class StripView extends JComponent {
     private Optional<StripScale> scale() {
         int width = (int) (getWidth() / imageScale());
         int height = (int) (getHeight() / imageScale());
-        return frame.flatMap(shown -> signal.map(chosen -> StripScale.of(shown, chosen, span, width, height)));
+        return frame.flatMap(
+                shown -> signal.map(chosen -> StripScale.of(shown, chosen, span, fromZero, width, height)));
     }
 
     private void paint(Graphics2D g, StripScale scale) {

@@ -14,13 +14,21 @@ import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.scene.ReferenceOverlay;
 import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.LongConsumer;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
+import javax.swing.LayoutFocusTraversalPolicy;
+import javax.swing.SwingUtilities;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * The contents of the window below its menu bar: tool bar, canvas, instruments, control panel and status bar. Needs no
@@ -137,6 +145,28 @@ final class MainPanel extends JPanel {
         dockHeight = dockHeight();
         instruments.setVisible(shown);
         setDockHeight(dockHeight);
+    }
+
+    /** Moves the focus to the next area, or to the previous one: canvas, time line, instruments, control panel. */
+    void focusArea(int step) {
+        List<? extends Container> areas = Stream.of(canvas, timeBar, instruments, controlPanel)
+                .filter(Component::isVisible)
+                .toList();
+        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        int current = IntStream.range(0, areas.size())
+                .filter(i -> owner != null && SwingUtilities.isDescendingFrom(owner, areas.get(i)))
+                .findFirst()
+                .orElse(step > 0 ? -1 : 0);
+        focusFirstComponent(areas.get(Math.floorMod(current + step, areas.size())));
+    }
+
+    private static void focusFirstComponent(Container area) {
+        Component first = area.isFocusable() && area instanceof SimulationCanvas
+                ? area
+                : new LayoutFocusTraversalPolicy().getFirstComponent(area);
+        if (first != null) {
+            first.requestFocusInWindow();
+        }
     }
 
     ControlPanel controlPanel() {

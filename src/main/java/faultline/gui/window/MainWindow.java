@@ -13,6 +13,7 @@ import faultline.gui.action.ThemeAction;
 import faultline.gui.action.UiAction;
 import faultline.gui.action.ViewActions;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.canvas.tool.MenuTarget;
 import faultline.gui.dialog.AppIcon;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.dialog.FileController;
@@ -33,6 +34,7 @@ import faultline.gui.gallery.Gallery;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import java.awt.EventQueue;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -41,7 +43,7 @@ import java.nio.file.Path;
 import javax.swing.BoundedRangeModel;
 import javax.swing.DefaultBoundedRangeModel;
 import javax.swing.JFrame;
-import javax.swing.JPopupMenu;
+import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 
@@ -130,10 +132,18 @@ public final class MainWindow extends JFrame {
         ViewActions.bindTo(getRootPane(), actionRegistry);
         actionRegistry.add(UiAction.toggle("instruments", preferences.isDockShown(), this::setDockShown)
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_I)));
+        actionRegistry.add(UiAction.of("nextArea", () -> mainPanel().focusArea(1))
+                .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F6)));
+        actionRegistry.add(UiAction.of("previousArea", () -> mainPanel().focusArea(-1))
+                .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_F6, InputEvent.SHIFT_DOWN_MASK)));
         runActions.addTo(actionRegistry);
         dialogs.addTo(actionRegistry);
         new PreferenceActions(this, preferences).addTo(actionRegistry);
         actionRegistry.add(new ThemeAction(this, canvas, preferences).action());
+    }
+
+    private MainPanel mainPanel() {
+        return mainPanel;
     }
 
     private boolean commitPendingEdit() {
@@ -149,8 +159,13 @@ public final class MainWindow extends JFrame {
     }
 
     private void installCanvasListeners() {
-        JPopupMenu popup = Menus.createCanvasPopup(actionRegistry);
-        canvas.tools().addMenuListener(at -> popup.show(canvas, at.x, at.y));
+        canvas.tools().addMenuListener(at -> {
+            MenuTarget target = canvas.tools().targetAt(at);
+            if (target == MenuTarget.SENSOR) {
+                canvas.tools().selectSensorAt(at);
+            }
+            Menus.createCanvasPopup(actionRegistry, target).show(canvas, at.x, at.y);
+        });
         canvas.tools().addStartListener(pose -> workspace.scenario().ifPresent(open -> {
             undoController.addStartPoseEdit(open.setup().start(), pose, runController::restartAt);
             runController.restartAt(pose);

@@ -3,6 +3,7 @@ package faultline.gui.window;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ObstacleActions;
 import faultline.gui.action.UiAction;
+import faultline.gui.canvas.tool.MenuTarget;
 import faultline.gui.text.Messages;
 import java.util.List;
 import javax.swing.JCheckBoxMenuItem;
@@ -46,7 +47,9 @@ final class Menus {
                 "duplicate",
                 "delete",
                 SEPARATOR,
-                "selectAll");
+                "selectAll",
+                "selectNext",
+                "selectPrevious");
     }
 
     private JMenu createViewMenu() {
@@ -67,6 +70,8 @@ final class Menus {
                 "scaleBar",
                 SEPARATOR,
                 "instruments",
+                "nextArea",
+                "previousArea",
                 "dark");
         view.add(createMenu("language", "languageEnglish", "languagePolish"));
         view.add(createMenu("textSize", "textSizeNormal", "textSizeLarge", "textSizeLargest"));
@@ -91,8 +96,7 @@ final class Menus {
                 "faster",
                 "realTime",
                 SEPARATOR);
-        simulation.add(createMenu(
-                "sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8"));
+        simulation.add(createSensorMenu());
         simulation.add(createMenu("presets", "sensorsTwo", "sensorsThree", "sensorsAll"));
         return simulation;
     }
@@ -103,14 +107,33 @@ final class Menus {
         return obstacles;
     }
 
-    /** Creates the context menu for the selection. */
-    static JPopupMenu createCanvasPopup(ActionRegistry actions) {
+    /** Creates the context menu of the canvas for what is under the cursor. */
+    static JPopupMenu createCanvasPopup(ActionRegistry actions, MenuTarget target) {
+        Menus menus = new Menus(actions);
         JPopupMenu popup = new JPopupMenu();
-        for (String key : List.of(
-                "drawWay", "waySpeed", "standStill", SEPARATOR, "cut", "copy", "paste", "duplicate", "delete")) {
+        for (String key : popupKeys(target)) {
             popup.add(key.equals(SEPARATOR) ? new JPopupMenu.Separator() : createItem(actions.get(key)));
         }
+        if (target == MenuTarget.ROBOT || target == MenuTarget.SENSOR) {
+            popup.add(menus.createSensorMenu());
+            popup.add(menus.createMenu("presets", "sensorsTwo", "sensorsThree", "sensorsAll"));
+        }
         return popup;
+    }
+
+    private static List<String> popupKeys(MenuTarget target) {
+        return switch (target) {
+            case OBSTACLE ->
+                List.of("drawWay", "waySpeed", "standStill", SEPARATOR, "cut", "copy", "paste", "duplicate", "delete");
+            case ROBOT -> List.of("follow", "path", "cones", SEPARATOR);
+            case SENSOR -> List.of("cones", "hits", SEPARATOR);
+            case FLOOR -> List.of("paste", "selectAll", SEPARATOR, "fit", "zoomIn", "zoomOut", "measure", "grid");
+        };
+    }
+
+    private JMenu createSensorMenu() {
+        return createMenu(
+                "sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8");
     }
 
     private JMenu createFileMenu() {

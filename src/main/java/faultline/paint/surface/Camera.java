@@ -17,8 +17,8 @@ import java.awt.geom.Rectangle2D;
  */
 public record Camera(double x, double y, double scale, int width, int height) {
 
-    /** The least scale: a kilometre fits on a screen. */
-    public static final double MIN_SCALE = 1;
+    /** The smallest scale: a world of 100 km fits on a screen. */
+    public static final double MIN_SCALE = 0.005;
 
     /** The greatest scale: a pole of 1 mm is 20 pixels wide. */
     public static final double MAX_SCALE = 20_000;

@@ -171,6 +171,7 @@ class StripChartTest {
                 SampleRuns.frame(SampleRuns.setup(new ControllerSpec.None()), 100),
                 SignalGroup.allOf(FRAME.snapshot().sensors()).get(0),
                 TimeSpan.DEFAULT,
+                true,
                 WIDTH,
                 HEIGHT);
         assertTrue(scale.isEmpty());
@@ -185,6 +186,16 @@ class StripChartTest {
             fresh.setFrame(SampleRuns.frame(0));
             SampleRuns.render(fresh, WIDTH, HEIGHT);
         });
+    }
+
+    @Test
+    void theVerticalAxisFitsTheValuesOnRequest() {
+        SignalGroup distance = SignalGroup.allOf(FRAME.snapshot().sensors()).get(0);
+        TimeSpan span = TimeSpan.DEFAULT.endingAt(FRAME.snapshot().time());
+        StripScale fromZero = StripScale.of(FRAME, distance, span, true, 400, 200);
+        StripScale fitted = StripScale.of(FRAME, distance, span, false, 400, 200);
+        assertEquals(0, fromZero.plot().vertical().low());
+        assertTrue(fitted.plot().vertical().low() > 0.1);
     }
 
     @Test

@@ -119,6 +119,8 @@ class MainPanelTest {
             new RunActions(run, speed).addTo(actions);
             new Dialogs(null).addTo(actions);
             actions.add(UiAction.toggle("instruments", true, shown -> {}));
+            actions.add(UiAction.of("nextArea", () -> {}));
+            actions.add(UiAction.of("previousArea", () -> {}));
             new PreferenceActions(null, WindowPreferences.nonPersistent()).addTo(actions);
             mainPanel = new MainPanel(canvas, edits, actions, speed, tick -> {});
             new ComparisonActions(new ComparisonController(bench, run.navigator()), mainPanel::setReferenceRun)

@@ -63,7 +63,7 @@ class CameraTest {
     @Test
     void fittingIntoAnEmptyPictureStillReturnsACamera() {
         assertEquals(
-                Camera.MIN_SCALE,
+                1 / 6.0,
                 Camera.fit(new Rectangle2D.Double(0, 0, 6, 4), 50, 10, 10).scale());
     }
 

@@ -44,7 +44,7 @@ public final class CanvasKeys {
         bindNudges(canvas, "DOWN", 0, -1);
         bind(canvas, "Q", () -> turn(TURN_ANGLE));
         bind(canvas, "E", () -> turn(-TURN_ANGLE));
-        bind(canvas, "ENTER", () -> withTool(Tool::finish));
+        bind(canvas, "ENTER", () -> withTool(tool -> tool.confirm(mouse.keyPoint())));
         bind(canvas, "BACK_SPACE", () -> withTool(Tool::removeLastPoint));
         bind(canvas, "shift F10", mouse::requestMenu);
         bind(canvas, "CONTEXT_MENU", mouse::requestMenu);

@@ -2,6 +2,7 @@ package faultline.gui.canvas.tool;
 
 import faultline.geometry.Vector2;
 import faultline.gui.edit.SnapSettings;
+import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import java.awt.Cursor;
 import java.awt.Point;
@@ -20,6 +21,10 @@ public final class CanvasMouse extends MouseAdapter {
 
     /** The zoom factor of one notch of the wheel. */
     private static final double WHEEL_ZOOM_FACTOR = 1.15;
+    /** One notch of the wheel pans by this distance. */
+    private static final double WHEEL_PAN_PIXELS = 60;
+    /** A horizontal wheel presses this button or the next one on X11; elsewhere it turns the wheel with Shift. */
+    private static final int HORIZONTAL_WHEEL_LEFT = 4;
 
     private final Viewport viewport;
     private final GesturePicker gesturePicker;
@@ -84,6 +89,10 @@ public final class CanvasMouse extends MouseAdapter {
     public void mousePressed(MouseEvent event) {
         event.getComponent().requestFocusInWindow();
         if (gesture.isPresent()) {
+            return;
+        }
+        if (event.getButton() > MouseEvent.BUTTON3) {
+            panByWheel(event.getButton() == HORIZONTAL_WHEEL_LEFT ? -1 : 1);
             return;
         }
         pressPoint = screenPoint(event);
@@ -159,9 +168,24 @@ public final class CanvasMouse extends MouseAdapter {
 
     @Override
     public void mouseWheelMoved(MouseWheelEvent event) {
+        if (event.isShiftDown()) {
+            panByWheel(event.getPreciseWheelRotation());
+            return;
+        }
         Vector2 at = screenPoint(event);
         viewport.moveCamera(
                 camera -> camera.zoomedAbout(at, Math.pow(WHEEL_ZOOM_FACTOR, -event.getPreciseWheelRotation())));
+    }
+
+    /** Pans horizontally by notches of the wheel, positive to the right. */
+    private void panByWheel(double notches) {
+        viewport.moveCamera(camera -> camera.panned(-notches * WHEEL_PAN_PIXELS, 0));
+    }
+
+    /** Returns the point at which a tool acts when it is confirmed by key: the cursor, or the centre of the view. */
+    Vector2 keyPoint() {
+        Camera camera = viewport.camera().get();
+        return snap.point(cursorPoint.get().orElseGet(() -> new Vector2(camera.x(), camera.y())));
     }
 
     /** Returns the snap settings; Alt turns them off while it is held. */

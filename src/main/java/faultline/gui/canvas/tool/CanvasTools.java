@@ -9,6 +9,9 @@ import faultline.gui.edit.SnapSettings;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.WaypointPath;
+import faultline.paint.scene.ObstacleOutlines;
+import faultline.paint.surface.Camera;
+import faultline.world.Snapshot;
 import java.awt.EventQueue;
 import java.awt.Point;
 import java.util.ArrayList;
@@ -123,6 +126,60 @@ public final class CanvasTools {
     /** Selects all obstacles. */
     public void selectAll() {
         select(context.model().obstacles().stream().map(Obstacle::id).toList());
+    }
+
+    /** Selects the obstacle a number of steps after the selected one in drawing order, or the first or last one. */
+    public void selectNext(int step) {
+        List<String> ids =
+                context.model().obstacles().stream().map(Obstacle::id).toList();
+        if (!ids.isEmpty()) {
+            int current = selected().isEmpty()
+                    ? step > 0 ? -1 : 0
+                    : ids.indexOf(selected().get(0).id());
+            select(List.of(ids.get(Math.floorMod(current + step, ids.size()))));
+            canvas.requestFocusInWindow();
+        }
+    }
+
+    /** Returns the displacement that brings the centre of obstacles into the view if it lies outside of the world. */
+    public Vector2 displacementIntoView(List<Obstacle> obstacles) {
+        Snapshot world = context.model().frame().orElseThrow().snapshot();
+        Vector2 centre = ObstacleOutlines.centre(obstacles);
+        boolean inside =
+                centre.x() >= 0 && centre.x() <= world.width() && centre.y() >= 0 && centre.y() <= world.height();
+        Camera camera = context.viewport().camera().get();
+        Vector2 target = new Vector2(
+                Math.max(0, Math.min(world.width(), camera.x())), Math.max(0, Math.min(world.height(), camera.y())));
+        return inside ? Vector2.ZERO : target.minus(centre);
+    }
+
+    /** Returns what is at a position on the canvas, so that a menu may suit it. */
+    public MenuTarget targetAt(Point at) {
+        Camera camera = context.viewport().camera().get();
+        Vector2 screen = new Vector2(at.x, at.y);
+        if (ObstacleFinder.topmostAt(camera, context.model().obstacles(), screen)
+                .isPresent()) {
+            return MenuTarget.OBSTACLE;
+        }
+        Vector2 point = camera.toWorld(screen);
+        boolean onRobot = context.model()
+                .frame()
+                .filter(frame -> frame.snapshot().pose().position().distanceTo(point)
+                        <= frame.snapshot().robot().length() / 2)
+                .isPresent();
+        return onRobot
+                ? MenuTarget.ROBOT
+                : ConeHitTest.sensorAt(camera, context.model().sensors(), screen)
+                                .isPresent()
+                        ? MenuTarget.SENSOR
+                        : MenuTarget.FLOOR;
+    }
+
+    /** Selects the sensor whose cone is at a position on the canvas. */
+    public void selectSensorAt(Point at) {
+        selectSensor(ConeHitTest.sensorAt(
+                        context.viewport().camera().get(), context.model().sensors(), new Vector2(at.x, at.y))
+                .map(sensor -> sensor.spec().id()));
     }
 
     /** Selects obstacles that are about to be placed, as soon as a frame has them all. */

@@ -55,6 +55,12 @@ public final class PlaceTool implements Tool {
     }
 
     @Override
+    public void confirm(Vector2 at) {
+        pressed = Optional.empty();
+        release(at);
+    }
+
+    @Override
     public void finish() {
         done = true;
     }

@@ -21,6 +21,11 @@ public interface Tool {
     /** Completes the tool with the points so far. */
     void finish();
 
+    /** Completes the tool by key; {@code at} is the cursor, or the centre of the view. */
+    default void confirm(Vector2 at) {
+        finish();
+    }
+
     /** Removes the last point. */
     default void removeLastPoint() {}
 

@@ -10,6 +10,8 @@ import faultline.engine.Frame;
 import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.ShapePreset;
+import faultline.geometry.Vector2;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
@@ -58,6 +60,44 @@ class CanvasKeysTest {
         key("RIGHT");
         key("RIGHT");
         assertEquals(List.of(moveTo(4.01), moveTo(4.02)), callOnEdt(() -> List.copyOf(sent)));
+    }
+
+    @Test
+    void obstaclesAreSelectedOneAfterTheOtherByKey() {
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(5, 3, 0));
+        runOnEdt(() -> canvas.setFrame(
+                SampleFrames.frameOf(ROBOT, WITH_BOX.snapshot().obstacles().get(0), pole)));
+        List<String> ids = callOnEdt(() -> {
+            List<String> selected = new ArrayList<>();
+            for (int step : new int[] {1, 1, -1}) {
+                canvas.tools().selectNext(step);
+                selected.add(canvas.tools().selected().get(0).id());
+            }
+            return selected;
+        });
+        assertEquals(List.of("pole", "box", "pole"), ids);
+    }
+
+    @Test
+    void enterPlacesAShapeInTheCentreOfTheView() {
+        runOnEdt(() -> canvas.tools().placeShape(ShapePreset.CIRCLE));
+        key("ENTER");
+        Vector2 centre =
+                callOnEdt(() -> new Vector2(canvas.camera().x(), canvas.camera().y()));
+        Command.PlaceObstacle placed = (Command.PlaceObstacle) callOnEdt(() -> sent.get(0));
+        assertEquals(0, placed.obstacle().pose().position().distanceTo(centre), 1e-3);
+    }
+
+    @Test
+    void obstaclesFromElsewhereArePastedIntoTheView() {
+        Obstacle outside = new Obstacle("far", new ObstacleShape.Circle(0.1), new Pose(50, -3, 0));
+        Obstacle inside = new Obstacle("near", new ObstacleShape.Circle(0.1), new Pose(3, 3, 0));
+        Vector2 target = callOnEdt(() -> canvas.tools().displacementIntoView(List.of(outside)))
+                .plus(outside.pose().position());
+        Vector2 centre =
+                callOnEdt(() -> new Vector2(canvas.camera().x(), canvas.camera().y()));
+        assertEquals(0, target.distanceTo(centre), 1e-9);
+        assertEquals(Vector2.ZERO, callOnEdt(() -> canvas.tools().displacementIntoView(List.of(inside))));
     }
 
     @Test

@@ -2,6 +2,7 @@ package faultline.gui.canvas.tool;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
@@ -16,7 +17,9 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.Point;
 import java.awt.event.InputEvent;
+import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -49,6 +52,36 @@ class CanvasMouseTest {
         runOnEdt(() -> canvas.setSize(500, 440));
         assertNotEquals(
                 fitted.scale(), callOnEdt(() -> canvas.camera().scale()), "the world is still fitted into the canvas");
+    }
+
+    @Test
+    void theWheelWithShiftPans() {
+        Vector2 before = screen(new Vector2(2, 3));
+        runOnEdt(() -> canvas.dispatchEvent(new MouseWheelEvent(
+                canvas,
+                MouseEvent.MOUSE_WHEEL,
+                0,
+                InputEvent.SHIFT_DOWN_MASK,
+                10,
+                10,
+                0,
+                false,
+                MouseWheelEvent.WHEEL_UNIT_SCROLL,
+                3,
+                1)));
+        assertEquals(before.minus(new Vector2(60, 0)), screen(new Vector2(2, 3)));
+    }
+
+    @Test
+    void whatIsUnderTheCursorDecidesAboutTheMenu() {
+        MenuTarget[] targets = callOnEdt(() ->
+                new MenuTarget[] {target(new Vector2(4, 2)), target(new Vector2(1, 1)), target(new Vector2(5.5, 3.5))});
+        assertArrayEquals(new MenuTarget[] {MenuTarget.OBSTACLE, MenuTarget.ROBOT, MenuTarget.FLOOR}, targets);
+    }
+
+    private MenuTarget target(Vector2 world) {
+        Vector2 at = canvas.camera().toScreen(world);
+        return canvas.tools().targetAt(new Point((int) at.x(), (int) at.y()));
     }
 
     @Test

@@ -1,0 +1,13 @@
+package faultline.gui.canvas.tool;
+
+/** What a context menu of the canvas refers to. */
+public enum MenuTarget {
+    /** An obstacle, which the right button has selected. */
+    OBSTACLE,
+    /** The robot. */
+    ROBOT,
+    /** The cone of a sensor. */
+    SENSOR,
+    /** The floor. */
+    FLOOR
+}
