@@ -87,9 +87,14 @@ final class Arguments {
 
     /** Returns the one scenario file that a command takes. */
     Path singleFile(String command) throws UsageException {
+        return singleFile(command, "scenario file");
+    }
+
+    /** Returns the one file of a kind that a command takes. */
+    Path singleFile(String command, String kind) throws UsageException {
         if (files.size() != 1) {
             throw new UsageException(
-                    command + " takes one scenario file, not " + (files.isEmpty() ? "none" : files.size()));
+                    command + " takes one " + kind + ", not " + (files.isEmpty() ? "none" : files.size()));
         }
         return parsePath(files.get(0));
     }

@@ -32,6 +32,7 @@ final class CommandLine {
         commands.put("figures", new FiguresCommand(output)::run);
         commands.put("serve", new ServeCommand(output)::run);
         commands.put("controller", new ControllerCommand(output)::run);
+        commands.put("import", new ImportCommand(output)::run);
         commands.put("--help", arguments -> println(HelpText.HELP));
         commands.put("--version", arguments -> println(HelpText.version()));
         commands.put("--startup-time", new WindowCommand(output)::measureStartup);

@@ -23,6 +23,12 @@ final class HelpText {
               --truth                      give it the ground truth as well
             faultline serve FILE [--truth] step a scenario from outside, over standard input and output
             faultline controller FILE      act as the child of --controller, with the controller of a scenario
+            faultline import MAP --out FILE make a scenario of a floor plan: a map_server YAML file or an image
+              --resolution M               the side of a pixel in metres, for an image
+              --unknown free|wall          what unknown cells are (default: free)
+              --min-cells N                drop groups of fewer solid cells
+              --smooth CELLS               straighten outlines by up to this (default: 0, exact)
+              --start X,Y,HEADING          where the robot starts (default: the largest free disc)
             faultline check FILE...        tell everything that is wrong with scenario files
             faultline campaign PLAN --out DIR make all runs of a campaign plan, one row each in DIR/runs.csv
               --jobs N                     on N threads (default: one for each processor)

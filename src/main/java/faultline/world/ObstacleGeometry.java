@@ -62,6 +62,13 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
             return segments(shape.points(), false);
         }
 
+        @Override
+        public List<ConvexShape> visit(ObstacleShape.Plan shape) {
+            List<ConvexShape> segments = new ArrayList<>();
+            shape.rings().forEach(ring -> segments.addAll(segments(ring, true)));
+            return segments;
+        }
+
         private List<ConvexShape> segments(List<Vector2> points, boolean closed) {
             List<Vector2> placed = points.stream().map(frame::toParent).toList();
             List<ConvexShape> segments = new ArrayList<>();

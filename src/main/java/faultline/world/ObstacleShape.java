@@ -33,6 +33,8 @@ public sealed interface ObstacleShape {
         R visit(Polygon shape);
 
         R visit(Wall shape);
+
+        R visit(Plan shape);
     }
 
     /**
@@ -140,17 +142,8 @@ public sealed interface ObstacleShape {
         }
 
         @Override
-        public boolean contains(Vector2 p) {
-            boolean inside = false;
-            Vector2 a = points.get(points.size() - 1);
-            for (Vector2 b : points) {
-                if (a.y() > p.y() != b.y() > p.y()
-                        && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
-                    inside = !inside;
-                }
-                a = b;
-            }
-            return inside;
+        public boolean contains(Vector2 local) {
+            return isInsideEvenOdd(points, local);
         }
 
         @Override
@@ -183,6 +176,52 @@ public sealed interface ObstacleShape {
         public boolean isFlat() {
             return true;
         }
+    }
+
+    /**
+     * A floor plan: closed rings, such as the outlines of walls and of the rooms between them; a point is inside by the
+     * even-odd rule over all rings.
+     *
+     * @param rings at least one; each has at least three points, in order, and its last point is connected to the first
+     */
+    record Plan(List<List<Vector2>> rings) implements ObstacleShape {
+        public Plan {
+            if (rings.isEmpty()) {
+                throw new IllegalArgumentException("a plan needs at least one ring");
+            }
+            rings = rings.stream().map(ring -> requirePoints("plan", ring, 3)).toList();
+        }
+
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+
+        @Override
+        public boolean contains(Vector2 local) {
+            boolean inside = false;
+            for (List<Vector2> ring : rings) {
+                inside ^= isInsideEvenOdd(ring, local);
+            }
+            return inside;
+        }
+
+        @Override
+        public boolean isFlat() {
+            return true;
+        }
+    }
+
+    private static boolean isInsideEvenOdd(List<Vector2> ring, Vector2 p) {
+        boolean inside = false;
+        Vector2 a = ring.get(ring.size() - 1);
+        for (Vector2 b : ring) {
+            if (a.y() > p.y() != b.y() > p.y() && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+                inside = !inside;
+            }
+            a = b;
+        }
+        return inside;
     }
 
     private static void requirePositive(String name, double value) {

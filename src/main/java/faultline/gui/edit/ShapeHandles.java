@@ -113,7 +113,30 @@ public final class ShapeHandles {
         public Handles visit(ObstacleShape.Wall shape) {
             return new CornerHandles(shape.points(), ObstacleShape.Wall::new);
         }
+
+        @Override
+        public Handles visit(ObstacleShape.Plan shape) {
+            return new NoHandles();
+        }
     };
+
+    /** A floor plan is moved and rotated as a whole; its thousands of corners have no handles. */
+    private record NoHandles() implements Handles {
+        @Override
+        public List<Vector2> positions() {
+            return List.of();
+        }
+
+        @Override
+        public Obstacle drag(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
+            return obstacle;
+        }
+
+        @Override
+        public String sizeText(Obstacle obstacle, int handle) {
+            return "";
+        }
+    }
 
     private record RectangleHandles(ObstacleShape.Rectangle shape) implements Handles {
         @Override

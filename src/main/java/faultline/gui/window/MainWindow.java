@@ -301,10 +301,10 @@ public final class MainWindow extends JFrame {
         }
 
         @Override
-        public void scenarioSaved(Path file) {
+        public void scenarioSaved(Path file, boolean whole) {
             undoController.endEdit();
             preferences.recentFiles().add(file);
-            showSavedNote("saved", file);
+            showSavedNote(whole ? "saved" : "saved.inPart", file);
         }
 
         @Override

@@ -44,6 +44,13 @@ public final class ObstacleOutlines {
         public Shape visit(ObstacleShape.Wall shape) {
             return polyline(shape.points());
         }
+
+        @Override
+        public Shape visit(ObstacleShape.Plan shape) {
+            Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
+            shape.rings().forEach(ring -> path.append(Shapes.polygon(ring), false));
+            return path;
+        }
     };
 
     private ObstacleOutlines() {}

@@ -179,6 +179,29 @@ public final class AttributeReader {
         return points;
     }
 
+    /**
+     * Returns closed rings of points, written as those of {@link #points} and separated by {@code |}. The attribute is
+     * required.
+     *
+     * @param name the attribute
+     * @param most the greatest number of points of all rings together
+     */
+    List<List<Vector2>> rings(String name, int most) {
+        Message allowed = Allowed.RINGS.with(NumberRange.COORDINATE.rule());
+        List<List<Vector2>> rings = new ArrayList<>();
+        int left = most;
+        for (String text : required(name, () -> allowed).orElse("0,0 1,0 0,1").split("\\|", -1)) {
+            List<Vector2> ring = points(name, text, left, allowed);
+            if (ring.size() < 3) {
+                report(name, text.strip(), allowed);
+                return List.of(PLACEHOLDER_POINTS);
+            }
+            rings.add(ring);
+            left -= ring.size();
+        }
+        return rings;
+    }
+
     /** Complains of a value that is there. */
     public void report(String name, String given, Object allowed) {
         problems.add(node, ProblemKind.VALUE.with(name, node.name(), MessageText.excerpt(given), allowed));

@@ -15,7 +15,7 @@ import java.util.function.Function;
 final class ObstacleReader {
 
     /** The surfaces that can be specular. */
-    private static final List<String> SPECULAR_SHAPES = List.of("rectangle", "polygon", "wall");
+    private static final List<String> SPECULAR_SHAPES = List.of("rectangle", "polygon", "wall", "plan");
 
     private static final List<String> CHILD_ELEMENTS = List.of("motion");
 
@@ -35,6 +35,7 @@ final class ObstacleReader {
                 f -> new ObstacleShape.Ellipse(f.number("rx", NumberRange.SIZE), f.number("ry", NumberRange.SIZE)));
         shapeReaders.put("polygon", f -> new ObstacleShape.Polygon(readPoints(f, 3)));
         shapeReaders.put("wall", f -> new ObstacleShape.Wall(readPoints(f, 2)));
+        shapeReaders.put("plan", f -> new ObstacleShape.Plan(readRings(f)));
     }
 
     /** The names of the elements that are obstacles. */
@@ -87,6 +88,12 @@ final class ObstacleReader {
                             DecimalText.formatRounded(length / motion.speed()),
                             DecimalText.format(ScenarioLimits.MIN_LOOP_TIME)));
         }
+    }
+
+    private List<List<Vector2>> readRings(AttributeReader fields) {
+        List<List<Vector2>> rings = fields.rings("points", Math.max(3, ScenarioLimits.MAX_PARTS - partCount));
+        partCount += rings.stream().mapToInt(List::size).sum();
+        return rings;
     }
 
     private List<Vector2> readPoints(AttributeReader fields, int least) {

@@ -67,6 +67,12 @@ final class WorldWriter {
         public XmlWriter visit(ObstacleShape.Wall shape) {
             return begin("wall").attribute("points", formatPoints(shape.points()));
         }
+
+        @Override
+        public XmlWriter visit(ObstacleShape.Plan shape) {
+            String rings = shape.rings().stream().map(WorldWriter::formatPoints).collect(Collectors.joining(" | "));
+            return begin("plan").attribute("points", rings);
+        }
     }
 
     static XmlWriter writePose(Pose pose, XmlWriter out) {

@@ -148,7 +148,7 @@ class HostileFilesTest {
         assertEquals(
                 "file.xml:1:154: <world> may not hold <xi:include "
                         + "xmlns=\"http://www.w3.org/2001/XInclude\">, allowed is rectangle, circle, "
-                        + "ellipse, polygon, wall",
+                        + "ellipse, polygon, wall, plan",
                 problemIn(OPEN
                         + "<world width=\"6\" height=\"4\"><xi:include xmlns:xi=\"http://www.w3.org/2001/XInclude\""
                         + " href=\"file:///etc/passwd\"/></world><robot x=\"1\" y=\"1\"/></scenario>"));

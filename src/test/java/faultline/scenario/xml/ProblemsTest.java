@@ -50,7 +50,7 @@ class ProblemsTest {
             collision="false"  | finalState="NONE"  | 29:30: finalState of <expect> is "NONE", allowed is one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP
             collision="false"  | minCoverage="90"   | 29:29: minCoverage of <expect> is "90", allowed is a number from 0 to 1
             # Elements and attributes
-            <circle id="pole"  | <circel id="pole"  | 5:50: <world> may not hold <circel>, allowed is rectangle, circle, ellipse, polygon, wall; did you mean "circle"?
+            <circle id="pole"  | <circel id="pole"  | 5:50: <world> may not hold <circel>, allowed is rectangle, circle, ellipse, polygon, wall, plan; did you mean "circle"?
             <motor             | <engine            | 14:34: <robot> may not hold <engine>, allowed is motor, sensor
             <mend at="21"      | <heal at="21"      | 21:35: <timeline> may not hold <heal>, allowed is fault, mend, switch, tune, move, put, remove, platform
             radius="0.02"      | radus="0.02"       | 5:49: <circle> has no attribute "radus", allowed is id, x, y, heading, radius; did you mean "radius"?

@@ -114,11 +114,12 @@ final class RandomScenarios {
     }
 
     private ObstacleShape shape() {
-        return switch (random.nextInt(5)) {
+        return switch (random.nextInt(6)) {
             case 0 -> new ObstacleShape.Rectangle(extent(), extent());
             case 1 -> new ObstacleShape.Circle(extent());
             case 2 -> new ObstacleShape.Ellipse(extent(), extent());
             case 3 -> new ObstacleShape.Polygon(points(3));
+            case 4 -> new ObstacleShape.Plan(List.of(points(3), points(4)));
             default -> new ObstacleShape.Wall(points(2));
         };
     }

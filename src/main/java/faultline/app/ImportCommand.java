@@ -1,0 +1,113 @@
+package faultline.app;
+
+import faultline.floorplan.FloorPlan;
+import faultline.floorplan.FloorPlanScenario;
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
+import faultline.io.DecimalText;
+import faultline.io.MessageText;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** {@code import}: makes a scenario of an occupancy-grid map. */
+final class ImportCommand {
+
+    private static final List<String> OPTION_NAMES =
+            List.of("--out", "--resolution", "--unknown", "--min-cells", "--smooth", "--start");
+    private static final BigDecimal MAX_COORDINATE = new BigDecimal(100_000);
+
+    private final CommandOutput output;
+
+    ImportCommand(CommandOutput output) {
+        this.output = output;
+    }
+
+    int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
+        Arguments parsed = new Arguments(arguments, OPTION_NAMES);
+        Path map = parsed.singleFile("import", "map or image");
+        Path target = parsed.fileOption("--out")
+                .orElseThrow(() -> new UsageException("import needs --out FILE, the scenario file to write"));
+        FloorPlan plan = read(map, parsed, options(parsed));
+        String name = map.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+        Optional<String> start = parsed.value("--start");
+        Scenario scenario = start.isPresent()
+                ? FloorPlanScenario.create(name, plan, start(start.get()))
+                : FloorPlanScenario.create(name, plan);
+        scenario.save(target);
+        print(target, plan, scenario);
+        return ExitCode.SUCCESS;
+    }
+
+    private static FloorPlan read(Path map, Arguments parsed, FloorPlan.Options options)
+            throws UsageException, IOException {
+        Optional<String> resolution = parsed.value("--resolution");
+        if (FloorPlan.isYaml(map)) {
+            if (resolution.isPresent()) {
+                throw new UsageException("--resolution is for an image; " + map + " gives its own");
+            }
+            return FloorPlan.readYaml(map, options);
+        }
+        if (resolution.isEmpty()) {
+            throw new UsageException("an image needs --resolution M, the side of a pixel in metres");
+        }
+        BigDecimal side = number("--resolution", resolution.get(), "a number of metres above 0");
+        if (side.signum() <= 0 || side.compareTo(MAX_COORDINATE) > 0) {
+            throw wrong("--resolution", resolution.get(), "a number of metres above 0");
+        }
+        return FloorPlan.readImage(map, side, options);
+    }
+
+    private static FloorPlan.Options options(Arguments parsed) throws UsageException {
+        String unknown = parsed.value("--unknown").orElse("free");
+        if (!List.of("free", "wall").contains(unknown)) {
+            throw wrong("--unknown", unknown, "free or wall");
+        }
+        String cells = parsed.value("--min-cells").orElse("1");
+        if (!cells.matches("\\d{1,9}")) {
+            throw wrong("--min-cells", cells, "a whole number of cells");
+        }
+        String smoothing = parsed.value("--smooth").orElse("0");
+        BigDecimal bound = number("--smooth", smoothing, "a number of cells, 0 or more");
+        if (bound.signum() < 0) {
+            throw wrong("--smooth", smoothing, "a number of cells, 0 or more");
+        }
+        return new FloorPlan.Options(unknown.equals("wall"), Integer.parseInt(cells), bound.doubleValue());
+    }
+
+    private static Pose start(String text) throws UsageException {
+        String[] parts = text.split(",", -1);
+        String allowed = "x,y,heading in metres and degrees";
+        if (parts.length != 3) {
+            throw wrong("--start", text, allowed);
+        }
+        double x = number("--start", parts[0], allowed).doubleValue();
+        double y = number("--start", parts[1], allowed).doubleValue();
+        return new Pose(x, y, Degrees.toRadians(number("--start", parts[2], allowed)));
+    }
+
+    private static BigDecimal number(String option, String text, String allowed) throws UsageException {
+        return DecimalText.parse(text)
+                .filter(value -> value.abs().compareTo(MAX_COORDINATE) <= 0)
+                .orElseThrow(() -> wrong(option, text, allowed));
+    }
+
+    private static UsageException wrong(String option, String given, String allowed) {
+        return new UsageException(option + " is " + MessageText.quoted(given) + ", allowed is " + allowed);
+    }
+
+    private void print(Path target, FloorPlan plan, Scenario scenario) {
+        Pose start = scenario.setup().start();
+        output.println("scenario: " + target);
+        output.println("cells: " + plan.grid().width() + " x " + plan.grid().height());
+        output.println("solid_cells: " + plan.solid().count());
+        output.println("rings: " + plan.rings().size());
+        output.println("segments: " + plan.segmentCount());
+        output.println("start: " + DecimalText.format(start.x()) + "," + DecimalText.format(start.y()) + ","
+                + DecimalText.formatDegrees(start.heading()));
+    }
+}
