@@ -1,0 +1,44 @@
+package faultline.control.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class EvidenceGridTest {
+
+    @Test
+    void aSectorMarksTheCellsWhoseCentresLieInIt() {
+        SplittableRandom random = new SplittableRandom(3);
+        for (int trial = 0; trial < 200; trial++) {
+            EvidenceGrid grid = new EvidenceGrid(1);
+            double x = random.nextDouble(-3, 3);
+            double y = random.nextDouble(-3, 3);
+            double axis = random.nextDouble(-Math.PI, Math.PI);
+            double half = random.nextDouble(0.05, 1.2);
+            double radius = random.nextDouble(0.1, 0.8);
+            grid.markSector(0, x, y, axis, half, radius, 5);
+            for (int row = EvidenceGrid.cellOf(y - 1); row < EvidenceGrid.cellOf(y + 1); row++) {
+                for (int column = EvidenceGrid.cellOf(x - 1); column < EvidenceGrid.cellOf(x + 1); column++) {
+                    double dx = (column + 0.5) * EvidenceGrid.CELL - x;
+                    double dy = (row + 0.5) * EvidenceGrid.CELL - y;
+                    double off = Math.abs(Math.IEEEremainder(Math.atan2(dy, dx) - axis, 2 * Math.PI));
+                    double slack = Math.min(Math.abs(off - half), Math.abs(Math.hypot(dx, dy) - radius));
+                    if (slack > 1e-9) {
+                        boolean inside = off < half && Math.hypot(dx, dy) < radius;
+                        assertEquals(inside ? 1 : 0, grid.freeBy(column, row, 5, 1), "trial " + trial);
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    void whatIsOlderThanAskedForDoesNotCount() {
+        EvidenceGrid grid = new EvidenceGrid(2);
+        grid.markHit(1, 0.01, 0.01, 100);
+        assertEquals(2, grid.hitBy(0, 0, 100, 3));
+        assertEquals(0, grid.hitBy(0, 0, 101, 3));
+        assertEquals(0, grid.hitBy(0, 0, 100, 1));
+    }
+}
