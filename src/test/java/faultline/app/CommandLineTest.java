@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Arguments in; exit code, output and complaints out. */
+/** Runs the command line and checks exit codes, output and error messages. */
 class CommandLineTest {
 
     private static final String COLLIDING_SCENARIO = "scenarios/struck-by-a-visitor.xml";
@@ -26,7 +26,7 @@ class CommandLineTest {
     @TempDir
     private Path folder;
 
-    /** What one command did. */
+    /** The result of a command. */
     private record CommandResult(int code, String out, String err) {
 
         String value(String key) {

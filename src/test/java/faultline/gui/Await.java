@@ -6,14 +6,14 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 
-/** Waiting for what another thread does, in tests that need no display. */
+/** Waits for work of other threads in tests without a display. */
 public final class Await {
 
     private static final long DEADLINE_SECONDS = 60;
 
     private Await() {}
 
-    /** Waits until a condition, asked on the event dispatch thread, holds. */
+    /** Waits until a condition, evaluated on the event dispatch thread, is true. */
     public static void until(String what, Callable<Boolean> condition) {
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_SECONDS);
         while (!GuiRobot.callOnEdt(condition)) {

@@ -5,12 +5,12 @@ import java.awt.Container;
 import java.util.stream.Stream;
 import javax.swing.JMenu;
 
-/** Finds components in a window by what they are and what they are called for readers of the screen. */
+/** Finds components in a window by class and accessible name. */
 public final class ComponentFinder {
 
     private ComponentFinder() {}
 
-    /** A component and everything inside it, menus included, parents first. */
+    /** Returns a component and all its descendants, menus included, parents first. */
     public static Stream<Component> tree(Component root) {
         Stream<Component> inside =
                 root instanceof Container container ? Stream.of(container.getComponents()) : Stream.empty();
@@ -18,12 +18,12 @@ public final class ComponentFinder {
         return Stream.concat(Stream.of(root), Stream.concat(inside, items).flatMap(ComponentFinder::tree));
     }
 
-    /** All components of a class. */
+    /** Returns all components of a class. */
     public static <T> Stream<T> findAll(Component root, Class<T> type) {
         return tree(root).filter(type::isInstance).map(type::cast);
     }
 
-    /** The component of a class and an accessible name. */
+    /** Returns the component of a class with an accessible name. */
     public static <T extends Component> T find(Component root, Class<T> type, String name) {
         return findAll(root, type)
                 .filter(component -> name.equals(accessibleName(component)))
@@ -31,7 +31,7 @@ public final class ComponentFinder {
                 .orElseThrow(() -> new AssertionError("there is no " + type.getSimpleName() + " called " + name));
     }
 
-    /** What a component is called for readers of the screen; empty where it has no name. */
+    /** Returns the accessible name of a component, empty if it has none. */
     public static String accessibleName(Component component) {
         String name = component.getAccessibleContext() == null
                 ? null

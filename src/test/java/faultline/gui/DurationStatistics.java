@@ -4,16 +4,16 @@ import java.util.Collection;
 import java.util.Locale;
 
 /**
- * What a handful of measured times come to.
+ * Statistics of measured durations.
  *
- * @param count how many there are
- * @param median of them, milliseconds
- * @param p99 of a hundred times one is longer, milliseconds
- * @param longest of them, milliseconds
+ * @param count the number of durations
+ * @param median the median, milliseconds
+ * @param p99 the 99th percentile, milliseconds
+ * @param longest the maximum, milliseconds
  */
 public record DurationStatistics(int count, double median, double p99, double longest) {
 
-    /** Of at least one time, milliseconds. */
+    /** Returns the statistics of at least one duration, milliseconds. */
     public static DurationStatistics of(Collection<Double> times) {
         double[] sorted =
                 times.stream().mapToDouble(Double::doubleValue).sorted().toArray();

@@ -12,8 +12,8 @@ import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 
 /**
- * Fails a test in which a component was changed on another thread than the event dispatch thread, or in which anything
- * was thrown and not caught.
+ * Fails a test in which a component is changed outside the event dispatch thread, or in which an exception is not
+ * caught.
  */
 public final class EdtChecker implements BeforeEachCallback, AfterEachCallback {
 
@@ -44,7 +44,7 @@ public final class EdtChecker implements BeforeEachCallback, AfterEachCallback {
         return violations;
     }
 
-    /** Sees every change of a component that shows. */
+    /** Checks every change of a visible component. */
     private final class CheckingRepaintManager extends RepaintManager {
         @Override
         public synchronized void addInvalidComponent(JComponent component) {

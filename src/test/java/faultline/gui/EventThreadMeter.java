@@ -33,19 +33,19 @@ public final class EventThreadMeter implements AutoCloseable {
     private final MeasuringQueue queue = new MeasuringQueue();
     private long cpu;
     private int depth;
-    /** Whether the event that is being handled has let others be handled meanwhile. */
+    /** Whether other events were dispatched while the current one is handled. */
     private boolean pumped;
 
     private EventThreadMeter() {
         Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue);
     }
 
-    /** Measures from now on. */
+    /** Starts to measure. */
     public static EventThreadMeter start() {
         return GuiRobot.callOnEdt(EventThreadMeter::new);
     }
 
-    /** All that was measured so far, and begins anew. */
+    /** Returns all measurements since the last call. */
     public List<BusyPeriod> drain() {
         return GuiRobot.callOnEdt(() -> {
             List<BusyPeriod> taken = List.copyOf(busyPeriods);
@@ -54,7 +54,7 @@ public final class EventThreadMeter implements AutoCloseable {
         });
     }
 
-    /** Measures no more. */
+    /** Stops measuring. */
     @Override
     public void close() {
         GuiRobot.runOnEdt(queue::remove);

@@ -28,18 +28,18 @@ import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 
 /**
- * Drives real windows with the mouse and the keyboard, for tests. Every read happens on the event dispatch thread, and
- * nothing sleeps: what a test waits for is a condition with a deadline, and the sentence that names it is the failure.
+ * Drives real windows with mouse and keyboard. All reads happen on the event dispatch thread, and nothing sleeps: a
+ * test waits for a condition with a deadline, and the description of the condition is the failure message.
  */
 public final class GuiRobot {
 
-    /** How long a condition may take to come true; generous, because only a failing test waits that long. */
+    /** The deadline of a condition; generous, because only a failing test waits that long. */
     private static final long DEADLINE_SECONDS = 60;
 
-    /** So often, in a wait, a window is given the focus, as a user would click on it. */
+    /** The interval at which a waiting test requests the focus, as a user would by a click. */
     private static final long FOCUS_RETRY_NANOS = TimeUnit.SECONDS.toNanos(3);
 
-    /** How many moves a drag is made of, so that components see a hand and not a jump. */
+    /** The number of mouse moves in a drag, so that components see a continuous motion. */
     private static final int DRAG_STEPS = 10;
 
     private final Robot robot;
@@ -52,7 +52,7 @@ public final class GuiRobot {
         }
     }
 
-    /** The value of an expression, taken on the event dispatch thread. */
+    /** Returns the value of an expression evaluated on the event dispatch thread. */
     public static <T> T callOnEdt(Callable<T> expression) {
         FutureTask<T> task = new FutureTask<>(expression);
         try {
@@ -65,7 +65,7 @@ public final class GuiRobot {
         }
     }
 
-    /** Does something on the event dispatch thread, and waits until it is done. */
+    /** Runs an action on the event dispatch thread and waits until it is done. */
     public static void runOnEdt(Runnable action) {
         callOnEdt(() -> {
             action.run();
@@ -73,12 +73,12 @@ public final class GuiRobot {
         });
     }
 
-    /** Waits until a condition, asked on the event dispatch thread, holds. */
+    /** Waits until a condition, evaluated on the event dispatch thread, is true. */
     public void waitFor(String what, Callable<Boolean> condition) {
         repeatUntil(what, condition, robot::waitForIdle);
     }
 
-    /** Does something again and again until a condition, asked on the event dispatch thread, holds. */
+    /** Repeats an action until a condition, evaluated on the event dispatch thread, is true. */
     public void repeatUntil(String what, Callable<Boolean> condition, Runnable action) {
         long begun = System.nanoTime();
         for (int nudges = 1; !callOnEdt(condition); action.run()) {
@@ -94,7 +94,7 @@ public final class GuiRobot {
         }
     }
 
-    /** What a failure is understood by: the windows that show, and what the keys go to. */
+    /** Describes the visible windows and the focus, for failure messages. */
     private static String describeWindows() {
         KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
         String windows = Stream.of(Window.getWindows())
@@ -108,7 +108,7 @@ public final class GuiRobot {
                 + describe(focus.getFocusOwner()) + "; open menus: " + menus;
     }
 
-    /** The class, and the title or name; where there is no component, "nothing". */
+    /** Returns the class and the title or name of a component, "nothing" for null. */
     private static String describe(Component component) {
         if (component == null) {
             return "nothing";
@@ -141,7 +141,7 @@ public final class GuiRobot {
         }
     }
 
-    /** Shows a window and waits until it has its place and the focus. */
+    /** Shows a window and waits until it has its location and the focus. */
     public void open(Window window) {
         runOnEdt(() -> window.setVisible(true));
         waitFor("the window shows", window::isShowing);
@@ -185,45 +185,45 @@ public final class GuiRobot {
         });
     }
 
-    /** Closes a window for good. */
+    /** Disposes of a window. */
     public void close(Window window) {
         runOnEdt(window::dispose);
         robot.waitForIdle();
     }
 
-    /** Waits until all that is to be painted is. */
+    /** Waits until all pending painting is done. */
     public void waitForPaint() {
         runOnEdt(() -> Toolkit.getDefaultToolkit().sync());
         robot.waitForIdle();
     }
 
-    /** Moves the mouse to a place of a component. */
+    /** Moves the mouse to a point of a component. */
     public void moveTo(Component component, double x, double y) {
         Point origin = callOnEdt(component::getLocationOnScreen);
         robot.mouseMove(origin.x + (int) Math.round(x), origin.y + (int) Math.round(y));
         robot.waitForIdle();
     }
 
-    /** Presses and lets go a mouse button, an InputEvent mask, at a place of a component. */
+    /** Presses and releases a mouse button, an InputEvent mask, at a point of a component. */
     public void click(Component component, double x, double y, int button) {
         moveTo(component, x, y);
         press(button);
         release(button);
     }
 
-    /** Presses a mouse button where the mouse is. */
+    /** Presses a mouse button at the current position. */
     public void press(int button) {
         robot.mousePress(button);
         robot.waitForIdle();
     }
 
-    /** Lets a mouse button go where the mouse is. */
+    /** Releases a mouse button at the current position. */
     public void release(int button) {
         robot.mouseRelease(button);
         robot.waitForIdle();
     }
 
-    /** Moves the mouse in small steps from one place of a component to another; no button changes. */
+    /** Moves the mouse in small steps between two points of a component without changing the buttons. */
     public void moveSmoothly(Component component, double fromX, double fromY, double toX, double toY) {
         for (int step = 0; step <= DRAG_STEPS; step++) {
             double share = (double) step / DRAG_STEPS;
@@ -231,7 +231,7 @@ public final class GuiRobot {
         }
     }
 
-    /** Drags with a mouse button, an InputEvent mask, from one place of a component to another. */
+    /** Drags with a mouse button, an InputEvent mask, between two points of a component. */
     public void drag(Component component, double fromX, double fromY, double toX, double toY, int button) {
         moveTo(component, fromX, fromY);
         press(button);
@@ -239,13 +239,13 @@ public final class GuiRobot {
         release(button);
     }
 
-    /** Turns the wheel where the mouse is: negative notches away from the user. */
+    /** Rotates the wheel at the current position; negative notches are away from the user. */
     public void rotateWheel(int notches) {
         robot.mouseWheel(notches);
         robot.waitForIdle();
     }
 
-    /** Presses keys, KeyEvent codes, in order and lets them go in reverse: modifiers first. */
+    /** Presses keys, KeyEvent codes, in order and releases them in reverse: modifiers first. */
     public void pressKeys(int... keys) {
         for (int key : keys) {
             robot.keyPress(key);
@@ -256,7 +256,7 @@ public final class GuiRobot {
         robot.waitForIdle();
     }
 
-    /** Holds a key, a KeyEvent code, while something is done. */
+    /** Holds a key, a KeyEvent code, during an action. */
     public void whileHolding(int key, Runnable action) {
         robot.keyPress(key);
         robot.waitForIdle();

@@ -3,6 +3,7 @@ package faultline.gui.dialog;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
+import faultline.gui.theme.ScreenFit;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
@@ -29,7 +30,7 @@ final class GuideDialog extends JDialog {
         content.add(scroll, BorderLayout.CENTER);
         content.add(createButtons(), BorderLayout.SOUTH);
         setContentPane(content);
-        pack();
+        ScreenFit.pack(this);
         setLocationRelativeTo(owner);
     }
 

@@ -1,6 +1,7 @@
 package faultline.gui.dialog;
 
 import faultline.gui.text.Messages;
+import faultline.gui.theme.ScreenFit;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
@@ -55,7 +56,7 @@ final class TableDialog extends JDialog {
         content.add(createScrollPane(table, title), BorderLayout.CENTER);
         content.add(createButtons(), BorderLayout.SOUTH);
         setContentPane(content);
-        pack();
+        ScreenFit.pack(this);
         setLocationRelativeTo(owner);
     }
 

@@ -3,6 +3,7 @@ package faultline.gui.gallery;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
+import faultline.gui.theme.ScreenFit;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -60,7 +61,7 @@ public final class Gallery extends JDialog {
         getRootPane()
                 .registerKeyboardAction(
                         event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
-        pack();
+        ScreenFit.pack(this);
         setLocationRelativeTo(owner);
         loader = new ExampleLoader(Theme.current().palette(), this::add, this::failed);
     }

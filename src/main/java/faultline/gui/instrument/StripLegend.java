@@ -32,7 +32,7 @@ final class StripLegend extends JComponent {
     }
 
     @Override
-    public Dimension getPreferredSize() {
+    public Dimension getMaximumSize() {
         int width = lines.stream().mapToInt(this::width).sum() + Math.max(0, lines.size() - 1) * ENTRY_GAP;
         return new Dimension(width, TextSize.scaled(HEIGHT));
     }
@@ -41,13 +41,14 @@ final class StripLegend extends JComponent {
         return SAMPLE_WIDTH + GAP + getFontMetrics(getFont()).stringWidth(curve.name());
     }
 
+    /** Returns no width: the legend gets the room that the controls leave. */
     @Override
-    public Dimension getMinimumSize() {
-        return getPreferredSize();
+    public Dimension getPreferredSize() {
+        return new Dimension(0, TextSize.scaled(HEIGHT));
     }
 
     @Override
-    public Dimension getMaximumSize() {
+    public Dimension getMinimumSize() {
         return getPreferredSize();
     }
 

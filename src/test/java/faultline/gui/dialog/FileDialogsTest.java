@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The names that files get. */
+/** File names with their extensions. */
 class FileDialogsTest {
 
     @ParameterizedTest

@@ -20,12 +20,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The t_D/2 instrument: its numbers are the controller's and the run's own. */
+/** The turn timing shows the values of the controller and of the run. */
 class AlignmentTraceTest {
 
     private static final SessionFrame FRAME = SampleRuns.frame(2000);
 
-    /** The tick of the newest transition to a state. */
+    /** Returns the tick of the newest transition to a state. */
     private static long arrival(SessionFrame frame, FollowerState state) {
         EventLog log = frame.recording().events();
         for (long i = log.endIndex() - 1; i >= 0; i--) {

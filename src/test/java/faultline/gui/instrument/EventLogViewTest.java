@@ -25,7 +25,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/** The event log without a display: its words, and the way to a moment. */
+/** The event log without a display: its texts, and going to an event. */
 class EventLogViewTest {
 
     private final List<Long> jumps = new ArrayList<>();

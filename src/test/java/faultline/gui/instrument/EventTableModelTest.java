@@ -16,10 +16,10 @@ import javax.swing.JTable;
 import javax.swing.event.TableModelEvent;
 import org.junit.jupiter.api.Test;
 
-/** The rows of the event log while a run goes on, beside an earlier run too. */
+/** The rows of the event log during a run, with and without a reference run. */
 class EventTableModelTest {
 
-    /** So many events fill the log; with one more, so many of the oldest are forgotten. */
+    /** The number of events that fill the log; with one more, a chunk of the oldest is dropped. */
     private static final int LOG_CAPACITY = 8192;
 
     private static final int CHUNK = 512;
@@ -80,7 +80,7 @@ class EventTableModelTest {
         assertEquals(7, events.eventAt(2).tick());
     }
 
-    /** What the table is told, in the order of telling. */
+    /** Returns the notifications of the table in order. */
     private List<String> notifications() {
         List<String> told = new ArrayList<>();
         runOnEdt(() -> events.addTableModelListener(event -> told.add(kind(event))));

@@ -17,7 +17,7 @@ import javax.swing.JTable;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.Test;
 
-/** The dock without a display. */
+/** The instruments without a display. */
 class InstrumentDockTest {
 
     private static final SessionFrame FRAME = SampleRuns.frame(1000);

@@ -17,7 +17,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 
-/** Frames of a real run with all that is remembered of it, and pictures of components without a display. */
+/** Frames of a real run with its recording, and images of components without a display. */
 final class SampleRuns {
 
     /** An empty room of 4 m by 3 m; the robot drives at its right wall. */
@@ -51,7 +51,7 @@ final class SampleRuns {
         }
     }
 
-    /** A picture of a component of a size, as it would be on a screen. */
+    /** Returns an image of a component of the given size. */
     static BufferedImage render(JComponent component, int width, int height) {
         component.setSize(width, height);
         layOut(component);
@@ -70,7 +70,7 @@ final class SampleRuns {
                 .forEach(SampleRuns::layOut);
     }
 
-    /** How many pixels of a picture have just a colour. */
+    /** Counts the pixels of exactly one colour. */
     static long count(BufferedImage image, java.awt.Color colour) {
         long count = 0;
         for (int y = 0; y < image.getHeight(); y++) {

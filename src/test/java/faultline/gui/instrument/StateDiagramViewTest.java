@@ -23,7 +23,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.Test;
 
-/** The state diagram without a display: the state that holds, the arrow that was taken, and words for both. */
+/** The state diagram without a display: the current state, the last transition, and their descriptions. */
 class StateDiagramViewTest {
 
     private static final int WIDTH = 480;

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The strip chart without a display: what it offers, reads out, and does with the wheel. */
+/** The strip chart without a display: its choices, values and wheel. */
 class StripChartTest {
 
     private static final int WIDTH = 560;
@@ -45,7 +45,7 @@ class StripChartTest {
         runOnEdt(() -> ComponentFinder.find(chart, JComboBox.class, "Signals").setSelectedIndex(signal));
     }
 
-    /** What is read out at a time, when ten seconds show. */
+    /** Returns the values shown at a time of a span of ten seconds. */
     private List<String> readOut(double time) {
         return callOnEdt(() -> {
             chart.view().setPointer(OptionalDouble.of(x(time)));

@@ -40,7 +40,7 @@ import javax.swing.JComboBox;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** The control panel without a display, shown the snapshot that has some of everything. */
+/** The control panel without a display, with a snapshot that contains every kind of state. */
 class ControlPanelTest {
 
     private final List<Command> commands = new ArrayList<>();

@@ -17,7 +17,7 @@ import java.util.List;
 import javax.swing.JButton;
 import org.junit.jupiter.api.Test;
 
-/** The list of active faults, with sensors of a real world. */
+/** The list of active faults, with the sensors of a real world. */
 class FaultListTest {
 
     private final List<List<Command>> sent = new ArrayList<>();

@@ -12,7 +12,7 @@ import java.util.prefs.Preferences;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/** The list of files that were open last. */
+/** The list of recently opened files. */
 class RecentFilesTest {
 
     private final Map<String, String> texts = new HashMap<>();

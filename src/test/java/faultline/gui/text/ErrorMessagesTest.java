@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What people are told of exceptions. */
+/** The descriptions of exceptions. */
 class ErrorMessagesTest {
 
     @TempDir

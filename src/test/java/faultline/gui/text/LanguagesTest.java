@@ -20,7 +20,7 @@ import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Both languages say the same things. */
+/** The texts of both languages correspond. */
 class LanguagesTest {
 
     private static final Path FOLDER = Path.of("src/main/resources/faultline/gui");
@@ -119,10 +119,7 @@ class LanguagesTest {
         return new TreeSet<>(ENGLISH.stringPropertyNames()).stream();
     }
 
-    /**
-     * What two languages must have in common: gaps, the mark of the mnemonic, an ellipsis, and how many parts a list
-     * has.
-     */
+    /** Returns what must be equal in both languages: placeholders, mnemonic, ellipsis, and the number of list items. */
     private static String form(Properties language, String key) {
         String text = text(language, key);
         TreeSet<String> gaps = new TreeSet<>(

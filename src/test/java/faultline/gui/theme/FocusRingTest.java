@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The ring shows whom the keyboard serves, and only those who came by it. */
+/** The ring shows the component that gained the focus by keyboard. */
 class FocusRingTest {
 
     private static final int BARE = 0xFF000000;

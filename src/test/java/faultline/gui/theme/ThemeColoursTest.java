@@ -45,7 +45,7 @@ class ThemeColoursTest {
         assertTrue(contrast >= least, one + " on " + other + ": " + contrast);
     }
 
-    /** The WCAG's contrast ratio, from 1 to 21. */
+    /** Returns the WCAG contrast ratio, from 1 to 21. */
     static double contrast(Color one, Color other) {
         double a = luminance(one);
         double b = luminance(other);

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 
-/** An earlier run beside this one, in a real window. */
+/** A reference run beside the current one in a real window. */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
@@ -36,7 +36,7 @@ class ComparisonRobotTest {
 
     private static final Path OFFICE = Path.of("scenarios/office.xml");
 
-    /** From this tick on the two runs are given other things to do. */
+    /** From this tick on, the two runs execute different commands. */
     private static final int CHANGE_TICK = 12;
 
     private WindowDriver driver;
@@ -81,7 +81,7 @@ class ComparisonRobotTest {
         assertEquals(expected, callOnEdt(this::mark));
     }
 
-    /** By two runs side by side, without the window. */
+    /** Returns the first difference of two runs without the window. */
     private static long firstDifference() throws Exception {
         Scenario office = Scenario.load(OFFICE);
         try (Simulation one = new Simulation(office.setup(), ControllerMode.DIRECT);

@@ -30,7 +30,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The control panel and the keys in a real window, as a user finds them: mouse and keyboard only. */
+/** The control panel and the keys in a real window, by mouse and keyboard only. */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
@@ -42,7 +42,7 @@ class ControlsRobotTest {
 
     @BeforeEach
     void open() {
-        // The country of this program's first users, where a comma is the decimal sign.
+        // A locale with a decimal comma.
         Locale.setDefault(Locale.forLanguageTag("pl-PL"));
         driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/office.xml"));
     }

@@ -19,13 +19,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** A hall full of shapes of every kind, with an aisle along the wall that the robot goes round and round. */
+/** A hall full of shapes of every kind, with an aisle along the wall that the robot circles. */
 final class CrowdedHall {
 
-    /** How many shapes stand in the hall. */
+    /** The number of shapes in the hall. */
     static final int SHAPES = 500;
 
-    /** How many of them move. */
+    /** The number of moving shapes. */
     static final int MOVING = 3;
 
     private static final int COLUMNS = 28;
@@ -36,7 +36,7 @@ final class CrowdedHall {
 
     private CrowdedHall() {}
 
-    /** Opens a window with the hall, kept in a file of a folder. */
+    /** Opens a window with the hall, stored in a file of a folder. */
     static WindowDriver open(Path folder) throws IOException, ScenarioException {
         Path file = folder.resolve("hall.xml");
         scenario().save(file);

@@ -35,8 +35,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Whoever cannot see, or has no mouse, gets along with every dialog: each control has a name, the Tab key reaches it,
- * and Esc closes the dialog.
+ * Every dialog can be used by keyboard and screen reader: each control has a name, Tab reaches it, and Esc closes the
+ * dialog.
  */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
@@ -126,7 +126,7 @@ class DialogAccessRobotTest {
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
     }
 
-    /** What a user can use; the arrow of a choice is a part of the choice. */
+    /** Returns the controls of a dialog; the arrow of a combo box is part of it. */
     private static Stream<Component> controls(JDialog dialog) {
         return ComponentFinder.tree(dialog.getContentPane())
                 .filter(DialogAccessRobotTest::isControl)
@@ -137,7 +137,7 @@ class DialogAccessRobotTest {
                 .filter(part -> !isOneOfAGroup(part));
     }
 
-    /** Of buttons of which one is down, Tab reaches that one, and arrows the others. */
+    /** Returns whether Tab reaches the selected button of a group only; arrows reach the others. */
     private static boolean isOneOfAGroup(Component part) {
         return part instanceof JToggleButton button
                 && ((JToggleButton.ToggleButtonModel) button.getModel()).getGroup() != null

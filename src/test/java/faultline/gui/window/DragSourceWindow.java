@@ -9,12 +9,12 @@ import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 
-/** A window out of which a file can be dragged, as out of a file manager. */
+/** A window from which a file can be dragged, as from a file manager. */
 final class DragSourceWindow {
 
     private DragSourceWindow() {}
 
-    /** The window, not yet shown, beside where the window under test is. */
+    /** Creates the window, not yet visible, beside the window under test. */
     static JFrame create(Path file) {
         JFrame frame = new JFrame("Files");
         JLabel label = new JLabel(file.getFileName().toString());

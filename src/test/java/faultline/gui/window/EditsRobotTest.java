@@ -53,7 +53,7 @@ class EditsRobotTest {
         driver.close();
     }
 
-    /** All that the ten edits change. */
+    /** Everything that the ten edits change. */
     private record State(List<Obstacle> obstacles, List<SensorSpec> sensors) {
         static State of(Frame frame) {
             return new State(

@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import javax.swing.JSlider;
 
-/** Brings about what the window asks and tells about files, for pictures of it. */
+/** Produces the file dialogs and messages of the window for screenshots. */
 final class FileDialogScenes {
 
     private final WindowDriver driver;
@@ -30,7 +30,7 @@ final class FileDialogScenes {
         driver.waitForFrame("it shows", frame -> frame.snapshot().tick() == 0);
     }
 
-    /** By hand, so no tool may be in it. */
+    /** Edits by drag, so no tool may be active. */
     private void edit() {
         runOnEdt(() -> driver.canvas().requestFocusInWindow());
         driver.robot().waitFor("the canvas has the focus", driver.canvas()::isFocusOwner);
@@ -102,7 +102,7 @@ final class FileDialogScenes {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
     }
 
-    /** The file as it was, and open. */
+    /** Restores the file and opens it. */
     void restoreFile() throws IOException {
         Files.delete(office);
         Files.copy(Path.of("scenarios/office.xml"), office);

@@ -113,7 +113,7 @@ class FileEditingRobotTest {
                 .orElseThrow());
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
         assertTrue(callOnEdt(driver.window()::isShowing));
-        // Without a window manager nobody gives the focus back but a click.
+        // Without a window manager, only a click returns the focus.
         driver.robot().click(driver.canvas(), 5, 5, InputEvent.BUTTON1_DOWN_MASK);
         driver.robot().waitFor("the window has the focus again", driver.window()::isFocused);
         driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
@@ -150,7 +150,7 @@ class FileEditingRobotTest {
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
     }
 
-    /** Drags an obstacle by its middle, pixels to the right and down. */
+    /** Drags an obstacle by its centre; pixels to the right and down. */
     private void drag(int index, int right, int down) {
         Pose pose = driver.frame().snapshot().obstacles().get(index).pose();
         Vector2 at = callOnEdt(() -> driver.canvas().camera().toScreen(pose.position()));

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 
-/** The instruments and the way back in time in a real window. */
+/** The instruments and going back in time in a real window. */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
@@ -47,7 +47,7 @@ class InstrumentsRobotTest {
                 .orElseThrow();
     }
 
-    /** Runs fast until a moment, and holds. */
+    /** Runs fast until a time, then pauses. */
     private Frame runUntil(double seconds) {
         IntStream.range(0, 12).forEach(i -> driver.choose("faster"));
         driver.choose("run");

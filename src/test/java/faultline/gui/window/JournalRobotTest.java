@@ -30,10 +30,7 @@ import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
-/**
- * A run that was meddled with by mouse and keys in a real window, saved as a journal, and replayed without the window
- * and in it.
- */
+/** A run changed by mouse and keys in a real window, saved as a journal, and replayed without the window and in it. */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
@@ -229,7 +226,7 @@ class JournalRobotTest {
         return String.format(Locale.ROOT, "%016x", frame.trajectoryHash());
     }
 
-    /** The hash that the program prints for a file when it is run without a window. */
+    /** Returns the hash that the program prints for a file when it runs without a window. */
     private static String headless(Path file) throws IOException {
         Process program = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),

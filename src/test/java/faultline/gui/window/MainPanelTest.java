@@ -71,10 +71,10 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** All of the window but its frame, without a display. */
+/** The contents of the window without a display. */
 class MainPanelTest {
 
-    /** So many frames the canvas may take until all is painted, on a machine that is slow. */
+    /** The number of frames that the canvas may take to paint everything on a slow machine. */
     private static final int MAX_FRAMES = 20;
 
     private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, Optional.empty(), Optional.empty());
@@ -269,7 +269,7 @@ class MainPanelTest {
     private void setSizeAndLayOut(int width, int height) {
         mainPanel.setSize(width, height);
         mainPanel.setPanelWidth(mainPanel.controlPanel().defaultWidth());
-        // The second pass places the dividers, the third gives a scroll pane what its bars left.
+        // The second pass places the dividers, the third lays out scroll panes with their bars.
         layOut(mainPanel);
         layOut(mainPanel);
         layOut(mainPanel);
@@ -301,8 +301,7 @@ class MainPanelTest {
     }
 
     /**
-     * Whether a part has the room that it wants, and lies within its parent; what scrolls may be higher than what
-     * shows.
+     * Returns whether a component has its preferred size and lies within its parent; scrolled content may be higher.
      */
     private static boolean fits(Component part) {
         Component parent = part.getParent();
@@ -348,7 +347,7 @@ class MainPanelTest {
                 + part.getParent().getClass().getSimpleName();
     }
 
-    /** Nothing is opened here. */
+    /** A listener that ignores all events. */
     private static final class NoOpWorkspaceListener implements WorkspaceListener {
         @Override
         public void sessionStarted() {

@@ -29,8 +29,8 @@ import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
 
 /**
- * Uses the window like somebody who tries everything: by mouse and keys, one gesture after the other, the same ones for
- * the same seed. Closes what opens, and never quits.
+ * Uses the window at random by mouse and keys; the same seed gives the same gestures. Closes what opens, and never
+ * quits.
  */
 final class MonkeyTester {
 
@@ -109,7 +109,7 @@ final class MonkeyTester {
         this.random = new Random(seed);
     }
 
-    /** One gesture, and whatever it opened is closed; time runs again after it. */
+    /** Performs a gesture, closes whatever it opened, and lets the run continue. */
     void performGesture() {
         gestures.get(random.nextInt(gestures.size())).run();
         closeAll();
@@ -221,7 +221,7 @@ final class MonkeyTester {
         driver.choose(any(SWITCHING));
     }
 
-    /** Escapes from menus and dialogs. */
+    /** Closes menus and dialogs by Escape. */
     private void closeAll() {
         robot.repeatUntil(
                 "all dialogs and menus are closed",

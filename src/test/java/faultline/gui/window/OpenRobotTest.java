@@ -36,7 +36,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The ways to open a scenario in a real window, and what is asked before changes are given up for it. */
+/** The ways to open a scenario in a real window, and the questions before changes are discarded. */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
@@ -217,7 +217,7 @@ class OpenRobotTest {
         driver.waitForTitle("office.xml*");
     }
 
-    /** Remembers as long as the test takes. */
+    /** A store that lasts as long as the test. */
     private static final class InMemoryStore implements WindowPreferences.PreferenceStore {
         private final Map<String, String> texts = new HashMap<>();
 

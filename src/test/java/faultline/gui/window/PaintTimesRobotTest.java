@@ -39,7 +39,7 @@ class PaintTimesRobotTest {
 
     private static final double MAX_P99 = 16;
 
-    /** A paint that takes less than this, milliseconds, was one of a few labels beside the canvas. */
+    /** Shorter paints, in milliseconds, are those of labels beside the canvas. */
     private static final double MIN_CANVAS_PAINT = 0.4;
 
     private static final int LONG_PATH = 100_000;
@@ -125,7 +125,7 @@ class PaintTimesRobotTest {
         driver.robot().drag(canvas(), toX, toY, fromX, fromY, button);
     }
 
-    /** Does something some times, each time looking at what comes of it for a moment. */
+    /** Repeats an action, watching its effect for a moment each time. */
     private void repeat(int times, IntConsumer action) {
         for (int turn = 0; turn < times; turn++) {
             action.accept(turn);

@@ -21,9 +21,7 @@ import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
-/**
- * Going to the end of a saved run of ten million seconds in a real window: it would take all day, and can be given up.
- */
+/** Seeking in a saved run of ten million seconds in a real window would take all day and can be cancelled. */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",

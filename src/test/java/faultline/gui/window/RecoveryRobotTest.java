@@ -27,14 +27,14 @@ import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a real window offers after a crash, and when another program writes its file. */
+/** The window after a crash, and when another program writes its file. */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
         value = "java.awt.GraphicsEnvironment#isHeadless",
         disabledReason = "drives a real window, which needs a display")
 class RecoveryRobotTest {
 
-    /** No process has such a number: a window that kept its edits under it has crashed. */
+    /** No process has this number: a window that stored its edits under it has crashed. */
     private static final String DEAD_PROCESS = Integer.MAX_VALUE - 7 + "-0";
 
     private final String home = System.getProperty("user.home");
@@ -73,7 +73,7 @@ class RecoveryRobotTest {
                 .replaceFirst("<scenario ", "<scenario seed=\"" + seed + "\" ");
     }
 
-    /** The names of all that is kept, one behind the other. */
+    /** Returns the names of all recovery files. */
     private String recoveryFileNames() throws IOException {
         try (Stream<Path> files = Files.list(recoveryFolder.getParent())) {
             return files.map(file -> file.getFileName().toString())
@@ -119,7 +119,7 @@ class RecoveryRobotTest {
         driver.robot().waitFor("it is gone", () -> Files.notExists(recoveryFolder));
     }
 
-    /** As another program does it. */
+    /** Rewrites the file as another program does. */
     private void rewrite(long seed) throws IOException {
         Files.writeString(file, seeded(seed));
         Files.setLastModifiedTime(

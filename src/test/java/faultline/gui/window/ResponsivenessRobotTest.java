@@ -51,7 +51,7 @@ class ResponsivenessRobotTest {
         assertEquals(List.of(), longBusyPeriods());
     }
 
-    /** What kept the thread for too long in a minute of use of a new window. */
+    /** Returns the periods that exceeded the bound in a minute of use of a new window. */
     private List<EventThreadMeter.BusyPeriod> longBusyPeriods() {
         try (WindowDriver driver = CrowdedHall.open(folder)) {
             driver.runFast(frame -> frame.snapshot().time() > 60);

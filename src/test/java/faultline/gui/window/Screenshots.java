@@ -39,7 +39,7 @@ import javax.swing.MenuSelectionManager;
  */
 public final class Screenshots {
 
-    /** Dialogs that an action opens, by the action. */
+    /** The actions that open dialogs. */
     private static final List<String> DIALOGS = List.of("guide", "shortcuts", "about", "open", "exportPng");
 
     private static final int EXAMPLES = 9;
@@ -97,7 +97,7 @@ public final class Screenshots {
         }
     }
 
-    /** A run as a ghost beside one in which a sensor lies. */
+    /** Shows a ghost beside a run with a faulty sensor. */
     private void takeReferenceRun() throws IOException, AWTException {
         runOnEdt(() -> driver.canvas().requestFocusInWindow());
         driver.robot().waitFor("the canvas hears keys", driver.canvas()::isFocusOwner);
@@ -209,7 +209,7 @@ public final class Screenshots {
         driver.waitForFrame("the instrument shows", frame -> frame.snapshot().time() > shown);
     }
 
-    /** What is on the screen where a component is. */
+    /** Writes the part of the screen where a component is. */
     private void write(Component component, String name) throws IOException, AWTException {
         driver.robot().moveTo(driver.canvas(), 400, 300);
         driver.robot().waitForPaint();
@@ -220,7 +220,7 @@ public final class Screenshots {
                 folder.resolve(name + suffix).toFile());
     }
 
-    /** Of a screen with several pixels to a unit, all of them. */
+    /** Returns the variant with the most pixels. */
     private static Image sharpest(MultiResolutionImage image) {
         List<Image> variants = image.getResolutionVariants();
         return variants.get(variants.size() - 1);

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 
-/** Going along a run and back, without a display. */
+/** Seeking in a run without a display. */
 @ExtendWith(EdtChecker.class)
 class TimeBarTest {
 
@@ -137,7 +137,7 @@ class TimeBarTest {
         });
     }
 
-    /** Nothing here fails. */
+    /** A listener that ignores all events. */
     private static final class NoOpListener implements WorkspaceListener {
         @Override
         public void taskFailed(TaskKind what, Path file, Throwable why) {

@@ -18,8 +18,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * An obstacle that was dragged into the robot's way is taken back after the crash: the window says how to be rid of the
- * crash too.
+ * Undoing the drag of an obstacle into the robot's path does not undo the collision; the window says how to undo it.
  */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
@@ -27,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
         disabledReason = "drives a real window, which needs a display")
 class UndoneCollisionRobotTest {
 
-    /** A tick after the drag, seconds before the crash. */
+    /** A tick after the drag, seconds before the collision. */
     private static final int TICK_BEFORE_COLLISION = 50;
 
     @TempDir

@@ -34,10 +34,10 @@ import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JTextField;
 
-/** Drives the whole window by what a user sees of it: its menus, its controls and the frame that its canvas shows. */
+/** Drives the window by what a user sees: its menus, its controls and the frame on its canvas. */
 final class WindowDriver implements AutoCloseable {
 
-    /** How often the speed must be raised at most to be the highest. */
+    /** The number of speed steps that reach the highest speed. */
     private static final int MAX_SPEED_STEPS = 40;
 
     private static final long REST_NANOS = 150_000_000;
@@ -55,12 +55,12 @@ final class WindowDriver implements AutoCloseable {
         });
     }
 
-    /** Opens a window with a scenario, and waits until it shows. */
+    /** Opens a window with a scenario and waits until it is visible. */
     static WindowDriver open(Theme theme, Path scenario) {
         return open(theme, scenario, WindowPreferences.nonPersistent());
     }
 
-    /** Opens a window that remembers. */
+    /** Opens a window with preferences. */
     static WindowDriver open(Theme theme, Path scenario, WindowPreferences memory) {
         WindowDriver driver = new WindowDriver(theme, memory);
         runOnEdt(() -> driver.window.open(scenario));
@@ -84,34 +84,34 @@ final class WindowDriver implements AutoCloseable {
                 .orElseThrow();
     }
 
-    /** The frame that shows; on any thread. */
+    /** Returns the visible frame; callable on any thread. */
     Frame frame() {
         return callOnEdt(() -> canvas().frame().orElseThrow());
     }
 
-    /** Waits until an earlier run shows beside this one. */
+    /** Waits until a reference run is visible. */
     void waitForReferenceRun() {
         robot.waitFor("the ghost is there", () -> canvas().renderRequest(Palette.LIGHT)
                 .flatMap(RenderRequest::reference)
                 .isPresent());
     }
 
-    /** Chooses a menu item by the key of its action. */
+    /** Selects a menu item by the key of its action. */
     void choose(String action) {
         runOnEdt(() -> item(action).doClick(0));
     }
 
-    /** Does the same on the event dispatch thread, where it may wait for a dialog. */
+    /** Selects a menu item on the event dispatch thread, where it may block for a dialog. */
     void chooseOnEdt(String action) {
         item(action).doClick(0);
     }
 
-    /** Chooses an action that opens a dialog, and goes on meanwhile. */
+    /** Selects a menu item that opens a modal dialog, without waiting. */
     void chooseLater(String action) {
         EventQueue.invokeLater(() -> chooseOnEdt(action));
     }
 
-    /** What the line at the bottom says to the user. */
+    /** Returns the note in the status bar. */
     String statusNote() {
         return ComponentFinder.find(window, JLabel.class, "Note").getText();
     }
@@ -123,12 +123,12 @@ final class WindowDriver implements AutoCloseable {
                 .orElseThrow();
     }
 
-    /** Whether a menu item can be chosen; event dispatch thread only. */
+    /** Returns whether a menu item is enabled. Event dispatch thread only. */
     boolean isEnabled(String action) {
         return item(action).isEnabled();
     }
 
-    /** The dialog of a title, once it has the focus. */
+    /** Waits for the dialog with a title to have the focus and returns it. */
     JDialog dialog(String title) {
         robot.waitFor(
                 "the dialog \"" + title + "\" shows and has the focus",
@@ -143,7 +143,7 @@ final class WindowDriver implements AutoCloseable {
                 .filter(dialog -> dialog.isShowing() && dialog.getTitle().equals(title));
     }
 
-    /** Clicks on a button of a dialog, which closes it; the window has the focus again then. */
+    /** Clicks a button of a dialog and waits until the dialog is closed. */
     void clickButton(String title, String button) {
         JDialog dialog = dialog(title);
         click(ComponentFinder.findAll(dialog, JButton.class)
@@ -170,7 +170,7 @@ final class WindowDriver implements AutoCloseable {
         robot.waitFor("the dialog \"" + title + "\" is gone", () -> !dialog.isShowing());
     }
 
-    /** Presses keys as {@link GuiRobot#pressKeys}, once the window has the focus. */
+    /** Presses keys as {@link GuiRobot#pressKeys}, after the window has gained the focus. */
     void type(int... keys) {
         robot.waitFor("the window has the focus", window::isFocused);
         robot.pressKeys(keys);
@@ -181,14 +181,14 @@ final class WindowDriver implements AutoCloseable {
         robot.waitFor("the title is " + title, () -> window.getTitle().equals(title + " – Faultline"));
     }
 
-    /** All that the texts of a window say. */
+    /** Returns all label texts of a window. */
     static String text(Window window) {
         return callOnEdt(() -> ComponentFinder.findAll(window, JLabel.class)
                 .map(JLabel::getText)
                 .collect(Collectors.joining(" ")));
     }
 
-    /** Puts an obstacle elsewhere by dragging its middle, pixels to the right and down. */
+    /** Drags an obstacle by its centre; pixels to the right and down. */
     void drag(int index, int right, int down) {
         Pose pose = frame().snapshot().obstacles().get(index).pose();
         Vector2 at = callOnEdt(() -> canvas().camera().toScreen(pose.position()));
@@ -199,7 +199,7 @@ final class WindowDriver implements AutoCloseable {
         waitUntilStill(index);
     }
 
-    /** The last moves of a drag show a few frames after the button is up. */
+    /** Waits until the last moves of a drag are visible, a few frames after the release. */
     private void waitUntilStill(int index) {
         AtomicReference<Pose> last = new AtomicReference<>(new Pose(0, 0, 0));
         AtomicLong since = new AtomicLong();
@@ -224,7 +224,7 @@ final class WindowDriver implements AutoCloseable {
         });
     }
 
-    /** Runs as fast as possible, and goes on doing so, until a condition of the shown frame holds. */
+    /** Runs as fast as possible until the visible frame meets a condition; the run continues. */
     void runFast(Predicate<Frame> condition) {
         for (int i = 0; i < MAX_SPEED_STEPS; i++) {
             choose("faster");
@@ -233,21 +233,18 @@ final class WindowDriver implements AutoCloseable {
         waitForFrame("the run has come far enough", condition);
     }
 
-    /** Whether time runs, as the menu has it. */
+    /** Returns whether the run is running, as shown by the menu. */
     boolean isRunning() {
         return item("run").getText().equals("Pause");
     }
 
-    /** Clicks on the middle of a component. */
+    /** Clicks the centre of a component. */
     void click(Component component) {
         Dimension size = callOnEdt(component::getSize);
         robot.click(component, size.width / 2.0, size.height / 2.0, InputEvent.BUTTON1_DOWN_MASK);
     }
 
-    /**
-     * Puts the focus into a field for a number by clicking on it, and types keys of {@link java.awt.event.KeyEvent} in
-     * place of what is there.
-     */
+    /** Clicks a number field and types keys of {@link java.awt.event.KeyEvent} in place of its text. */
     void typeInto(String spinner, int... keys) {
         JTextField field = ComponentFinder.find(window, JTextField.class, spinner);
         click(field);
@@ -258,7 +255,7 @@ final class WindowDriver implements AutoCloseable {
         }
     }
 
-    /** What a condition of the shown frame waits for. */
+    /** Waits until the visible frame meets a condition. */
     void waitForFrame(String what, Predicate<Frame> condition) {
         robot.waitFor(what, () -> {
             Optional<Frame> frame = canvas().frame();
