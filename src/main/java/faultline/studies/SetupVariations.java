@@ -1,6 +1,8 @@
 package faultline.studies;
 
 import faultline.engine.SimulationSetup;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
 import faultline.world.Obstacle;
 
 /** Varies the setup of a scenario. */
@@ -14,6 +16,20 @@ final class SetupVariations {
                 .withObstacles(base.world().obstacles().stream()
                         .map(obstacle -> obstacle.id().equals(changed.id()) ? changed : obstacle)
                         .toList()));
+    }
+
+    /** Returns a setup with the same noise on all sensors, standard deviation in metres. */
+    static SimulationSetup withNoise(SimulationSetup base, double deviation) {
+        return base.withRobot(withNoise(base.robot(), deviation));
+    }
+
+    /** Returns a robot with the same noise on all sensors, standard deviation in metres. */
+    static RobotSpec withNoise(RobotSpec base, double deviation) {
+        RobotSpec robot = base;
+        for (SensorSpec sensor : base.sensors()) {
+            robot = robot.withSensor(sensor.withNoise(deviation));
+        }
+        return robot;
     }
 
     /** Returns the obstacle with an id. */

@@ -172,7 +172,7 @@ class ResultsTextTest {
                         .numbers("collisions")
                         .sum());
         assertEquals(1 / 5.0, share("8"), 0.04, "one in five");
-        assertEquals(1 / 3.0, share("2"), 0.04, "one in three");
+        assertEquals(3 / 8.0, share("2"), 0.04, "three in eight");
     }
 
     private static double share(String cone) {

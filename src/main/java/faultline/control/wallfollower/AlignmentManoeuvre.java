@@ -11,8 +11,13 @@ final class AlignmentManoeuvre {
     /** A spin that begins beside a wall first backs off until the reading is this much more than the nearest. */
     private static final double BACKED_OFF_RATIO = 1.3;
 
-    /** What is this much farther than wanted when the spin begins is not the wall that was met, metres. */
+    /**
+     * What is farther than wanted by more than the greater of these when the spin begins is not the wall that was met:
+     * metres, and a fraction of the wanted distance, which leaves room for the level of {@link TimingRule#MARGIN}.
+     */
     private static final double OTHER_WALL_MARGIN = 0.15;
+
+    private static final double OTHER_WALL_MARGIN_RATIO = 2 * TimingRule.MARGIN;
 
     private static final double QUARTER_TURN = StrictMath.PI / 2;
 
@@ -48,7 +53,7 @@ final class AlignmentManoeuvre {
         estimate.clearFrontMemory();
         backingOff = wallMetSideways && wallReading() < Reading.NOTHING;
         nearestReading = left().reading();
-        edgeTimer.start(estimate.noise(), estimate.turnRate() * estimate.period());
+        edgeTimer.start(estimate.leftNoise(), estimate.isLeftNoiseKnown(), estimate.turnRate() * estimate.period());
         if (!backingOff) {
             edgeTimer.addApproachSample(
                     spinClock(), wallReading(), estimate.odometer().deltaDistance());
@@ -83,6 +88,7 @@ final class AlignmentManoeuvre {
 
     /** Takes the reading of a decision in MEASURE. */
     void updateMeasure() {
+        edgeTimer.updateNoise(estimate.leftNoise(), estimate.isLeftNoiseKnown());
         edgeTimer.addPassSample(spinClock(), left().reading());
     }
 
@@ -121,8 +127,9 @@ final class AlignmentManoeuvre {
      * that is in range counts.
      */
     private double wallReading() {
-        boolean counts =
-                rule == TimingRule.RANGE || left().detectsWithin(estimate.wantedCentreDistance() + OTHER_WALL_MARGIN);
+        double wanted = estimate.wantedCentreDistance();
+        double margin = Math.max(OTHER_WALL_MARGIN, OTHER_WALL_MARGIN_RATIO * wanted);
+        boolean counts = rule == TimingRule.RANGE || left().detectsWithin(wanted + margin);
         return counts ? left().reading() : Reading.NOTHING;
     }
 

@@ -40,6 +40,8 @@ final class EdgeTimer {
     private int nearestIndex;
     private double farthestSinceNearest;
     private double reversalMargin;
+    private double step;
+    private boolean noiseKnown;
     private double tF3 = Double.NaN;
     private double tF4 = Double.NaN;
 
@@ -48,19 +50,36 @@ final class EdgeTimer {
     }
 
     /**
-     * Starts a new spin; readings are known up to some noise, metres, and come once a step of the turn, radians. By the
-     * paper's rule every sample counts by itself.
+     * Starts a new spin. By the paper's rule every sample counts by itself.
+     *
+     * @param noise the standard deviation of the readings' noise, metres
+     * @param known whether the noise is known; otherwise {@link #updateNoise} makes it known during the spin
+     * @param newStep the turn between two readings, radians
      */
-    void start(double noise, double step) {
-        int averaged = rule == TimingRule.RANGE ? 1 : blockSize(noise, step);
-        average.start(averaged);
+    void start(double noise, boolean known, double newStep) {
+        step = newStep;
         samples.clear();
         highestReading = -1;
         nearest = Reading.NOTHING;
         farthestSinceNearest = 0;
-        reversalMargin = Math.max(MIN_REVERSAL, NOISE_FACTOR * noise / Math.sqrt(averaged));
+        noiseKnown = known;
+        setNoise(known ? noise : 0);
         tF3 = Double.NaN;
         tF4 = Double.NaN;
+    }
+
+    /** Sets the noise of a sensor that had seen nothing before the spin, as soon as it is known. */
+    void updateNoise(double noise, boolean known) {
+        if (!noiseKnown && known) {
+            noiseKnown = true;
+            setNoise(noise);
+        }
+    }
+
+    private void setNoise(double noise) {
+        int averaged = rule == TimingRule.RANGE ? 1 : blockSize(noise, step);
+        average.start(averaged);
+        reversalMargin = Math.max(MIN_REVERSAL, NOISE_FACTOR * noise / Math.sqrt(averaged));
     }
 
     /** As many samples as bring the noise below what counts as a turn, if that many fit. */
@@ -141,8 +160,9 @@ final class EdgeTimer {
     private boolean leavesLevel() {
         double level = Math.min(highestReading, nearest + Math.max(TimingRule.MARGIN * nearest, 3 * reversalMargin));
         double last = lastSample().reading();
-        boolean turnedRound =
-                farthestSinceNearest - nearest > reversalMargin && last < farthestSinceNearest - reversalMargin;
+        boolean turnedRound = noiseKnown
+                && farthestSinceNearest - nearest > reversalMargin
+                && last < farthestSinceNearest - reversalMargin;
         if (last >= level || turnedRound) {
             interpolateEdges(Math.min(level, farthestSinceNearest));
             return true;

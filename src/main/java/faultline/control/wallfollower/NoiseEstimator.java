@@ -14,6 +14,9 @@ final class NoiseEstimator {
     /** How many readings are looked back on in the long run. */
     private static final double MAX_COUNT = 100;
 
+    /** The number of third differences from which the estimate is used. */
+    private static final double MIN_COUNT = 8;
+
     private double variance;
     private double count;
     private double previous = Double.NaN;
@@ -37,5 +40,10 @@ final class NoiseEstimator {
     /** The standard deviation of the noise as far as it has shown, metres. */
     double standardDeviation() {
         return Math.sqrt(variance);
+    }
+
+    /** Returns whether there have been enough readings for an estimate. */
+    boolean isKnown() {
+        return count >= MIN_COUNT;
     }
 }

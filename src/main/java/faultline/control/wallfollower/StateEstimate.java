@@ -139,6 +139,11 @@ final class StateEstimate {
         return leftNoise.standardDeviation();
     }
 
+    /** Returns whether the left sensor has seen enough for its noise to be known. */
+    boolean isLeftNoiseKnown() {
+        return leftNoise.isKnown();
+    }
+
     /** The standard deviation of the readings' noise as far as any sensor in use has shown it, metres. */
     double noise() {
         return Math.max(leftNoise.standardDeviation(), frontNoise.standardDeviation());

@@ -18,6 +18,12 @@ final class WallSteering {
     private static final double NOISE_FACTOR_OF_PAIR = 4;
     private static final double DRIFT_NOISE_FACTOR = 4;
 
+    /** The number of standard deviations of the noise of a mean that a bend exceeds. */
+    private static final double MEAN_NOISE_FACTOR = 5;
+
+    /** The distance after which the tracker has corrected its heading, in units of its memory. */
+    private static final double SETTLING_MEMORIES = 4;
+
     private final StateEstimate estimate;
     private final double wantedDistance;
     private final WallTracker tracker = new WallTracker();
@@ -83,17 +89,44 @@ final class WallSteering {
     }
 
     boolean bendsAway() {
-        return isBend(tracker.innovation(), tracker.previousInnovation());
+        double noise = estimate.leftNoise();
+        double pair = Math.min(tracker.innovation(), tracker.previousInnovation());
+        boolean jumps = tracker.innovation() > noiselessBendThreshold()
+                && (tracker.innovation() > NOISE_FACTOR * noise || pair > NOISE_FACTOR_OF_PAIR * noise);
+        return jumps && (isSettled() || !tracker.switched()) || isBend(1);
     }
 
     boolean bendsBack() {
-        return isBend(-tracker.innovation(), -tracker.previousInnovation()) || tracker.drift() < -bendDriftThreshold();
+        return isBend(-1) || isSettled() && tracker.drift() < -bendDriftThreshold();
     }
 
-    private boolean isBend(double innovation, double before) {
-        double noise = estimate.leftNoise();
-        return innovation > noiselessBendThreshold()
-                && (innovation > NOISE_FACTOR * noise || Math.min(innovation, before) > NOISE_FACTOR_OF_PAIR * noise);
+    /**
+     * Returns whether the wall bends away, sign 1, or back, sign -1, by the mean of the last innovations; false if they
+     * are too noisy for that.
+     */
+    private boolean isBend(int sign) {
+        int count = meanLength();
+        double threshold =
+                Math.max(noiselessBendThreshold(), MEAN_NOISE_FACTOR * estimate.leftNoise() / Math.sqrt(count));
+        return isSettled()
+                && threshold <= WallTracker.cornerInnovation(radius())
+                && tracker.innovationCount() >= count
+                && sign * tracker.meanInnovation(count) > threshold;
+    }
+
+    /** Returns the number of innovations whose mean has so little noise that a bend shows, as far as possible. */
+    private int meanLength() {
+        double ratio = MEAN_NOISE_FACTOR * estimate.leftNoise() / noiselessBendThreshold();
+        return (int) Math.max(1, Math.min(WallTracker.MAX_INNOVATIONS, Math.ceil(ratio * ratio)));
+    }
+
+    /**
+     * Returns whether the tracker's heading can be trusted: after a switch between wall and corner it is a guess, which
+     * noisy readings correct only over some distance. Readings without noise make the guess good at once.
+     */
+    private boolean isSettled() {
+        return NOISE_FACTOR * estimate.leftNoise() <= noiselessBendThreshold()
+                || tracker.distanceSinceReset() >= SETTLING_MEMORIES * WallTracker.memory(radius());
     }
 
     /**
@@ -117,7 +150,9 @@ final class WallSteering {
      * on a circle of radius r.
      */
     private double bendAngle() {
-        return Math.sqrt(2 * Math.abs(tracker.innovation()) / radius());
+        int count = Math.min(meanLength(), tracker.innovationCount());
+        double shown = Math.max(noiselessBendThreshold(), Math.abs(tracker.meanInnovation(count)));
+        return Math.sqrt(2 * Math.min(shown, WallTracker.cornerInnovation(radius())) / radius());
     }
 
     /** From the followed wall, or the corner that is rounded, to the robot's centre, metres. */

@@ -20,6 +20,13 @@ final class WallTracker {
     /** The way over which innovations are averaged, metres. */
     private static final double DRIFT_DISTANCE = 0.2;
 
+    /** The number of innovations that are kept. */
+    static final int MAX_INNOVATIONS = 16;
+
+    private final double[] innovations = new double[MAX_INNOVATIONS];
+    private int innovationCount;
+    private double distanceSinceReset;
+    private boolean switched;
     private double distance;
     private double heading;
     private double innovation;
@@ -30,6 +37,7 @@ final class WallTracker {
     void start(double reading) {
         distance = reading;
         heading = 0;
+        switched = false;
         clearInnovations();
     }
 
@@ -38,6 +46,7 @@ final class WallTracker {
         double middle = heading + (turned - curvature * rolled) / 2;
         heading += turned - curvature * rolled;
         distance -= rolled * StrictMath.sin(middle);
+        distanceSinceReset += Math.abs(rolled);
         previousInnovation = innovation;
         innovation = 0;
     }
@@ -50,6 +59,7 @@ final class WallTracker {
             innovation = 0;
             return;
         }
+        innovations[innovationCount++ % MAX_INNOVATIONS] = innovation;
         drift += Math.min(1, Math.abs(rolled) / DRIFT_DISTANCE) * (innovation - drift);
         // Critically damped at the bandwidth 1 / (MEMORY radius) per metre of way.
         double share = Math.min(0.5, Math.abs(rolled) / (MEMORY_SHARE * radius));
@@ -61,6 +71,7 @@ final class WallTracker {
 
     /** Turns the tracked heading because the wall is seen to go another way. */
     void turnHeading(double angle) {
+        switched = true;
         heading += angle;
         clearInnovations();
     }
@@ -68,6 +79,8 @@ final class WallTracker {
     private void clearInnovations() {
         innovation = 0;
         previousInnovation = 0;
+        innovationCount = 0;
+        distanceSinceReset = 0;
         drift = 0;
     }
 
@@ -89,6 +102,35 @@ final class WallTracker {
     /** How much farther than predicted the reading before that was, metres. */
     double previousInnovation() {
         return previousInnovation;
+    }
+
+    /** Returns the distance rolled since the heading was last set, metres. */
+    double distanceSinceReset() {
+        return distanceSinceReset;
+    }
+
+    /** Returns whether the heading was last set because the wall bends, not at the start along a wall. */
+    boolean switched() {
+        return switched;
+    }
+
+    /** Returns the distance rolled that the filter takes into account, metres. */
+    static double memory(double radius) {
+        return MEMORY_SHARE * radius;
+    }
+
+    /** Returns the number of innovations since the heading was last set. */
+    int innovationCount() {
+        return innovationCount;
+    }
+
+    /** Returns the mean of the last innovations, metres; 0 if the count is 0. */
+    double meanInnovation(int count) {
+        double sum = 0;
+        for (int i = 1; i <= count; i++) {
+            sum += innovations[(innovationCount - i) % MAX_INNOVATIONS];
+        }
+        return count == 0 ? 0 : sum / count;
     }
 
     /**
