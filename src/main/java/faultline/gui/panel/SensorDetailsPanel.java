@@ -71,6 +71,7 @@ public final class SensorDetailsPanel extends JPanel {
             mountFields.setSensor(selectedSensor());
             listeners.forEach(listener -> listener.accept(selectedSensor()));
         });
+        faultKind.setMaximumRowCount(FaultKind.values().length);
         faultKind.addActionListener(event -> updateFaultKind());
         faultKind.setSelectedItem(FaultKind.STUCK);
         valueSpinner.withName(Messages.get("faults.value")).withColumns(5).keepInvalidText();
@@ -92,21 +93,17 @@ public final class SensorDetailsPanel extends JPanel {
         form.add(label("faults.sensor", sensorChoice), FormConstraints.cell(0, 0));
         form.add(sensorChoice, FormConstraints.fillRow(1, 0));
         mountFields.addTo(form, 1);
-        form.add(label("faults.kind", faultKind), withSectionGap(FormConstraints.leadingCell(0, 3)));
-        form.add(createFaultRow(), withSectionGap(FormConstraints.fillRow(1, 3)));
-        form.add(valueProblem, FormConstraints.fillRow(1, 4));
+        form.add(label("faults.kind", faultKind), withSectionGap(FormConstraints.cell(0, 3)));
+        form.add(faultKind, withSectionGap(FormConstraints.fillRow(1, 3)));
+        form.add(label("faults.value", valueSpinner), FormConstraints.cell(0, 4));
+        form.add(valueSpinner, FormConstraints.cell(1, 4));
+        form.add(unitLabel, FormConstraints.cell(2, 4));
+        GridBagConstraints right = FormConstraints.fillCell(3, 4);
+        right.fill = GridBagConstraints.NONE;
+        right.anchor = GridBagConstraints.BASELINE_TRAILING;
+        form.add(inject, right);
+        form.add(valueProblem, FormConstraints.fillRow(1, 5));
         return form;
-    }
-
-    private JPanel createFaultRow() {
-        JPanel row = new JPanel(new GridBagLayout());
-        GridBagConstraints first = FormConstraints.fillCell(0, 0);
-        first.insets.top = 0;
-        row.add(faultKind, first);
-        row.add(valueSpinner, FormConstraints.cell(1, 0));
-        row.add(unitLabel, FormConstraints.cell(2, 0));
-        row.add(inject, FormConstraints.cell(3, 0));
-        return row;
     }
 
     private static GridBagConstraints withSectionGap(GridBagConstraints constraints) {
