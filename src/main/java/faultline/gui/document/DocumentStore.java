@@ -99,7 +99,7 @@ public final class DocumentStore {
     /** Marks a scenario as saved; what has been edited since it was captured stays unsaved. */
     void markSaved(ScenarioDocument document, Path file, Scenario scenario) {
         document.savedTo(file, scenario);
-        workspace.fire(listener -> listener.scenarioSaved(file, document.isComplete()));
+        workspace.fire(listener -> listener.scenarioSaved(file));
         workspace.fire(WorkspaceListener::titleChanged);
     }
 

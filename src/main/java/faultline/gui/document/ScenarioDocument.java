@@ -59,11 +59,6 @@ final class ScenarioDocument {
         return !edited().equals(saved);
     }
 
-    /** Returns whether the edited scenario holds the effect of every command. */
-    boolean isComplete() {
-        return editor.isComplete();
-    }
-
     void commandsExecuted(List<CommandResult> results) {
         results.stream().filter(result -> result.refusal().isEmpty()).forEach(editor::add);
         edited = null;

@@ -17,9 +17,9 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Applies executed commands to a setup. Changes of obstacles, of the platform and of the sensors' settings are kept;
- * switching a sensor and injecting a fault belong to one run and are not. When the run is moved to an earlier tick, the
- * later commands are kept until another one is executed there.
+ * Applies executed commands to a setup. Changes of obstacles, of the platform and of the sensors' settings hold from
+ * the start; switching a sensor, injecting a fault and repairing it are added to the timeline at their time. When the
+ * run is moved to an earlier tick, the later commands are kept until another one is executed there.
  */
 final class SetupEditor implements Command.Visitor<Boolean> {
 
@@ -68,19 +68,45 @@ final class SetupEditor implements Command.Visitor<Boolean> {
         }
     }
 
-    /** Returns whether the setup keeps the effect of every command. */
-    boolean isComplete() {
-        SetupEditor copy = new SetupEditor(base);
-        return entries.stream().allMatch(entry -> entry.command().accept(copy));
-    }
-
     /** Returns the edited setup. Changes that leave the robot no room at its start pose are left out. */
     SimulationSetup setup() {
         SetupEditor result = new SetupEditor(base);
         result.obstacles.putAll(obstacles);
         result.robot = robot;
         result.clearStartPose();
-        return base.withWorld(result.world()).withRobot(result.robot);
+        return base.withWorld(result.world()).withRobot(result.robot).withTimeline(timeline());
+    }
+
+    /** Returns the timeline with the commands that belong to a time. Two of one tick that cancel out are left out. */
+    private List<SimulationSetup.TimedCommand> timeline() {
+        SetupEditor scratch = new SetupEditor(base);
+        List<Journal.Entry> timed = new ArrayList<>();
+        for (Journal.Entry entry : entries) {
+            if (entry.command().accept(scratch)) {
+                continue;
+            }
+            Optional<Journal.Entry> cancelled = timed.stream()
+                    .filter(earlier -> earlier.tick() == entry.tick() && cancels(entry.command(), earlier.command()))
+                    .findFirst();
+            if (cancelled.isPresent()) {
+                timed.remove(cancelled.get());
+            } else {
+                timed.add(entry);
+            }
+        }
+        List<SimulationSetup.TimedCommand> result = new ArrayList<>(base.timeline());
+        timed.forEach(entry -> result.add(new SimulationSetup.TimedCommand(entry.tick() * base.dt(), entry.command())));
+        return result;
+    }
+
+    private static boolean cancels(Command command, Command earlier) {
+        if (command instanceof Command.SwitchSensor now && earlier instanceof Command.SwitchSensor before) {
+            return now.sensor().equals(before.sensor()) && now.on() != before.on();
+        }
+        return command instanceof Command.ClearFault clear
+                && earlier instanceof Command.InjectFault inject
+                && clear.sensor().equals(inject.sensor())
+                && clear.fault().equals(inject.fault());
     }
 
     /** Reverts, one by one, the changes that obstruct the start pose. */

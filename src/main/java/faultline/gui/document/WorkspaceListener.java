@@ -40,9 +40,8 @@ public interface WorkspaceListener {
      * The scenario has been saved.
      *
      * @param file the file; another one may be open by now
-     * @param complete whether the file holds all edits; switched sensors and faults are not part of a scenario
      */
-    default void scenarioSaved(Path file, boolean complete) {}
+    default void scenarioSaved(Path file) {}
 
     /** The journal has been saved to a file. */
     default void journalSaved(Path file) {}

@@ -301,10 +301,10 @@ public final class MainWindow extends JFrame {
         }
 
         @Override
-        public void scenarioSaved(Path file, boolean whole) {
+        public void scenarioSaved(Path file) {
             undoController.endEdit();
             preferences.recentFiles().add(file);
-            showSavedNote(whole ? "saved" : "saved.inPart", file);
+            showSavedNote("saved", file);
         }
 
         @Override

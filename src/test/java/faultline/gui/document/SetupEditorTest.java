@@ -57,14 +57,39 @@ class SetupEditorTest {
     }
 
     @Test
-    void switchesAndFaultsBelongToOneRunAndAreNotKept() {
+    void switchesAndFaultsAreAddedToTheTimelineAtTheirTime() {
         SensorSpec off = BASE.robot().sensor("left").orElseThrow().withOn(false);
+        Command turnOff = new Command.SwitchSensor("left", false);
+        Command inject = new Command.InjectFault("front", new Fault.Stuck(0.4));
+        assertEquals(
+                BASE.withTimeline(List.of(
+                        new SimulationSetup.TimedCommand(7 * BASE.dt(), turnOff),
+                        new SimulationSetup.TimedCommand(7 * BASE.dt(), inject))),
+                after(turnOff, new Command.ConfigureSensor(off), inject));
+    }
+
+    @Test
+    void whatIsUndoneInTheSameTickLeavesNoTrace() {
+        Fault stuck = new Fault.Stuck(0.4);
         assertEquals(
                 BASE,
                 after(
                         new Command.SwitchSensor("left", false),
-                        new Command.ConfigureSensor(off),
-                        new Command.InjectFault("front", new Fault.Stuck(0.4))));
+                        new Command.InjectFault("front", stuck),
+                        new Command.ClearFault("front", stuck),
+                        new Command.SwitchSensor("left", true)));
+    }
+
+    @Test
+    void aRepairAtALaterTimeStaysOnTheTimeline() {
+        SetupEditor editor = new SetupEditor(BASE);
+        add(editor, 10, new Command.InjectFault("front", new Fault.Dead()));
+        add(editor, 30, new Command.ClearFaults("front"));
+        assertEquals(
+                List.of(10 * BASE.dt(), 30 * BASE.dt()),
+                editor.setup().timeline().stream()
+                        .map(SimulationSetup.TimedCommand::time)
+                        .toList());
     }
 
     @Test
@@ -112,17 +137,6 @@ class SetupEditorTest {
                 List.of(BOX.withPose(new Pose(3, 3, 1)), POLE),
                 editor.setup().world().obstacles());
         assertEquals(BASE.robot(), editor.setup().robot());
-    }
-
-    @Test
-    void aSetupIsCompleteUnlessACommandBelongsToOneRun() {
-        SetupEditor editor = new SetupEditor(BASE);
-        add(editor, 10, new Command.PlaceObstacle(POLE));
-        assertTrue(editor.isComplete());
-        add(editor, 10, new Command.InjectFault("front", new Fault.Stuck(0.4)));
-        assertFalse(editor.isComplete());
-        editor.moveTo(5);
-        assertFalse(editor.isComplete());
     }
 
     private static SimulationSetup after(Command... commands) {

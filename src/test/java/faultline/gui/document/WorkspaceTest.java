@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.session.SessionFrame;
+import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.scenario.Scenario;
@@ -41,7 +42,7 @@ class WorkspaceTest {
 
     private Path file;
     private final List<Throwable> failures = new ArrayList<>();
-    private final List<Boolean> saves = new ArrayList<>();
+    private final List<Path> saves = new ArrayList<>();
     private final List<Path> journals = new ArrayList<>();
     private int sessionCount;
     private Workspace workspace;
@@ -59,8 +60,8 @@ class WorkspaceTest {
             }
 
             @Override
-            public void scenarioSaved(Path where, boolean whole) {
-                saves.add(whole);
+            public void scenarioSaved(Path where) {
+                saves.add(where);
             }
 
             @Override
@@ -110,7 +111,7 @@ class WorkspaceTest {
         assertEquals(
                 ELSEWHERE,
                 obstacle(Scenario.load(file).setup().world().obstacles()).pose());
-        assertEquals(List.of(true), saves);
+        assertEquals(List.of(file), saves);
     }
 
     @Test
@@ -126,15 +127,25 @@ class WorkspaceTest {
     }
 
     @Test
-    void aSaveSaysWhereItLeavesOutWhatWasDoneToSensorsByHand() {
-        runOnEdt(() -> send(new Command.InjectFault("left", new Fault.Stuck(0.4))));
+    void aFaultInjectedByHandIsUnsavedUntilASaveWritesItToTheTimeline() throws ScenarioException {
+        Command fault = new Command.InjectFault("left", new Fault.Stuck(0.4));
+        runOnEdt(() -> {
+            run.step();
+            send(fault);
+        });
+        waitFor("the change", workspace::isChanged);
         runOnEdt(() -> documentStore.save(file, () -> sessionCount = 7));
         waitFor("the save", () -> sessionCount == 7);
-        assertEquals(List.of(false), saves);
+        assertEquals(List.of(file), saves);
+        assertFalse(callOnEdt(workspace::isChanged));
+        SimulationSetup saved = Scenario.load(file).setup();
+        assertEquals(
+                new SimulationSetup.TimedCommand(2 * saved.dt(), fault),
+                saved.timeline().get(saved.timeline().size() - 1));
     }
 
     @Test
-    void aRestartGoesBackToTimeZeroWithEditsKeptAndSwitchesAsInTheFile() {
+    void aRestartGoesBackToTimeZeroWithEditsKeptAndRepeatsSwitchesAtTheirTime() {
         move();
         runOnEdt(() -> {
             send(new Command.SwitchSensor("left", false));
@@ -147,6 +158,14 @@ class WorkspaceTest {
         assertEquals(ELSEWHERE, obstacle(frame().snapshot().obstacles()).pose());
         assertTrue(frame().snapshot().robot().sensor("left").orElseThrow().on());
         assertTrue(callOnEdt(workspace::isChanged));
+        runOnEdt(run::step);
+        waitFor("the switch", () -> !run.frame()
+                .orElseThrow()
+                .snapshot()
+                .robot()
+                .sensor("left")
+                .orElseThrow()
+                .on());
     }
 
     @Test
