@@ -1,7 +1,10 @@
 package faultline.app;
 
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.PlanFiles;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
+import java.nio.file.Path;
 import java.util.List;
 
 /** {@code check}: reads scenario files and reports their problems. */
@@ -27,8 +30,14 @@ final class CheckCommand {
 
     private int checkFile(String file) throws UsageException {
         try {
-            Scenario.load(Arguments.parsePath(file));
-            output.println(file + ": good");
+            Path path = Arguments.parsePath(file);
+            if (PlanFiles.isPlan(path)) {
+                CampaignPlan plan = PlanFiles.read(path);
+                output.println(file + ": good, " + plan.runCount() + " runs");
+            } else {
+                Scenario.load(path);
+                output.println(file + ": good");
+            }
             return ExitCode.SUCCESS;
         } catch (ScenarioException e) {
             output.printError(e.getMessage());

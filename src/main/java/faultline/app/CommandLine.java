@@ -29,6 +29,7 @@ final class CommandLine {
         commands.put("check", new CheckCommand(output)::run);
         commands.put("campaign", new CampaignCommand(output)::run);
         commands.put("merge", new CampaignCommand(output)::merge);
+        commands.put("report", new ReportCommand(output)::run);
         commands.put("figures", new FiguresCommand(output)::run);
         commands.put("serve", new ServeCommand(output)::run);
         commands.put("controller", new ControllerCommand(output)::run);

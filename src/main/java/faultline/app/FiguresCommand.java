@@ -13,8 +13,6 @@ import java.util.Locale;
 /** {@code figures}: generates the figures of the paper and the studies. */
 final class FiguresCommand {
 
-    private static final int BAR_WIDTH = 40;
-
     private final CommandOutput output;
 
     FiguresCommand(CommandOutput output) {
@@ -28,7 +26,9 @@ final class FiguresCommand {
         }
         Path folder = parsed.fileOption("--out")
                 .orElseThrow(() -> new UsageException("figures needs --out DIR, the folder that they go to"));
-        Figures.writeAll(folder, parseAppearance(parsed.value("--theme").orElse("adaptive")), this::showProgress);
+        TerminalProgress progress = TerminalProgress.on(output.err());
+        Figures.writeAll(folder, parseAppearance(parsed.value("--theme").orElse("adaptive")), progress::update);
+        progress.end();
         output.println("figures: " + folder);
         return ExitCode.SUCCESS;
     }
@@ -42,14 +42,5 @@ final class FiguresCommand {
                     + DidYouMean.hint(text, allowed));
         }
         return SvgTheme.valueOf(text.toUpperCase(Locale.ROOT));
-    }
-
-    /** Prints a progress bar that is redrawn in place. */
-    private void showProgress(int done, int all) {
-        int filled = BAR_WIDTH * done / all;
-        output.err()
-                .print("\r[" + "#".repeat(filled) + ".".repeat(BAR_WIDTH - filled) + "] " + done + "/" + all
-                        + (done == all ? "\n" : ""));
-        output.err().flush();
     }
 }

@@ -22,6 +22,7 @@ class ShippedScenariosTest {
     static List<Path> files() throws IOException {
         try (Stream<Path> files = Files.walk(FOLDER)) {
             return files.filter(file -> file.toString().endsWith(".xml"))
+                    .filter(file -> !file.startsWith(FOLDER.resolve("campaigns")))
                     .sorted()
                     .toList();
         }

@@ -109,18 +109,19 @@ public final class CampaignPlan {
     /** Returns what varies, in the order of the plan. */
     public List<FactorSummary> factors() {
         return factors.stream()
-                .map(factor ->
-                        new FactorSummary(factor.columns(), factor.levels().size()))
+                .map(factor -> new FactorSummary(
+                        factor.kind(), factor.columns(), factor.levels().size()))
                 .toList();
     }
 
     /**
      * A factor as a report needs it.
      *
+     * @param kind which element of the plan it is of
      * @param columns its columns in {@code runs.csv}
      * @param levelCount how many levels it has; 1 if it is drawn only
      */
-    public record FactorSummary(List<Column> columns, int levelCount) {}
+    public record FactorSummary(FactorKind kind, List<Column> columns, int levelCount) {}
 
     /** Returns the columns of everything that varies, in the order of the plan. */
     public List<Column> factorColumns() {

@@ -5,10 +5,11 @@ import java.util.List;
 /**
  * Something that a plan varies. Every level of a factor is combined with every level of the others.
  *
+ * @param kind which element of the plan it is of
  * @param columns what it adds to {@code runs.csv}
  * @param levels at least one
  */
-record Factor(List<Column> columns, List<Level> levels) {
+record Factor(FactorKind kind, List<Column> columns, List<Level> levels) {
 
     Factor {
         columns = List.copyOf(columns);

@@ -54,7 +54,8 @@ final class FactorReader {
                         List.of(value), List.of(new Edit.SetAttribute(path.get(), value, node.location()))))
                 .toList();
         String meaning = path.get() + " of the scenario" + (isDrawn(values.get()) ? ", drawn for each block" : "");
-        return Optional.of(new Factor(List.of(new Column(name, path.get().unit(), meaning)), levels));
+        return Optional.of(
+                new Factor(FactorKind.SET, List.of(new Column(name, path.get().unit(), meaning)), levels));
     }
 
     private static boolean isDrawn(List<Value> values) {
@@ -92,7 +93,8 @@ final class FactorReader {
             problems.add(node, "<variants> holds no variant, allowed is one or more");
             return Optional.empty();
         }
-        return Optional.of(new Factor(List.of(new Column(name, "", "which of the plan's variants")), levels));
+        return Optional.of(
+                new Factor(FactorKind.VARIANTS, List.of(new Column(name, "", "which of the plan's variants")), levels));
     }
 
     private Factor.Level readVariant(XmlElement node, Set<String> names) {
@@ -136,6 +138,7 @@ final class FactorReader {
         Column column = new Column(name, "", "which of the masked sensors are on, with blanks between them, or none");
         Column count = new Column(name + "_count", "", "how many of the masked sensors are on");
         return Optional.of(new Factor(
+                FactorKind.MASKS,
                 List.of(column, count),
                 masks.stream().map(on -> maskLevel(on, sensors, node)).toList()));
     }

@@ -59,7 +59,8 @@ final class FaultsReader {
             return Optional.empty();
         }
         List<Column> columns = attributes.stream().map(key -> column(name, key)).toList();
-        return Optional.of(new Factor(columns, drafts.stream().map(this::level).toList()));
+        return Optional.of(new Factor(
+                FactorKind.FAULTS, columns, drafts.stream().map(this::level).toList()));
     }
 
     private static Column column(String factor, String attribute) {

@@ -2,6 +2,10 @@ package faultline.campaign.plan;
 
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.ScenarioFiles;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -18,12 +22,27 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
 
     private static final String KIND = "campaign plan";
 
+    /** The root element begins within this many bytes. */
+    private static final int HEAD = 8192;
+
     /** The plan's name in a folder that holds a copy of all files. */
     private static final String COPY = "plan.xml";
 
     /** Gets the bytes of a scenario by its number in the plan, from 1, and its name there. */
     interface Resolver {
         byte[] read(int number, String name) throws ScenarioException;
+    }
+
+    /** Returns whether a file looks like a plan: the beginning of it holds the namespace. */
+    public static boolean isPlan(Path file) {
+        if (!Files.isRegularFile(file)) {
+            return false;
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            return new String(in.readNBytes(HEAD), StandardCharsets.UTF_8).contains(PlanReader.NAMESPACE);
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     /**

@@ -20,6 +20,8 @@ import java.util.Set;
 /** Makes a plan of a file's bytes, or reports everything that is wrong with them. */
 final class PlanReader {
 
+    static final String NAMESPACE = "urn:faultline:campaign:1";
+
     /** More runs than this are a mistake. */
     static final long MAX_RUNS = 10_000_000;
 
@@ -39,7 +41,7 @@ final class PlanReader {
     /** The format of plans; its schema is compiled when the first plan is read. */
     private static final class Format {
         static final XmlFormat FORMAT = new XmlFormat(
-                "urn:faultline:campaign:1",
+                NAMESPACE,
                 "campaign",
                 "campaign-1.xsd",
                 ScenarioSchema.compile(PlanReader.class.getResource("campaign-1.xsd")));

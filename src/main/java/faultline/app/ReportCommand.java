@@ -1,0 +1,38 @@
+package faultline.app;
+
+import faultline.campaign.report.CampaignReport;
+import faultline.io.AtomicFile;
+import faultline.scenario.xml.ScenarioException;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+
+/** {@code report}: makes an HTML page of a campaign. */
+final class ReportCommand {
+
+    private final CommandOutput output;
+
+    ReportCommand(CommandOutput output) {
+        this.output = output;
+    }
+
+    int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
+        Arguments sorted = new Arguments(arguments, List.of("--out"));
+        if (sorted.files().size() != 1) {
+            throw new UsageException("report takes the folder of one campaign, not "
+                    + (sorted.files().isEmpty() ? "none" : sorted.files().size()));
+        }
+        Path target = sorted.fileOption("--out")
+                .orElseThrow(() -> new UsageException("report needs --out FILE.html, the page that it writes"));
+        CampaignReport report =
+                new CampaignReport(Arguments.parsePath(sorted.files().get(0)));
+        try (AtomicFile out = AtomicFile.create(target)) {
+            out.stream().write(report.html().getBytes(StandardCharsets.UTF_8));
+            out.commit();
+        }
+        output.println("report: " + target);
+        output.println("runs: " + report.runCount());
+        return ExitCode.SUCCESS;
+    }
+}

@@ -1,0 +1,13 @@
+package faultline.campaign.plan;
+
+/** The elements of a plan that vary something. */
+public enum FactorKind {
+    /** An attribute with several values, or a drawn one. */
+    SET,
+    /** Named sets of attributes. */
+    VARIANTS,
+    /** Faults, with or without healthy runs. */
+    FAULTS,
+    /** Which sensors are on. */
+    MASKS
+}

@@ -1,0 +1,176 @@
+package faultline.campaign.report;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.Column;
+import faultline.campaign.run.CampaignFolder;
+import faultline.campaign.run.Outcome;
+import faultline.campaign.run.ResultColumns;
+import faultline.campaign.run.WorstRuns;
+import faultline.scenario.xml.ScenarioException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+
+/** Makes the report of a campaign: one HTML page that needs nothing but itself. */
+public final class CampaignReport {
+
+    private static final int WORST = 20;
+
+    private final RunData data;
+    private final Path folder;
+
+    /**
+     * Reads a campaign.
+     *
+     * @param folder of the campaign; unfinished ones are reported as far as they have come
+     * @throws IOException if there are no runs, in one sentence
+     * @throws ScenarioException if the copy of the plan is not good
+     */
+    public CampaignReport(Path folder) throws IOException, ScenarioException {
+        CampaignFolder campaign = new CampaignFolder(folder);
+        if (Files.notExists(campaign.runs())) {
+            throw new IOException(folder + ": there is no campaign");
+        }
+        this.folder = folder;
+        this.data = new RunData(campaign.readPlan(), campaign.runs());
+    }
+
+    /** Returns how many runs the report is of. */
+    public int runCount() {
+        return data.rows().size();
+    }
+
+    /** Returns the page. */
+    public String html() {
+        CampaignPlan plan = data.plan();
+        String title =
+                plan.header().name().isEmpty() ? "Campaign" : plan.header().name();
+        FaultSections faults = new FaultSections(data);
+        VariantSections variants = new VariantSections(data);
+        return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
+                + Html.escape(title) + "</title>\n<style>\n" + styleSheet()
+                + "</style>\n</head>\n<body>\n<header>\n<h1>"
+                + Html.escape(title) + "</h1>\n" + Html.paragraph(plan.header().description()) + "</header>\n<main>\n"
+                + summary()
+                + faults.matrix()
+                + variants.comparisons()
+                + faults.sensorSets()
+                + faults.delays()
+                + variants.responses()
+                + variants.distributions()
+                + worstRuns()
+                + dictionary()
+                + "</main>\n</body>\n</html>\n";
+    }
+
+    private String summary() {
+        CampaignPlan plan = data.plan();
+        Survival all = Survival.of(data.rows());
+        List<List<String>> rows = new ArrayList<>();
+        for (Outcome outcome : Outcome.values()) {
+            addOutcome(outcome.word(), rows);
+        }
+        addOutcome("broken", rows);
+        String size = data.rows().size() + " of " + plan.runCount() + " runs: " + plan.worldCount() + " worlds, "
+                + plan.seedCount() + (plan.seedCount() == 1 ? " seed" : " seeds") + " each, " + plan.cellCount()
+                + " combinations in each. ";
+        String meaning =
+                "A robot carries on if it touches nothing and, in the time of two laps after the fault, passes at"
+                        + " least 0.80 of the wall that it is at within 0.15 m of the wanted way. ";
+        String pairing = plan.worldCount() > 1
+                ? "Runs in one world are alike; an interval is that of as many independent runs as they are worth."
+                : "All runs are in one world: intervals say what other seeds and draws would give there, not what other"
+                        + " worlds would.";
+        return Html.section(
+                "Summary",
+                Html.paragraph(size + meaning + pairing) + "<p>All runs: " + Html.survival(all) + "</p>\n"
+                        + Html.table("numbers", List.of("outcome", "runs", "share"), rows));
+    }
+
+    private void addOutcome(String word, List<List<String>> rows) {
+        long count = data.rows().stream()
+                .filter(row -> row.text("outcome").equals(word))
+                .count();
+        if (count > 0) {
+            rows.add(List.of(
+                    word.replace('_', ' '),
+                    String.valueOf(count),
+                    Html.percent((double) count / data.rows().size())));
+        }
+    }
+
+    /** The runs that have a scenario file of their own, or, in an unfinished campaign, none. */
+    private String worstRuns() {
+        List<RunRow> worst = data.rows().stream()
+                .filter(row -> !row.text("outcome").equals("broken"))
+                .sorted(Comparator.comparing(CampaignReport::rank)
+                        .thenComparing(row -> row.number("wall_share").orElse(0)))
+                .limit(WORST)
+                .filter(row -> Files.exists(folder.resolve(WorstRuns.replayName(Long.parseLong(row.text("run"))))))
+                .toList();
+        if (worst.isEmpty()) {
+            return "";
+        }
+        List<List<String>> rows = worst.stream().map(this::worstRow).toList();
+        return Html.section(
+                "Worst runs",
+                Html.paragraph("Each command opens the run in the window, from its start.")
+                        + Html.table("worst", List.of("run", "world", "what varies", "outcome", "command"), rows));
+    }
+
+    private static int rank(RunRow row) {
+        return Outcome.valueOf(row.text("outcome").toUpperCase(Locale.ROOT)).ordinal();
+    }
+
+    private List<String> worstRow(RunRow row) {
+        StringBuilder varied = new StringBuilder();
+        for (Column column : data.plan().factorColumns()) {
+            String text = row.text(column.name());
+            if (!text.isEmpty()) {
+                varied.append(varied.isEmpty() ? "" : ", ")
+                        .append(column.name())
+                        .append(' ')
+                        .append(text);
+            }
+        }
+        String command = "java -jar target/faultline.jar "
+                + folder.resolve(WorstRuns.replayName(Long.parseLong(row.text("run"))));
+        String collision = row.text("collided_with");
+        return List.of(
+                row.text("run"),
+                Html.escape(row.text("world")) + ", seed " + row.text("seed"),
+                Html.escape(varied.toString()),
+                row.text("outcome").replace('_', ' ')
+                        + (collision.isEmpty()
+                                ? ""
+                                : " with " + Html.escape(collision) + " at " + row.text("collision_time_s") + " s"),
+                "<code>" + Html.escape(command) + "</code>");
+    }
+
+    private String dictionary() {
+        List<List<String>> rows = ResultColumns.of(data.plan()).stream()
+                .map(column -> List.of(
+                        "<code>" + column.name() + "</code>",
+                        Html.escape(column.unit()),
+                        Html.escape(column.meaning())))
+                .toList();
+        return Html.section(
+                "Columns of runs.csv", Html.table("dictionary", List.of("column", "unit", "meaning"), rows));
+    }
+
+    private static String styleSheet() {
+        try (InputStream in = CampaignReport.class.getResourceAsStream("report.css")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

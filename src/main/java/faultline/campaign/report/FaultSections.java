@@ -1,0 +1,198 @@
+package faultline.campaign.report;
+
+import faultline.campaign.plan.CampaignPlan.FactorSummary;
+import faultline.campaign.plan.FactorKind;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** The sections on faults: the survival matrix, and how soon faults are detected. */
+final class FaultSections {
+
+    private static final String DELAY = "detection_delay_s";
+
+    /** With a sufficient set of sensors, the robot carries on in at least this share of the runs. */
+    private static final double SUFFICIENT = 0.85;
+
+    private final RunData data;
+
+    FaultSections(RunData data) {
+        this.data = data;
+    }
+
+    /** Returns a matrix of kinds by sensors, empty without faults. */
+    String matrix() {
+        Optional<FactorSummary> faults = data.factor(FactorKind.FAULTS);
+        if (faults.isEmpty()) {
+            return "";
+        }
+        String kind = faults.get().columns().get(0).name();
+        String sensor = faults.get().columns().get(1).name();
+        Map<String, List<RunRow>> cells = RunData.group(data.rows(), row -> row.text(kind) + "\t" + row.text(sensor));
+        Set<String> kinds = new LinkedHashSet<>();
+        Set<String> sensors = new LinkedHashSet<>();
+        data.rows().stream().filter(row -> !row.text(sensor).isEmpty()).forEach(row -> {
+            kinds.add(row.text(kind));
+            sensors.add(row.text(sensor));
+        });
+        List<List<String>> rows = new ArrayList<>();
+        for (String each : kinds) {
+            List<String> line = new ArrayList<>(List.of(Html.escape(each)));
+            sensors.forEach(one -> line.add(cell(cells.getOrDefault(each + "\t" + one, List.of()))));
+            line.add(cell(rowsWith(kind, each)));
+            rows.add(line);
+        }
+        List<String> last = new ArrayList<>(List.of("all kinds"));
+        sensors.forEach(one -> last.add(cell(rowsWith(sensor, one))));
+        last.add(cell(
+                data.rows().stream().filter(row -> !row.text(sensor).isEmpty()).toList()));
+        rows.add(last);
+        List<String> header = new ArrayList<>(List.of("fault"));
+        sensors.forEach(one -> header.add(Html.escape(one)));
+        header.add("all sensors");
+        return Html.section(
+                "Survival by fault and sensor", intro(rowsWith(sensor, "")) + Html.table("matrix", header, rows));
+    }
+
+    private String intro(List<RunRow> healthy) {
+        String text =
+                "Share of runs in which the robot carried on, with its 95 % interval (Wilson) and the number of runs.";
+        return "<p>" + text
+                + (healthy.isEmpty() ? "" : " Healthy: " + Html.survival(Survival.of(healthy)) + ".")
+                + "</p>\n";
+    }
+
+    private List<RunRow> rowsWith(String column, String text) {
+        return data.rows().stream().filter(row -> row.text(column).equals(text)).toList();
+    }
+
+    private String cell(Collection<RunRow> rows) {
+        return Html.survivalCell(Survival.of(rows));
+    }
+
+    /** Returns the delays of detection by fault, empty if the runs have none. */
+    String delays() {
+        if (!data.has(DELAY)) {
+            return "";
+        }
+        List<List<String>> rows = new ArrayList<>();
+        RunData.group(data.rows(), data::faultName).forEach((fault, group) -> {
+            double[] delays = delays(group);
+            if (!fault.equals("healthy") && !fault.isEmpty()) {
+                rows.add(List.of(
+                        Html.escape(fault),
+                        Html.percent((double) delays.length / group.size()),
+                        quantile(delays, 0.5),
+                        quantile(delays, 0.9),
+                        quantile(delays, 1),
+                        String.valueOf(group.size())));
+            }
+        });
+        String histogram = Svg.histogram("detection delay (s)", delays(data.rows()), 24);
+        return Html.section(
+                "Detection delays",
+                Html.paragraph("Seconds from a fault until the controller distrusts the sensor, of"
+                                + " the runs in which it does.")
+                        + Html.table("numbers", List.of("fault", "detected", "median", "90 %", "longest", "n"), rows)
+                        + histogram);
+    }
+
+    private static double[] delays(List<RunRow> rows) {
+        return rows.stream()
+                .map(row -> row.number(DELAY))
+                .filter(java.util.OptionalDouble::isPresent)
+                .mapToDouble(java.util.OptionalDouble::getAsDouble)
+                .sorted()
+                .toArray();
+    }
+
+    private static String quantile(double[] sorted, double share) {
+        return sorted.length == 0
+                ? "&ndash;"
+                : Html.number(sorted[(int) Math.max(0, Math.ceil(share * sorted.length) - 1)]);
+    }
+
+    /** Returns the smallest sets of sensors with which the robot carries on, empty without masks. */
+    String sensorSets() {
+        Optional<FactorSummary> masks = data.factor(FactorKind.MASKS);
+        if (masks.isEmpty()) {
+            return "";
+        }
+        String column = masks.get().columns().get(0).name();
+        Map<String, Survival> sets = new HashMap<>();
+        RunData.group(data.rows(), row -> row.text(column)).forEach((set, rows) -> sets.put(set, Survival.of(rows)));
+        return Html.section(
+                "Minimum sets of sensors",
+                Html.paragraph("A set is sufficient if the robot carries on in at least 85 % of its runs, minimum if no"
+                                + " smaller set inside it is sufficient. " + countSufficient(sets) + " of "
+                                + sets.size()
+                                + " sets are sufficient.")
+                        + minimumTable(sets)
+                        + "<h3>All sets</h3>\n"
+                        + Html.table(
+                                "numbers",
+                                List.of("sensors on", "sets", "sufficient", "best set", "carried on"),
+                                bySize(sets)));
+    }
+
+    private static long countSufficient(Map<String, Survival> sets) {
+        return sets.values().stream().filter(FaultSections::isSufficient).count();
+    }
+
+    private static boolean isSufficient(Survival survival) {
+        return survival.n() > 0 && survival.share() >= SUFFICIENT;
+    }
+
+    private static Set<String> sensors(String set) {
+        return set.equals("none") ? Set.of() : new LinkedHashSet<>(Arrays.asList(set.split(" ")));
+    }
+
+    private static String minimumTable(Map<String, Survival> sets) {
+        List<String> sufficient = sets.keySet().stream()
+                .filter(set -> isSufficient(sets.get(set)))
+                .toList();
+        List<List<String>> rows = sufficient.stream()
+                .filter(set -> sufficient.stream()
+                        .noneMatch(other -> !other.equals(set) && sensors(set).containsAll(sensors(other))))
+                .sorted(java.util.Comparator.comparing(
+                                (String set) -> sensors(set).size())
+                        .thenComparing(set -> -sets.get(set).share())
+                        .thenComparing(set -> set))
+                .map(set -> List.of(
+                        Html.escape(set), String.valueOf(sensors(set).size()), Html.survivalCell(sets.get(set))))
+                .toList();
+        return rows.isEmpty()
+                ? Html.paragraph("No set is sufficient.")
+                : Html.table("numbers", List.of("minimum set", "sensors", "carried on"), rows);
+    }
+
+    private static List<List<String>> bySize(Map<String, Survival> sets) {
+        List<List<String>> rows = new ArrayList<>();
+        for (int size = 0; size <= 16; size++) {
+            int wanted = size;
+            List<String> some = sets.keySet().stream()
+                    .filter(set -> sensors(set).size() == wanted)
+                    .sorted(java.util.Comparator.comparing(
+                                    (String set) -> -sets.get(set).share())
+                            .thenComparing(set -> set))
+                    .toList();
+            if (!some.isEmpty()) {
+                rows.add(List.of(
+                        String.valueOf(size),
+                        String.valueOf(some.size()),
+                        String.valueOf(some.stream()
+                                .filter(set -> isSufficient(sets.get(set)))
+                                .count()),
+                        Html.escape(some.get(0)),
+                        Html.survivalCell(sets.get(some.get(0)))));
+            }
+        }
+        return rows;
+    }
+}

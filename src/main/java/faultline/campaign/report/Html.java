@@ -1,0 +1,89 @@
+package faultline.campaign.report;
+
+import java.util.List;
+import java.util.Locale;
+
+/** Pieces of HTML. */
+final class Html {
+
+    private Html() {}
+
+    static String escape(String text) {
+        return text.replace("&", "&amp;")
+                .replace("<", "&lt;")
+                .replace(">", "&gt;")
+                .replace("\"", "&quot;");
+    }
+
+    static String format(String format, Object... values) {
+        return String.format(Locale.ROOT, format, values);
+    }
+
+    /** Returns a section with a heading. */
+    static String section(String title, String content) {
+        return "<section>\n<h2>" + escape(title) + "</h2>\n" + content + "</section>\n";
+    }
+
+    static String paragraph(String text) {
+        return "<p>" + escape(text) + "</p>\n";
+    }
+
+    /** Returns a table of cells that are HTML already. */
+    static String table(String css, List<String> header, List<List<String>> rows) {
+        StringBuilder out = new StringBuilder("<div class=\"scroll\"><table class=\"" + css + "\">\n<thead><tr>");
+        header.forEach(cell -> out.append("<th scope=\"col\">").append(cell).append("</th>"));
+        out.append("</tr></thead>\n<tbody>\n");
+        for (List<String> row : rows) {
+            out.append("<tr><th scope=\"row\">").append(row.get(0)).append("</th>");
+            row.stream().skip(1).forEach(cell -> out.append(cell.startsWith("<td") ? cell : "<td>" + cell + "</td>"));
+            out.append("</tr>\n");
+        }
+        return out.append("</tbody></table></div>\n").toString();
+    }
+
+    /** Returns a share in per cent, to one digit after the point between 90 and 100. */
+    static String percent(double share) {
+        return format(share > 0.9 && share < 1 ? "%.1f&thinsp;%%" : "%.0f&thinsp;%%", 100 * share);
+    }
+
+    /** Returns a share with its interval and number of runs. */
+    static String survival(Survival survival) {
+        if (survival.n() == 0) {
+            return "&ndash;";
+        }
+        return "<b>" + percent(survival.share()) + "</b> <small>"
+                + format(
+                        "%.0f&ndash;%.0f",
+                        100 * survival.interval().low(),
+                        100 * survival.interval().high()) + "; n "
+                + survival.n() + "</small>";
+    }
+
+    /** Returns a cell with a share, coloured by it. */
+    static String survivalCell(Survival survival) {
+        if (survival.n() == 0) {
+            return "<td class=\"empty\">&ndash;</td>";
+        }
+        String colour = survival.share() >= 0.5
+                ? format("rgba(0,150,160,%.2f)", (survival.share() - 0.5) * 0.9)
+                : format("rgba(225,110,0,%.2f)", (0.5 - survival.share()) * 0.9);
+        return "<td style=\"background:" + colour + "\"><b>" + percent(survival.share()) + "</b>"
+                + Svg.intervalBar(survival) + "<small>"
+                + format(
+                        "%.0f&ndash;%.0f",
+                        100 * survival.interval().low(),
+                        100 * survival.interval().high()) + "; n "
+                + survival.n() + "</small></td>";
+    }
+
+    /** Returns a number with a sensible number of digits. */
+    static String number(double value) {
+        double size = Math.abs(value);
+        if (!Double.isFinite(value)) {
+            return "&ndash;";
+        }
+        return size == 0
+                ? "0"
+                : size < 0.001 ? format("%.2g", value) : size < 10 ? format("%.3f", value) : format("%.1f", value);
+    }
+}

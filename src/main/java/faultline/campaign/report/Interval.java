@@ -1,0 +1,91 @@
+package faultline.campaign.report;
+
+/**
+ * A 95 % confidence interval.
+ *
+ * @param low its lower end
+ * @param high its upper end
+ */
+record Interval(double low, double high) {
+
+    /** The 0.975 quantile of the normal distribution. */
+    private static final double Z = 1.959963984540054;
+
+    /**
+     * Returns the interval of a share by Wilson (1927), which stays within [0, 1] and is right for few runs.
+     *
+     * @param successes in [0, n], not necessarily whole
+     * @param n positive
+     */
+    static Interval wilson(double successes, double n) {
+        double p = successes / n;
+        double centre = p + Z * Z / (2 * n);
+        double half = Z * Math.sqrt(p * (1 - p) / n + Z * Z / (4 * n * n));
+        double scale = 1 + Z * Z / n;
+        return new Interval(Math.max(0, (centre - half) / scale), Math.min(1, (centre + half) / scale));
+    }
+
+    /**
+     * Returns the interval of the difference of two shares of the same pairs by Newcombe (1998), method 10: the square
+     * root of squared Wilson distances, less twice their product by the correlation, which is corrected for continuity.
+     *
+     * @param both pairs in which both succeed
+     * @param first pairs in which only the first does
+     * @param second pairs in which only the second does
+     * @param neither pairs in which none does
+     */
+    static Interval pairedDifference(double both, double first, double second, double neither) {
+        double n = both + first + second + neither;
+        double p1 = (both + first) / n;
+        double p2 = (both + second) / n;
+        Interval one = wilson(both + first, n);
+        Interval two = wilson(both + second, n);
+        double margins = (both + first) * (second + neither) * (both + second) * (first + neither);
+        double association = both * neither - first * second;
+        double corrected = association > 0 ? Math.max(0, association - n / 2) : association;
+        double phi = margins > 0 ? corrected / Math.sqrt(margins) : 0;
+        double difference = p1 - p2;
+        return new Interval(
+                difference - combine(p1 - one.low, two.high - p2, phi),
+                difference + combine(one.high - p1, p2 - two.low, phi));
+    }
+
+    private static double combine(double a, double b, double phi) {
+        return Math.sqrt(Math.max(0, a * a - 2 * phi * a * b + b * b));
+    }
+
+    /**
+     * Returns the interval of a mean by Student's t.
+     *
+     * @param mean the mean
+     * @param deviation the standard deviation of one observation
+     * @param n how many independent observations there are; without a second one the interval is unbounded
+     */
+    static Interval mean(double mean, double deviation, int n) {
+        if (n < 2) {
+            return new Interval(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+        }
+        double half = studentQuantile(n - 1) * deviation / Math.sqrt(n);
+        return new Interval(mean - half, mean + half);
+    }
+
+    /** The 0.975 quantile of Student's t: exact for 1 and 2, by Cornish and Fisher's expansion to 0.5 % from 3 on. */
+    static double studentQuantile(int freedom) {
+        if (freedom == 1) {
+            return 12.706204736;
+        }
+        if (freedom == 2) {
+            return 4.302652730;
+        }
+        double z3 = Z * Z * Z;
+        double z5 = z3 * Z * Z;
+        double z7 = z5 * Z * Z;
+        double z9 = z7 * Z * Z;
+        double v = freedom;
+        return Z
+                + (z3 + Z) / (4 * v)
+                + (5 * z5 + 16 * z3 + 3 * Z) / (96 * v * v)
+                + (3 * z7 + 19 * z5 + 17 * z3 - 15 * Z) / (384 * v * v * v)
+                + (79 * z9 + 776 * z7 + 1482 * z5 - 1920 * z3 - 945 * Z) / (92_160 * v * v * v * v);
+    }
+}

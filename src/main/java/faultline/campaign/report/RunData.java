@@ -1,0 +1,125 @@
+package faultline.campaign.report;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.CampaignPlan.FactorSummary;
+import faultline.campaign.plan.Column;
+import faultline.campaign.plan.FactorKind;
+import faultline.campaign.run.Csv;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+
+/** The runs of a campaign, and what its plan says of their columns. */
+final class RunData {
+
+    /** A variable with more levels than this is no comparison of variants. */
+    private static final int MAX_COMPARED = 12;
+
+    private final CampaignPlan plan;
+    private final Map<String, Integer> indices = new HashMap<>();
+    private final List<RunRow> rows = new ArrayList<>();
+
+    /**
+     * Reads a table.
+     *
+     * @param plan the campaign's plan
+     * @param table its runs; a row that is not ended is left out
+     */
+    RunData(CampaignPlan plan, Path table) throws IOException {
+        this.plan = plan;
+        Map<String, String> shared = new HashMap<>();
+        try (BufferedReader in = Files.newBufferedReader(table)) {
+            List<String> header = Csv.cells(in.readLine());
+            header.forEach(name -> indices.put(name, indices.size()));
+            for (String line = in.readLine(); line != null; line = in.readLine()) {
+                List<String> cells = Csv.cells(line);
+                if (cells.size() == header.size()) {
+                    cells.replaceAll(cell -> shared.computeIfAbsent(cell, same -> same));
+                    rows.add(new RunRow(this, cells.toArray(new String[0])));
+                }
+            }
+        }
+    }
+
+    CampaignPlan plan() {
+        return plan;
+    }
+
+    int worldCount() {
+        return plan.worldCount();
+    }
+
+    /** Returns the place of a column, -1 if there is none of the name. */
+    int index(String column) {
+        return indices.getOrDefault(column, -1);
+    }
+
+    List<RunRow> rows() {
+        return rows;
+    }
+
+    /** Returns whether a column holds any number. */
+    boolean has(String column) {
+        return index(column) >= 0
+                && rows.stream().anyMatch(row -> !row.text(column).isEmpty());
+    }
+
+    /** Returns the first factor of a kind. */
+    Optional<FactorSummary> factor(FactorKind kind) {
+        return plan.factors().stream().filter(factor -> factor.kind() == kind).findFirst();
+    }
+
+    /** Returns the factors whose levels are compared side by side: attributes and variants with a few levels. */
+    List<FactorSummary> comparedFactors() {
+        return plan.factors().stream()
+                .filter(factor -> factor.kind() == FactorKind.SET || factor.kind() == FactorKind.VARIANTS)
+                .filter(factor -> factor.levelCount() > 1 && factor.levelCount() <= MAX_COMPARED)
+                .toList();
+    }
+
+    /** Returns the columns of numbers that are drawn or have many levels. */
+    List<Column> continuousColumns() {
+        return plan.factorColumns().stream()
+                .filter(column -> rows.stream()
+                                .map(row -> row.text(column.name()))
+                                .filter(text -> !text.isEmpty())
+                                .distinct()
+                                .limit(MAX_COMPARED + 1L)
+                                .count()
+                        > MAX_COMPARED)
+                .filter(column ->
+                        rows.stream().anyMatch(row -> row.number(column.name()).isPresent()))
+                .toList();
+    }
+
+    /** Groups rows by a key, in the order of their first appearance. */
+    static <K> Map<K, List<RunRow>> group(Collection<RunRow> rows, Function<RunRow, K> key) {
+        Map<K, List<RunRow>> groups = new LinkedHashMap<>();
+        rows.forEach(row -> groups.computeIfAbsent(key.apply(row), first -> new ArrayList<>())
+                .add(row));
+        return groups;
+    }
+
+    /** Returns what the fault of a run is called, empty if the campaign has no faults. */
+    String faultName(RunRow row) {
+        return factor(FactorKind.FAULTS)
+                .map(factor -> faultName(
+                        row,
+                        factor.columns().get(0).name(),
+                        factor.columns().get(1).name()))
+                .orElse("");
+    }
+
+    private static String faultName(RunRow row, String kind, String sensor) {
+        return row.text(sensor).isEmpty() ? "healthy" : row.text(sensor) + " " + row.text(kind);
+    }
+}

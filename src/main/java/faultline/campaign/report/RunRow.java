@@ -1,0 +1,35 @@
+package faultline.campaign.report;
+
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+
+/** One row of {@code runs.csv}. */
+record RunRow(RunData data, String[] cells) {
+
+    /** Returns a cell, empty if there is no such column. */
+    String text(String column) {
+        int index = data.index(column);
+        return index < 0 ? "" : cells[index];
+    }
+
+    /** Returns a cell as a number, empty if it holds none. */
+    OptionalDouble number(String column) {
+        String text = text(column);
+        try {
+            return text.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(Double.parseDouble(text));
+        } catch (NumberFormatException e) {
+            return OptionalDouble.empty();
+        }
+    }
+
+    /** Returns 1 if the robot carried on, 0 if not; empty if the run does not tell. */
+    OptionalInt carriedOn() {
+        String text = text("carried_on");
+        return text.isEmpty() ? OptionalInt.empty() : OptionalInt.of(text.equals("1") ? 1 : 0);
+    }
+
+    /** Returns what runs are independent of each other by: the world, or the block if there is one world only. */
+    String cluster() {
+        return text(data.worldCount() > 1 ? "world" : "block");
+    }
+}

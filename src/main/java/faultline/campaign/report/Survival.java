@@ -1,0 +1,61 @@
+package faultline.campaign.report;
+
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The share of runs in which the robot carried on.
+ *
+ * @param successes runs in which it did
+ * @param n runs that tell
+ * @param interval of the share
+ */
+record Survival(int successes, int n, Interval interval) {
+
+    /**
+     * Returns the share of some runs. Runs in one world are not independent; the interval is that of as many
+     * independent runs as they are worth: their number by the ratio of the variance of the share between worlds to that
+     * of independent runs.
+     *
+     * @param rows the runs; those that do not tell are left out
+     */
+    static Survival of(Collection<RunRow> rows) {
+        List<RunRow> telling =
+                rows.stream().filter(row -> row.carriedOn().isPresent()).toList();
+        if (telling.isEmpty()) {
+            return new Survival(0, 0, new Interval(0, 1));
+        }
+        int n = telling.size();
+        int successes =
+                telling.stream().mapToInt(row -> row.carriedOn().getAsInt()).sum();
+        double share = (double) successes / n;
+        Map<String, Double> sums = new LinkedHashMap<>();
+        telling.forEach(row -> sums.merge(row.cluster(), row.carriedOn().getAsInt() - share, Double::sum));
+        double worth = n / designEffect(n, sums, n * share * (1 - share));
+        return new Survival(successes, n, Interval.wilson(worth * share, worth));
+    }
+
+    /**
+     * Returns by how much runs in few worlds are worth less than independent ones, at least 1. Runs that do not differ
+     * at all are worth one for each world.
+     *
+     * @param n how many runs there are
+     * @param sums of the deviations from the mean in each world
+     * @param squares the sum of all squared deviations
+     */
+    static double designEffect(int n, Map<String, Double> sums, double squares) {
+        int worlds = sums.size();
+        if (n == worlds || worlds == 1) {
+            return n == worlds ? 1 : n;
+        }
+        double clustered = sums.values().stream().mapToDouble(sum -> sum * sum).sum() * worlds / (worlds - 1);
+        return squares > 1e-12 ? Math.max(1, clustered / squares) : (double) n / worlds;
+    }
+
+    /** Returns the share, 0 without runs. */
+    double share() {
+        return n == 0 ? 0 : (double) successes / n;
+    }
+}

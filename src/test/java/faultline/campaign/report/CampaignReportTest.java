@@ -1,0 +1,95 @@
+package faultline.campaign.report;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.SamplePlan;
+import faultline.campaign.run.CampaignFolder;
+import faultline.campaign.run.CampaignRunner;
+import faultline.campaign.run.Shard;
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.xml.sax.InputSource;
+
+class CampaignReportTest {
+
+    @TempDir
+    Path folder;
+
+    private String report(String elements) throws Exception {
+        String worlds = "<worlds><scenario file=\"a.xml\"/><scenario file=\"b.xml\"/></worlds><seeds count=\"2\"/>";
+        CampaignPlan plan = SamplePlan.read(SamplePlan.text("", worlds + elements));
+        new CampaignRunner(plan, new CampaignFolder(folder), Shard.ALL, 2).run(true, (made, runs) -> {}, () -> false);
+        return new CampaignReport(folder).html();
+    }
+
+    @Test
+    void aCampaignWithFaultsHasAMatrixAndComparisons() throws Exception {
+        String html = report(
+                """
+                <set attribute="controller/@distance" value="0.2 0.25 0.3"/>
+                <set attribute="robot/@speed" value="0.2..0.4"/>
+                <faults><healthy/><fault kind="off stuck" sensor="front left" at="1..3"/></faults>
+                """);
+        assertEquals(
+                List.of(
+                        "Summary",
+                        "Survival by fault and sensor",
+                        "controller_distance_m: 0.2, 0.25, 0.3",
+                        "Distributions",
+                        "Worst runs",
+                        "Columns of runs.csv"),
+                headings(html));
+        assertTrue(html.contains("<th scope=\"row\">stuck</th>"));
+        assertTrue(html.contains("java -jar target/faultline.jar " + folder.resolve("replays/run-")));
+    }
+
+    @Test
+    void aCampaignWithMasksHasMinimumSets() throws Exception {
+        String html = report("<masks sensors=\"front left\"/>");
+        assertTrue(headings(html).contains("Minimum sets of sensors"));
+        assertTrue(html.contains("<th scope=\"row\">0</th><td>1</td>"), "the empty set");
+    }
+
+    @Test
+    void thePageNeedsNothingButItself() throws Exception {
+        String html = report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>");
+        assertFalse(html.contains("<script") || html.contains("http:") || html.contains("https:"));
+        assertFalse(html.contains("<link") || html.contains("<img") || html.contains("NaN"));
+        assertEquals(html, new CampaignReport(folder).html(), "the same table gives the same page");
+        String xml = html.replace("<!DOCTYPE html>", "")
+                .replaceAll("<meta[^>]*>|<br>", "")
+                .replaceAll("&(ndash|thinsp);", " ")
+                .replaceAll("(?s)<style>.*?</style>", "");
+        DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new InputSource(new StringReader(xml)));
+    }
+
+    @Test
+    void anUnfinishedCampaignIsReportedAsFarAsItHasCome() throws Exception {
+        report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
+        List<String> rows = Files.readAllLines(folder.resolve("runs.csv"));
+        Files.writeString(
+                folder.resolve("runs.csv"),
+                rows.stream().limit(4).collect(Collectors.joining("\n")) + "\n"
+                        + rows.get(4).substring(0, 20));
+        CampaignReport report = new CampaignReport(folder);
+        assertEquals(3, report.runCount());
+        assertTrue(report.html().contains("3 of 8 runs"));
+    }
+
+    private static List<String> headings(String html) {
+        return java.util.regex.Pattern.compile("<h2>(.*?)</h2>")
+                .matcher(html)
+                .results()
+                .map(found -> found.group(1))
+                .toList();
+    }
+}
