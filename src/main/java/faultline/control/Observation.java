@@ -9,6 +9,6 @@ import faultline.robot.RobotSpec;
  * @param dt the length of a tick, seconds
  * @param robot the robot as it is built and set now
  * @param readings what each of the robot's sensors reports, in its order, encoded as in
- *     {@link faultline.sensor.Reading}; not to be changed
+ *     {@link faultline.sensor.Reading}; not to be changed, and valid until the next decision but one
  */
 public record Observation(long tick, double dt, RobotSpec robot, double[] readings) {}

@@ -3,6 +3,7 @@ package faultline.engine;
 import faultline.control.Controller;
 import faultline.control.Decision;
 import faultline.control.Observation;
+import faultline.robot.RobotSpec;
 
 /**
  * The hand-over between world and controller, in lock-step: one observation in, one decision out. Used by the world's
@@ -11,11 +12,15 @@ import faultline.control.Observation;
 interface ControllerHost extends AutoCloseable {
 
     /**
-     * Gives the controller an observation; does not wait.
+     * Gives the controller an observation without waiting. Its parts are passed, so that a host on the world's own
+     * thread can do without the object.
      *
-     * @param observation of this tick
+     * @param tick as in {@link Observation}
+     * @param dt as in {@link Observation}
+     * @param robot as in {@link Observation}
+     * @param readings as in {@link Observation}; not changed until the submission after the next
      */
-    void submit(Observation observation);
+    void submit(long tick, double dt, RobotSpec robot, double[] readings);
 
     /**
      * Waits for the decision on the observation submitted last.

@@ -3,30 +3,37 @@ package faultline.engine;
 import faultline.control.Controller;
 import faultline.control.Decision;
 import faultline.control.Observation;
+import faultline.robot.RobotSpec;
 
 /** Calls the controller on the world's own thread. */
 final class DirectHost implements ControllerHost {
 
     private final Controller controller;
-    private Observation pending;
+    private long tick;
+    private double dt;
+    private RobotSpec robot;
+    private double[] readings;
 
     DirectHost(Controller controller) {
         this.controller = controller;
     }
 
     @Override
-    public void submit(Observation observation) {
-        pending = observation;
+    public void submit(long newTick, double newDt, RobotSpec newRobot, double[] newReadings) {
+        tick = newTick;
+        dt = newDt;
+        robot = newRobot;
+        readings = newReadings;
     }
 
     @Override
     public Decision await() {
         try {
-            return controller.decide(pending);
+            return controller.decide(new Observation(tick, dt, robot, readings));
         } catch (RunFailedException broken) {
             throw broken;
         } catch (RuntimeException broken) {
-            throw new RunFailedException("the controller broke at tick " + pending.tick() + ": " + broken, broken);
+            throw new RunFailedException("the controller broke at tick " + tick + ": " + broken, broken);
         }
     }
 

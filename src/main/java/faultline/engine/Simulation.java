@@ -2,7 +2,6 @@ package faultline.engine;
 
 import faultline.control.Controller;
 import faultline.control.Decision;
-import faultline.control.Observation;
 import faultline.control.Telemetry;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
@@ -33,6 +32,9 @@ public final class Simulation implements AutoCloseable {
     private final List<Journal.Entry> journal = new ArrayList<>();
     private final TrajectoryRecorder trajectoryRecorder = new TrajectoryRecorder();
     private Decision activeDecision;
+    // Two arrays in turn: a controller may still hold the last observation.
+    private double[] readings;
+    private double[] previousReadings;
 
     /**
      * Creates a simulation whose commands have no listener; see {@link #Simulation(SimulationSetup, ControllerMode,
@@ -68,6 +70,8 @@ public final class Simulation implements AutoCloseable {
         this.controllerHost = ControllerHost.create(controller, mode);
         this.activeDecision = new Decision(0, 0, Telemetry.ofState(ControllerFactory.initialState(setup.controller())));
         this.commandListener = listener;
+        this.readings = new double[setup.robot().sensors().size()];
+        this.previousReadings = new double[readings.length];
         this.timeline = new Timeline(setup);
         executeDueCommands(0);
         senseAndSubmit();
@@ -76,19 +80,32 @@ public final class Simulation implements AutoCloseable {
     /**
      * Advances the run by one tick.
      *
-     * @throws RunFailedException if the controller threw an exception or did not answer
+     * @throws RunFailedException if the controller threw an exception or did not answer, or if the robot turns too fast
+     *     for its contacts to be found
      */
     public void tick() {
         executeDueCommands(world.tick() + 1);
         activeDecision = controllerHost.await();
-        world.move(activeDecision.leftVolts(), activeDecision.rightVolts());
+        move();
         senseAndSubmit();
+    }
+
+    private void move() {
+        try {
+            world.move(activeDecision.leftVolts(), activeDecision.rightVolts());
+        } catch (World.UnresolvedContactException unresolved) {
+            throw new RunFailedException("tick " + (world.tick() + 1) + ": " + unresolved.getMessage(), unresolved);
+        }
     }
 
     private void senseAndSubmit() {
         world.sense();
         trajectoryRecorder.record(world);
-        controllerHost.submit(new Observation(world.tick(), setup.dt(), world.robot(), world.reportedReadings()));
+        double[] swapped = previousReadings;
+        previousReadings = readings;
+        readings = swapped;
+        world.copyReportedReadings(readings);
+        controllerHost.submit(world.tick(), setup.dt(), world.robot(), readings);
     }
 
     private void executeDueCommands(long tick) {

@@ -3,6 +3,7 @@ package faultline.engine;
 import faultline.control.Controller;
 import faultline.control.Decision;
 import faultline.control.Observation;
+import faultline.robot.RobotSpec;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -41,8 +42,9 @@ final class ThreadedHost implements ControllerHost {
     }
 
     @Override
-    public void submit(Observation observation) {
-        tick = observation.tick();
+    public void submit(long newTick, double dt, RobotSpec robot, double[] readings) {
+        tick = newTick;
+        Observation observation = new Observation(newTick, dt, robot, readings);
         decision = executor.submit(() -> controller.decide(observation));
     }
 

@@ -1,6 +1,7 @@
 package faultline.engine;
 
 import faultline.geometry.Pose;
+import faultline.robot.WheelSpeeds;
 import faultline.world.World;
 
 /** What a run has left behind: the robot's path, and a hash of all that a tick comes to. */
@@ -15,9 +16,11 @@ final class TrajectoryRecorder {
         hash.add(pose.x());
         hash.add(pose.y());
         hash.add(pose.heading());
-        hash.add(world.wheelSpeeds().left());
-        hash.add(world.wheelSpeeds().right());
-        for (int i = 0; i < world.robot().sensors().size(); i++) {
+        WheelSpeeds speeds = world.wheelSpeeds();
+        hash.add(speeds.left());
+        hash.add(speeds.right());
+        int sensors = world.robot().sensors().size();
+        for (int i = 0; i < sensors; i++) {
             hash.add(world.reportedReading(i));
         }
         path.record(pose.x(), pose.y());

@@ -28,6 +28,13 @@ public record Disc(double cx, double cy, double radius) implements ConvexShape {
     }
 
     @Override
+    public double distanceTo(double x, double y) {
+        double dx = x - cx;
+        double dy = y - cy;
+        return Math.max(0, Math.sqrt(dx * dx + dy * dy) - radius);
+    }
+
+    @Override
     public Vector2 centre() {
         return new Vector2(cx, cy);
     }

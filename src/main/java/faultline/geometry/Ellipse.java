@@ -31,6 +31,23 @@ public record Ellipse(RigidMotion frame, double rx, double ry) implements Convex
         return frame.toParent(EllipseClosestPoint.compute(rx, ry, local));
     }
 
+    @Override
+    public double distanceTo(double x, double y) {
+        double dx = x - frame.x();
+        double dy = y - frame.y();
+        double localX = frame.cos() * dx + frame.sin() * dy;
+        double localY = frame.cos() * dy - frame.sin() * dx;
+        double u = localX / rx;
+        double v = localY / ry;
+        if (u * u + v * v <= 1) {
+            return 0;
+        }
+        double root = EllipseClosestPoint.root(rx, ry, localX, localY);
+        double fx = EllipseClosestPoint.coordinate(rx, root, localX) - localX;
+        double fy = EllipseClosestPoint.coordinate(ry, root, localY) - localY;
+        return Math.sqrt(fx * fx + fy * fy);
+    }
+
     /**
      * Returns the point of the ellipse farthest in a direction.
      *

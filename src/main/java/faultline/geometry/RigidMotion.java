@@ -35,7 +35,7 @@ public record RigidMotion(double cos, double sin, double x, double y) {
 
     /** Returns the motion that maps the frame of a pose to its parent frame. */
     public static RigidMotion of(Pose pose) {
-        return new RigidMotion(StrictMath.cos(pose.heading()), StrictMath.sin(pose.heading()), pose.x(), pose.y());
+        return new RigidMotion(StrictTrig.cos(pose.heading()), StrictTrig.sin(pose.heading()), pose.x(), pose.y());
     }
 
     /** Returns {@link #of} a pose as a new transform for {@link java.awt.geom}. */
@@ -51,8 +51,8 @@ public record RigidMotion(double cos, double sin, double x, double y) {
      * @param theta radians, counter-clockwise
      */
     public static RigidMotion rotationAbout(Vector2 centre, double theta) {
-        double cos = StrictMath.cos(theta);
-        double sin = StrictMath.sin(theta);
+        double cos = StrictTrig.cos(theta);
+        double sin = StrictTrig.sin(theta);
         double xb = centre.x();
         double yb = centre.y();
         // eq. (1): the last column is [x_b (1 - cos) + y_b sin, y_b (1 - cos) - x_b sin]

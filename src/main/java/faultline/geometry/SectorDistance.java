@@ -67,6 +67,16 @@ public final class SectorDistance {
         rightY = axisY * cosHalf - axisX * sinHalf;
     }
 
+    /** Returns the apex' x, metres. */
+    double x() {
+        return x;
+    }
+
+    /** Returns the apex' y, metres. */
+    double y() {
+        return y;
+    }
+
     /** Returns the distance to a shape as {@link #nearest(Sector, ConvexShape)} does. */
     public double nearest(ConvexShape shape) {
         if (shape instanceof Segment segment) {

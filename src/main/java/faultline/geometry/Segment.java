@@ -55,6 +55,19 @@ public record Segment(double ax, double ay, double bx, double by) implements Con
     }
 
     @Override
+    public double distanceTo(double x, double y) {
+        double dx = bx - ax;
+        double dy = by - ay;
+        double px = ax - x;
+        double py = ay - y;
+        double dd = dx * dx + dy * dy;
+        double fraction = dd == 0 ? 0 : Math.max(0, Math.min(1, -(px * dx + py * dy) / dd));
+        double fx = px + fraction * dx;
+        double fy = py + fraction * dy;
+        return Math.sqrt(fx * fx + fy * fy);
+    }
+
+    @Override
     public Vector2 centre() {
         return new Vector2((ax + bx) / 2, (ay + by) / 2);
     }

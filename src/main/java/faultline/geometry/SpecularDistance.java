@@ -23,9 +23,33 @@ public final class SpecularDistance {
      * @return metres in [0, range], or positive infinity if no such point lies in the sector
      */
     public static double nearest(Sector sector, Segment segment, double incidence) {
-        return reflectingPart(sector.apex(), segment, incidence)
-                .map(part -> SectorDistance.nearest(sector, part))
-                .orElse(Double.POSITIVE_INFINITY);
+        return nearest(new SectorDistance(sector), segment, StrictMath.tan(incidence));
+    }
+
+    /** Returns the same distance from the tangent of the greatest angle of incidence, without allocation. */
+    public static double nearest(SectorDistance sector, Segment segment, double tangent) {
+        double dx = segment.bx() - segment.ax();
+        double dy = segment.by() - segment.ay();
+        double length = Math.sqrt(dx * dx + dy * dy);
+        if (length == 0) {
+            return sector.nearest(segment);
+        }
+        double alongX = 1 / length * dx;
+        double alongY = 1 / length * dy;
+        double toApexX = sector.x() - segment.ax();
+        double toApexY = sector.y() - segment.ay();
+        double foot = alongX * toApexX + alongY * toApexY;
+        double half = Math.abs(alongX * toApexY - alongY * toApexX) * tangent;
+        double from = Math.max(0, foot - half) / length;
+        double to = Math.min(length, foot + half) / length;
+        if (from > to) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double ax = from == 1 ? segment.bx() : segment.ax() + from * dx;
+        double ay = from == 1 ? segment.by() : segment.ay() + from * dy;
+        double bx = to == 1 ? segment.bx() : segment.ax() + to * dx;
+        double by = to == 1 ? segment.by() : segment.ay() + to * dy;
+        return sector.toSegment(ax, ay, bx - ax, by - ay);
     }
 
     /**

@@ -13,7 +13,7 @@ public record Vector2(double x, double y) {
 
     /** Returns the unit vector at an angle, radians counter-clockwise from the x axis. */
     public static Vector2 direction(double angle) {
-        return new Vector2(StrictMath.cos(angle), StrictMath.sin(angle));
+        return new Vector2(StrictTrig.cos(angle), StrictTrig.sin(angle));
     }
 
     /** Returns the sum of this vector and another. */

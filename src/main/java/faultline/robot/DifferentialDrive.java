@@ -1,6 +1,7 @@
 package faultline.robot;
 
 import faultline.geometry.Pose;
+import faultline.geometry.StrictTrig;
 
 /** The kinematics of the differential drive: the paper's eqs. (2) and (3), integrated exactly along the arc. */
 public final class DifferentialDrive {
@@ -22,16 +23,27 @@ public final class DifferentialDrive {
     public static Pose advance(Pose from, Velocity velocity, double dt) {
         double turn = velocity.angular() * dt;
         double half = turn / 2;
-        double chord = velocity.linear() * dt * sinc(half);
+        double chord = chord(velocity.linear(), half, dt);
         double direction = from.heading() + half;
         return new Pose(
-                from.x() + chord * StrictMath.cos(direction),
-                from.y() + chord * StrictMath.sin(direction),
+                from.x() + chord * StrictTrig.cos(direction),
+                from.y() + chord * StrictTrig.sin(direction),
                 from.heading() + turn);
+    }
+
+    /**
+     * Returns the length of the chord of an arc, metres.
+     *
+     * @param v metres per second
+     * @param half half the turn along the arc, radians
+     * @param dt seconds
+     */
+    public static double chord(double v, double half, double dt) {
+        return v * dt * sinc(half);
     }
 
     /** Returns sin(x) / x, and its limit near 0. */
     private static double sinc(double x) {
-        return Math.abs(x) < SMALL_ANGLE ? 1 - x * x / 6 : StrictMath.sin(x) / x;
+        return Math.abs(x) < SMALL_ANGLE ? 1 - x * x / 6 : StrictTrig.sin(x) / x;
     }
 }

@@ -15,10 +15,12 @@ final class ActiveFaults {
 
     private List<Active> active = new ArrayList<>();
 
-    /** Takes over the faults that a sensor has now: those that it had keep their memory. */
-    void update(List<Fault> faults, long tick, double dt, double lastReported) {
+    /**
+     * Takes over the faults that a sensor has now: those that it had keep their memory. Returns whether any changed.
+     */
+    boolean update(List<Fault> faults, long tick, double dt, double lastReported) {
         if (isCurrent(faults)) {
-            return;
+            return false;
         }
         List<Active> before = new ArrayList<>(active);
         List<Active> now = new ArrayList<>();
@@ -26,6 +28,7 @@ final class ActiveFaults {
             now.add(take(before, fault, new FaultContext(tick, dt, lastReported)));
         }
         active = now;
+        return true;
     }
 
     private boolean isCurrent(List<Fault> faults) {

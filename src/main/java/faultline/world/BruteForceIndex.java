@@ -3,20 +3,19 @@ package faultline.world;
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Vector2;
 
-/** Looks at every figure's enclosing circle: the judge of any faster index. */
+/** Checks every shape's bounding circle: the reference for any faster index. */
 final class BruteForceIndex implements SpatialIndex {
 
     private final ConvexShape[] shapes;
-    private final int[] owners;
+    private final ShapeOwner[] owners;
     private final double[] x;
     private final double[] y;
     private final double[] boundingRadius;
 
-    /** An index over all figures of a list, which may be cleared afterwards. */
     BruteForceIndex(CandidateBuffer all) {
         int size = all.size();
         shapes = new ConvexShape[size];
-        owners = new int[size];
+        owners = new ShapeOwner[size];
         x = new double[size];
         y = new double[size];
         boundingRadius = new double[size];
@@ -26,7 +25,7 @@ final class BruteForceIndex implements SpatialIndex {
             Vector2 centre = shapes[i].centre();
             x[i] = centre.x();
             y[i] = centre.y();
-            // Rounding of the circle must not hide a figure that just reaches.
+            // Rounding of the circle must not hide a shape that just reaches.
             boundingRadius[i] = shapes[i].boundingRadius() * (1 + 1e-12);
         }
     }

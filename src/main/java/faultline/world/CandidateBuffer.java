@@ -3,36 +3,61 @@ package faultline.world;
 import faultline.geometry.ConvexShape;
 import java.util.Arrays;
 
-/** A list of figures, each with the obstacle that it belongs to, filled anew every tick without allocating. */
+/** A reusable list of shapes, each with its owner; filled without allocation. */
 public final class CandidateBuffer {
 
     private ConvexShape[] shapes = new ConvexShape[64];
-    private int[] owners = new int[64];
+    private ShapeOwner[] owners = new ShapeOwner[64];
     private int size;
 
+    /** Returns the static shapes of a world, the enclosing wall first. */
+    public static CandidateBuffer ofStaticShapes(WorldSpec world) {
+        return ObstacleSet.staticShapes(world);
+    }
+
+    /** Removes all shapes. */
     public void clear() {
         size = 0;
     }
 
-    void add(ConvexShape figure, int owner) {
+    void add(ConvexShape shape, ShapeOwner owner) {
         if (size == shapes.length) {
             shapes = Arrays.copyOf(shapes, 2 * size);
             owners = Arrays.copyOf(owners, 2 * size);
         }
-        shapes[size] = figure;
+        shapes[size] = shape;
         owners[size++] = owner;
     }
 
+    void addAll(PlacedObstacle obstacle) {
+        for (ConvexShape part : obstacle.parts()) {
+            add(part, obstacle);
+        }
+    }
+
+    /** Removes the shapes, after the first few, whose owners have been removed from the world. */
+    void dropRemoved(int from) {
+        int kept = from;
+        for (int i = from; i < size; i++) {
+            if (!owners[i].isRemoved()) {
+                shapes[kept] = shapes[i];
+                owners[kept++] = owners[i];
+            }
+        }
+        size = kept;
+    }
+
+    /** Returns the number of shapes. */
     public int size() {
         return size;
     }
 
+    /** Returns a shape. */
     public ConvexShape shape(int index) {
         return shapes[index];
     }
 
-    /** The obstacle that the figure belongs to, by its place in the field. */
-    int owner(int index) {
+    ShapeOwner owner(int index) {
         return owners[index];
     }
 }

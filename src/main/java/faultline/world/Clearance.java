@@ -5,7 +5,7 @@ import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
 import java.util.Optional;
 
-/** Whether the robot has room where it stands: asked before a run, and before a command puts something where it is. */
+/** Checks whether the robot has room at a pose, before a run or before an edit. */
 public final class Clearance {
 
     /** A body nearer than this to an obstacle counts as touching it, metres. */
@@ -14,15 +14,15 @@ public final class Clearance {
     private Clearance() {}
 
     /**
-     * What the robot would overlap or touch at a pose.
+     * Returns the id of the first obstacle, or {@link WorldSpec#ENCLOSURE}, that the robot would touch or overlap at a
+     * pose.
      *
-     * @param world the world before anything moves
-     * @param robot the robot as built
-     * @param pose where it stands
-     * @return the id of the first such obstacle, or {@link WorldSpec#ENCLOSURE}; empty where the robot has room
+     * @param world the world at the start
+     * @param robot the robot
+     * @param pose the robot's pose
      */
     public static Optional<String> findObstruction(WorldSpec world, RobotSpec robot, Pose pose) {
-        String id = new ObstacleSet(world).findObstruction(new OrientedBox(pose, robot.length(), robot.width()));
-        return id.isEmpty() ? Optional.empty() : Optional.of(id);
+        return ObstacleSet.findObstruction(
+                world, world.obstacles(), new OrientedBox(pose, robot.length(), robot.width()));
     }
 }

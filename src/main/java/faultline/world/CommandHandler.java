@@ -7,8 +7,11 @@ import faultline.sensor.SensorSpec;
 import faultline.world.Refusal.Reason;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Function;
 import java.util.function.LongSupplier;
+import java.util.function.Predicate;
 
 /** Executes commands on the world, or refuses them, and finds their inverses. */
 final class CommandHandler implements Command.Visitor<CommandResult> {
@@ -86,7 +89,7 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
     }
 
     /** Changes a sensor's faults. They act in the order in which they were added; the inverse restores that order. */
-    private CommandResult withFaults(Command command, String id, java.util.function.Predicate<List<Fault>> change) {
+    private CommandResult withFaults(Command command, String id, Predicate<List<Fault>> change) {
         return withSensor(command, id, (index, sensor) -> {
             List<Command> restore = new ArrayList<>();
             restore.add(new Command.ClearFaults(id));
@@ -99,22 +102,25 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
 
     private void updateRobot(RobotSpec changed) {
         body.setSpec(changed);
+        motionStep.bodyChanged();
         sensors.configure(changed);
     }
 
     @Override
     public CommandResult visit(Command.MoveObstacle command) {
-        int owner = obstacles.indexOf(command.obstacle());
-        if (owner < 0) {
-            return refused(command, Reason.UNKNOWN_OBSTACLE, command.obstacle());
-        }
-        Obstacle old = obstacles.obstacles().get(owner);
-        if (ObstacleSet.isClear(body.box(), ObstacleGeometry.of(old.withPose(command.pose())))) {
-            obstacles.move(owner, command.pose());
-        } else if (!motionStep.slideUntilContact(owner, command.pose())) {
-            return refused(command, Reason.OVERLAPS_ROBOT, command.obstacle());
-        }
-        return executed(command, new Command.MoveObstacle(old.id(), old.pose()));
+        return withObstacle(command, command.obstacle(), placed -> {
+            Obstacle old = placed.obstacle();
+            if (ObstacleSet.isClear(body.box(), ObstacleGeometry.of(old.withPose(command.pose())))) {
+                obstacles.move(placed, command.pose());
+            } else if (!motionStep.slideUntilContact(placed, command.pose())) {
+                return refused(command, Reason.OVERLAPS_ROBOT, old.id());
+            }
+            return executed(command, new Command.MoveObstacle(old.id(), old.pose()));
+        });
+    }
+
+    private CommandResult withObstacle(Command command, String id, Function<PlacedObstacle, CommandResult> change) {
+        return obstacles.find(id).map(change).orElseGet(() -> refused(command, Reason.UNKNOWN_OBSTACLE, id));
     }
 
     @Override
@@ -130,37 +136,37 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
             return refused(command, Reason.TOO_MANY_MOVING, Integer.toString(spec.maxMoving()));
         }
         Command inverse = obstacles
-                .obstacle(obstacle.id())
-                .<Command>map(Command.PlaceObstacle::new)
+                .find(obstacle.id())
+                .<Command>map(old -> new Command.PlaceObstacle(old.obstacle()))
                 .orElse(new Command.RemoveObstacle(obstacle.id()));
         obstacles.put(obstacle);
         return executed(command, inverse);
     }
 
     private long countOthersMoving(String id) {
-        return obstacles.obstacles().stream()
-                .filter(other -> other.isMoving() && !other.id().equals(id))
+        return obstacles.moving().stream()
+                .filter(other -> !other.id().equals(id))
                 .count();
     }
 
     @Override
     public CommandResult visit(Command.RemoveObstacle command) {
-        int owner = obstacles.indexOf(command.obstacle());
-        if (owner < 0) {
-            return refused(command, Reason.UNKNOWN_OBSTACLE, command.obstacle());
-        }
-        Command inverse = new Command.PlaceObstacle(obstacles.obstacles().get(owner));
-        obstacles.remove(owner);
-        return executed(command, inverse);
+        return withObstacle(command, command.obstacle(), placed -> {
+            Command inverse = new Command.PlaceObstacle(placed.obstacle());
+            obstacles.remove(placed);
+            return executed(command, inverse);
+        });
     }
 
     @Override
     public CommandResult visit(Command.SetPlatform command) {
         RobotSpec old = body.spec();
-        String obstruction = obstacles.findObstruction(new OrientedBox(body.pose(), command.length(), command.width()));
-        boolean grows = command.length() > old.length() || command.width() > old.width();
-        if (grows && !obstruction.isEmpty()) {
-            return refused(command, Reason.PLATFORM_OVERLAPS, obstruction);
+        if (command.length() > old.length() || command.width() > old.width()) {
+            Optional<String> obstruction =
+                    obstacles.findObstruction(new OrientedBox(body.pose(), command.length(), command.width()));
+            if (obstruction.isPresent()) {
+                return refused(command, Reason.PLATFORM_OVERLAPS, obstruction.get());
+            }
         }
         updateRobot(old.withPlatform(command.length(), command.width(), command.speed()));
         return executed(command, new Command.SetPlatform(old.length(), old.width(), old.speed()));

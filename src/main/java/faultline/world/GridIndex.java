@@ -6,23 +6,30 @@ import faultline.geometry.Vector2;
 import java.util.Arrays;
 
 /**
- * Keeps every figure in the square cells that it may touch, so that a look around costs the same in a room of forty
- * walls as in one of forty thousand. Finds all that {@link BruteForceIndex} finds within the distance.
+ * Keeps every shape in the square cells that its bounding box touches, so that a query costs the same among forty walls
+ * as among forty thousand. Finds all that {@link BruteForceIndex} finds within the distance.
  */
 final class GridIndex implements SpatialIndex {
 
-    /** The side of a cell where the figures allow it, metres: about a third of what a robot looks round. */
+    /** The side of a cell if the shapes allow it, metres: about a third of the distance that a robot senses. */
     private static final double MIN_CELL_SIZE = 0.4;
 
-    /** The grid is made coarser until it has no more entries and cells than this for each figure. */
+    /** The grid is made coarser until it has no more entries and cells than this for each shape. */
     private static final int MAX_ENTRIES_PER_SHAPE = 16;
 
     private static final int MAX_ENTRIES_BASE = 4096;
 
+    /** A segment whose box touches more cells than this is kept only in those that it may touch itself. */
+    private static final int MAX_BOX_CELLS = 4;
+
     private final ConvexShape[] shapes;
-    private final int[] owners;
-    private final double left;
-    private final double bottom;
+    private final ShapeOwner[] owners;
+    private final double[] minX;
+    private final double[] minY;
+    private final double[] maxX;
+    private final double[] maxY;
+    private double left = Double.POSITIVE_INFINITY;
+    private double bottom = Double.POSITIVE_INFINITY;
     private double cellSize;
     private int columns;
     private int rows;
@@ -31,42 +38,56 @@ final class GridIndex implements SpatialIndex {
     private final int[] lastQuery;
     private int query;
 
-    /** A grid over all figures of a list, which may be cleared afterwards. */
     GridIndex(CandidateBuffer all) {
         int size = all.size();
         shapes = new ConvexShape[size];
-        owners = new int[size];
+        owners = new ShapeOwner[size];
         lastQuery = new int[size];
-        double minX = Double.POSITIVE_INFINITY;
-        double minY = Double.POSITIVE_INFINITY;
-        double maxX = Double.NEGATIVE_INFINITY;
-        double maxY = Double.NEGATIVE_INFINITY;
+        minX = new double[size];
+        minY = new double[size];
+        maxX = new double[size];
+        maxY = new double[size];
+        double right = Double.NEGATIVE_INFINITY;
+        double top = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < size; i++) {
             shapes[i] = all.shape(i);
             owners[i] = all.owner(i);
-            Vector2 centre = shapes[i].centre();
-            double reach = shapes[i].boundingRadius();
-            minX = Math.min(minX, centre.x() - reach);
-            minY = Math.min(minY, centre.y() - reach);
-            maxX = Math.max(maxX, centre.x() + reach);
-            maxY = Math.max(maxY, centre.y() + reach);
+            setBox(i, shapes[i]);
+            left = Math.min(left, minX[i]);
+            bottom = Math.min(bottom, minY[i]);
+            right = Math.max(right, maxX[i]);
+            top = Math.max(top, maxY[i]);
         }
-        left = minX;
-        bottom = minY;
-        build(maxX - minX, maxY - minY);
+        build(right - left, top - bottom);
+    }
+
+    private void setBox(int i, ConvexShape shape) {
+        if (shape instanceof Segment segment) {
+            minX[i] = Math.min(segment.ax(), segment.bx());
+            minY[i] = Math.min(segment.ay(), segment.by());
+            maxX[i] = Math.max(segment.ax(), segment.bx());
+            maxY[i] = Math.max(segment.ay(), segment.by());
+        } else {
+            Vector2 centre = shape.centre();
+            double radius = shape.boundingRadius() * (1 + 1e-12);
+            minX[i] = centre.x() - radius;
+            minY[i] = centre.y() - radius;
+            maxX[i] = centre.x() + radius;
+            maxY[i] = centre.y() + radius;
+        }
     }
 
     private void build(double width, double height) {
-        long most = (long) MAX_ENTRIES_PER_SHAPE * shapes.length + MAX_ENTRIES_BASE;
+        long max = (long) MAX_ENTRIES_PER_SHAPE * shapes.length + MAX_ENTRIES_BASE;
         cellSize = MIN_CELL_SIZE;
-        while (shapes.length > 0 && !fill(width, height, most)) {
+        while (shapes.length > 0 && !fill(width, height, max)) {
             cellSize *= 2;
         }
     }
 
-    /** Fills the grid at the present cell size; false where it would grow beyond the most. */
-    private boolean fill(double width, double height, long most) {
-        if ((width / cellSize + 1) * (height / cellSize + 1) > most) {
+    /** Fills the grid at the current cell size, and returns false if it would have more entries than allowed. */
+    private boolean fill(double width, double height, long max) {
+        if ((width / cellSize + 1) * (height / cellSize + 1) > max) {
             return false;
         }
         columns = (int) (width / cellSize) + 1;
@@ -75,7 +96,7 @@ final class GridIndex implements SpatialIndex {
         long total = 0;
         for (int i = 0; i < shapes.length; i++) {
             total += visit(i, counts, null);
-            if (total > most) {
+            if (total > max) {
                 return false;
             }
         }
@@ -92,24 +113,25 @@ final class GridIndex implements SpatialIndex {
     }
 
     /**
-     * Goes through the cells that a figure may touch, counting it there, and noting it where a counter points if there
-     * is a place to.
+     * Visits the cells that a shape may touch, and increments their counters. If there are entries, first writes the
+     * shape to where the counter points.
      */
-    private int visit(int figure, int[] counters, int[] target) {
-        ConvexShape shape = shapes[figure];
-        Vector2 centre = shape.centre();
-        double reach = shape.boundingRadius();
+    private int visit(int shape, int[] counters, int[] target) {
+        int firstRow = row(minY[shape]);
+        int lastRow = row(maxY[shape]);
+        int firstColumn = column(minX[shape]);
+        int lastColumn = column(maxX[shape]);
+        boolean testCells = (lastRow - firstRow + 1L) * (lastColumn - firstColumn + 1L) > MAX_BOX_CELLS
+                && shapes[shape] instanceof Segment;
         int cells = 0;
-        int lastRow = row(centre.y() + reach);
-        int lastColumn = column(centre.x() + reach);
-        for (int row = row(centre.y() - reach); row <= lastRow; row++) {
-            for (int column = column(centre.x() - reach); column <= lastColumn; column++) {
-                if (mayTouch(shape, column, row)) {
-                    int at = row * columns + column;
+        for (int row = firstRow; row <= lastRow; row++) {
+            for (int column = firstColumn; column <= lastColumn; column++) {
+                if (!testCells || mayTouch(shape, column, row)) {
+                    int cell = row * columns + column;
                     if (target != null) {
-                        target[counters[at]] = figure;
+                        target[counters[cell]] = shape;
                     }
-                    counters[at]++;
+                    counters[cell]++;
                     cells++;
                 }
             }
@@ -117,21 +139,18 @@ final class GridIndex implements SpatialIndex {
         return cells;
     }
 
-    /** A long segment is kept out of the cells that only its enclosing circle touches. */
-    private boolean mayTouch(ConvexShape shape, int column, int row) {
-        if (!(shape instanceof Segment segment)) {
-            return true;
-        }
-        Vector2 middle = new Vector2(left + (column + 0.5) * cellSize, bottom + (row + 0.5) * cellSize);
-        return segment.nearestTo(middle).distanceTo(middle) <= 0.75 * cellSize;
+    private boolean mayTouch(int shape, int column, int row) {
+        double x = left + (column + 0.5) * cellSize;
+        double y = bottom + (row + 0.5) * cellSize;
+        return shapes[shape].distanceTo(x, y) <= 0.75 * cellSize;
     }
 
     private int column(double x) {
-        return (int) Math.max(0, Math.min(columns - 1, Math.floor((x - left) / cellSize)));
+        return (int) Math.max(0, Math.min(columns - 1, (x - left) / cellSize));
     }
 
     private int row(double y) {
-        return (int) Math.max(0, Math.min(rows - 1, Math.floor((y - bottom) / cellSize)));
+        return (int) Math.max(0, Math.min(rows - 1, (y - bottom) / cellSize));
     }
 
     @Override
@@ -146,10 +165,10 @@ final class GridIndex implements SpatialIndex {
         for (int row = row(y - distance); row <= lastRow; row++) {
             int end = starts[row * columns + lastColumn + 1];
             for (int entry = starts[row * columns + firstColumn]; entry < end; entry++) {
-                int figure = entries[entry];
-                if (lastQuery[figure] != query) {
-                    lastQuery[figure] = query;
-                    found.add(shapes[figure], owners[figure]);
+                int shape = entries[entry];
+                if (lastQuery[shape] != query) {
+                    lastQuery[shape] = query;
+                    found.add(shapes[shape], owners[shape]);
                 }
             }
         }

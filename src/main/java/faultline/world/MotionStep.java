@@ -1,17 +1,20 @@
 package faultline.world;
 
+import faultline.geometry.BoxDistance;
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Pose;
+import faultline.geometry.Separation;
 import faultline.geometry.Vector2;
 import faultline.robot.Velocity;
-import faultline.robot.WheelSpeeds;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
- * Moves obstacles and robot through one tick together, exactly: everything goes on until the robot first touches
- * something, where the robot stops for good; a moving obstacle waits wherever going on would run into the robot.
+ * Moves obstacles and robot together through one tick, exactly, until the robot first touches something. There the
+ * robot stops for good. A moving obstacle waits while its path leads into the robot.
  */
 final class MotionStep {
 
@@ -19,178 +22,211 @@ final class MotionStep {
      * The robot's contact with something.
      *
      * @param time within the tick, seconds
-     * @param obstacle what it touches
-     * @param points where, at least one
+     * @param obstacle the id of what it touches
+     * @param points the contact points, at least one
      */
     record Contact(double time, String obstacle, List<Vector2> points) {}
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
-    private final ObstacleSet obstacleSet;
+    /** A collision names what is this near, metres. */
+    private static final double NAMING_TOLERANCE = 1e-6;
+
+    private final ObstacleSet obstacles;
     private final RobotBody body;
+    private final FreeTravel freeTravel;
     private final CandidateBuffer candidates = new CandidateBuffer();
-    private Optional<Contact> contact = Optional.empty();
+    private final List<Contact> contacts = new ArrayList<>();
 
-    MotionStep(ObstacleSet field, RobotBody body) {
-        this.obstacleSet = field;
+    MotionStep(ObstacleSet obstacles, RobotBody body) {
+        this.obstacles = obstacles;
         this.body = body;
+        this.freeTravel = new FreeTravel(obstacles);
     }
 
-    /** The contact made since this was last asked. */
+    /** Must be called after the body's size has changed. */
+    void bodyChanged() {
+        freeTravel.invalidate();
+    }
+
+    /** Returns the contact made since the last call. */
     Optional<Contact> pollContact() {
-        Optional<Contact> taken = contact;
-        contact = Optional.empty();
-        return taken;
+        if (contacts.isEmpty()) {
+            return Optional.empty();
+        }
+        Contact first = contacts.get(0);
+        contacts.clear();
+        return Optional.of(first);
     }
 
-    /** One tick. */
+    /** Moves everything by one tick. */
     void move(double dt) {
-        TimeOfImpact rolling = body.timeOfImpact();
-        double stop = staticContactTime(rolling, dt);
-        for (int which = 0; which < obstacleSet.movingIndices().size(); which++) {
-            stop = Math.min(stop, followerContactTime(rolling, which, dt));
+        double stop = body.isAtRest() || freeTravel.take(body, dt) ? NEVER : staticContactTime(dt);
+        List<MovingObstacle> moving = obstacles.moving();
+        for (int i = 0; i < moving.size(); i++) {
+            stop = Math.min(stop, movingContactTime(moving.get(i), dt));
         }
+        if (stop < NEVER) {
+            moveToContact(stop, dt);
+            return;
+        }
+        body.advance(dt);
+        for (int i = 0; i < moving.size(); i++) {
+            moving.get(i).follower().advance(dt);
+        }
+    }
+
+    /** Moves everything to the time of first contact, and then the obstacles that are not blocked. */
+    private void moveToContact(double stop, double dt) {
         double end = Math.min(stop, dt);
         Pose before = body.pose();
         body.advance(end);
-        for (int which = 0; which < obstacleSet.movingIndices().size(); which++) {
-            advance(which, end);
-        }
-        if (stop < NEVER) {
-            body.stop();
-            contact = Optional.of(contactAt(stop, before));
-            advanceFollowersAfterContact(dt - end);
+        obstacles.moving().forEach(mover -> mover.follower().advance(end));
+        body.stop();
+        contacts.add(contactAt(stop, before));
+        for (MovingObstacle mover : obstacles.moving()) {
+            mover.follower().advance(Math.min(dt - end, movingContactTime(mover, dt - end)));
         }
     }
 
-    private void advance(int which, double time) {
-        obstacleSet.follower(which).advance(time);
-        obstacleSet.updatePosition(which);
-    }
-
-    /** Lets every mover go on for the rest of a tick, or until it would run into the body at rest. */
-    private void advanceFollowersAfterContact(double rest) {
-        for (int which = 0; which < obstacleSet.movingIndices().size(); which++) {
-            advance(which, Math.min(rest, followerContactTime(body.timeOfImpact(), which, rest)));
-        }
-    }
-
-    private double staticContactTime(TimeOfImpact rolling, double dt) {
-        if (body.wheelSpeeds().equals(WheelSpeeds.ZERO)) {
-            return NEVER;
-        }
+    private double staticContactTime(double dt) {
+        TimeOfImpact impact = body.timeOfImpact();
         Pose pose = body.pose();
         candidates.clear();
-        obstacleSet.findStaticNear(
+        obstacles.findStaticNear(
                 pose.x(), pose.y(), body.reachableRadius(dt) + TimeOfImpact.TOUCH_DISTANCE, candidates);
         double stop = NEVER;
         for (int i = 0; i < candidates.size(); i++) {
-            stop = Math.min(
-                    stop, rolling.firstContactTime(pose, candidates.shape(i), Vector2.ZERO, Math.min(stop, dt)));
+            stop = Math.min(stop, impact.firstContactTime(pose, candidates.shape(i), Vector2.ZERO, Math.min(stop, dt)));
         }
         return stop;
     }
 
-    /** When within a time the body, which sets out now, meets a moving obstacle, which does too. */
-    private double followerContactTime(TimeOfImpact sweep, int which, double time) {
-        for (WaypointFollower.Leg leg : obstacleSet.follower(which).legs(time)) {
-            Pose pose = sweep.poseAfter(body.pose(), leg.from());
+    /** Returns when within a time the body meets a moving obstacle, both starting now. */
+    private double movingContactTime(MovingObstacle mover, double time) {
+        double reach = body.reachableRadius(time) + mover.follower().speed() * time + NAMING_TOLERANCE;
+        if (!mover.isWithin(body.x(), body.y(), reach)) {
+            return NEVER;
+        }
+        TimeOfImpact impact = body.timeOfImpact();
+        Pose start = body.pose();
+        Vector2 end = new Vector2(mover.follower().x(), mover.follower().y());
+        double arrival = 0;
+        for (WaypointFollower.Leg leg : mover.follower().legs(time)) {
+            Pose pose = impact.poseAfter(start, leg.from());
             double contact = leg.from()
-                    + firstContactTime(sweep, pose, which, leg.start(), leg.velocity(), leg.to() - leg.from());
+                    + firstContactTime(impact, pose, mover, leg.start(), leg.velocity(), leg.to() - leg.from());
             if (contact < NEVER) {
                 return contact;
             }
+            end = leg.start().plus(leg.velocity().times(leg.to() - leg.from()));
+            arrival = leg.to();
         }
-        // A mover that stands is only met by a body that rolls.
-        return restingContactTime(sweep, which, time);
+        // An obstacle that has stopped is met only by a body that moves.
+        return arrival >= time
+                ? NEVER
+                : arrival
+                        + firstContactTime(
+                                impact, impact.poseAfter(start, arrival), mover, end, Vector2.ZERO, time - arrival);
     }
 
-    private double restingContactTime(TimeOfImpact sweep, int which, double to) {
-        List<WaypointFollower.Leg> legs = obstacleSet.follower(which).legs(to);
-        double arrived = legs.isEmpty() ? 0 : legs.get(legs.size() - 1).to();
-        if (arrived >= to) {
-            return NEVER;
-        }
-        Vector2 place = legs.isEmpty() ? obstacleSet.follower(which).position() : endOf(legs.get(legs.size() - 1));
-        return arrived
-                + firstContactTime(
-                        sweep, sweep.poseAfter(body.pose(), arrived), which, place, Vector2.ZERO, to - arrived);
-    }
-
-    private static Vector2 endOf(WaypointFollower.Leg leg) {
-        return leg.start().plus(leg.velocity().times(leg.to() - leg.from()));
-    }
-
-    private double firstContactTime(
-            TimeOfImpact sweep, Pose pose, int which, Vector2 place, Vector2 velocity, double time) {
-        ObstacleGeometry outline =
-                obstacleSet.geometry(obstacleSet.movingIndices().get(which));
-        double dx = place.x() - outline.frame().x();
-        double dy = place.y() - outline.frame().y();
+    private static double firstContactTime(
+            TimeOfImpact impact, Pose pose, MovingObstacle mover, Vector2 position, Vector2 velocity, double time) {
+        ObstacleGeometry geometry = mover.geometry();
+        double dx = position.x() - geometry.frame().x();
+        double dy = position.y() - geometry.frame().y();
         double stop = NEVER;
-        for (ConvexShape part : outline.parts()) {
+        for (ConvexShape part : geometry.parts()) {
             stop = Math.min(
-                    stop, sweep.firstContactTime(pose, part.translated(dx, dy), velocity, Math.min(stop, time)));
+                    stop, impact.firstContactTime(pose, part.translated(dx, dy), velocity, Math.min(stop, time)));
         }
         return stop;
     }
 
-    /** What the body touches now that it has rolled from a pose. */
+    /** Returns what the body touches after moving from a pose: of several obstacles the first static one. */
     private Contact contactAt(double time, Pose before) {
         candidates.clear();
-        obstacleSet.findNear(
-                before.x(),
-                before.y(),
-                body.spec().boundingRadius() + body.pose().position().distanceTo(before.position()) + 1e-6,
-                candidates);
-        String obstacle = "";
-        List<Vector2> points = new ArrayList<>();
-        for (int i = 0; i < candidates.size(); i++) {
-            List<Vector2> found = body.contactPoints(candidates.shape(i));
-            if (!found.isEmpty() && (obstacle.isEmpty() || obstacle.equals(obstacleSet.idOf(candidates.owner(i))))) {
-                obstacle = obstacleSet.idOf(candidates.owner(i));
-                points.addAll(found);
+        double moved = body.pose().position().distanceTo(before.position());
+        obstacles.findNear(before.x(), before.y(), body.spec().boundingRadius() + moved + NAMING_TOLERANCE, candidates);
+        List<ShapeOwner> owners = IntStream.range(0, candidates.size())
+                .mapToObj(candidates::owner)
+                .distinct()
+                .sorted(Comparator.comparing((ShapeOwner owner) -> owner instanceof MovingObstacle)
+                        .thenComparing(ShapeOwner::order))
+                .toList();
+        for (ShapeOwner owner : owners) {
+            List<Vector2> points = contactPoints(owner);
+            if (!points.isEmpty()) {
+                return new Contact(time, owner.id(), points);
             }
         }
-        return new Contact(time, obstacle, distinct(points));
+        return nearestContact(time);
     }
 
-    private static List<Vector2> distinct(List<Vector2> points) {
+    /** Returns the distinct points where the body touches the shapes of an owner, in the order of the shapes. */
+    private List<Vector2> contactPoints(ShapeOwner owner) {
         List<Vector2> distinct = new ArrayList<>();
-        for (Vector2 point : points) {
-            if (distinct.stream().noneMatch(other -> other.distanceTo(point) < 1e-8)) {
-                distinct.add(point);
+        for (ConvexShape shape : shapesOf(owner)) {
+            for (Vector2 point : body.contactPoints(shape)) {
+                if (distinct.stream().noneMatch(other -> other.distanceTo(point) < 1e-8)) {
+                    distinct.add(point);
+                }
             }
         }
         return distinct;
     }
 
+    private List<ConvexShape> shapesOf(ShapeOwner owner) {
+        if (owner instanceof PlacedObstacle obstacle) {
+            return obstacle.parts();
+        }
+        return IntStream.range(0, candidates.size())
+                .filter(i -> candidates.owner(i) == owner)
+                .mapToObj(candidates::shape)
+                .toList();
+    }
+
+    /** Returns the contact with the nearest shape, if rounding has left a gap. */
+    private Contact nearestContact(double time) {
+        String nearest = "";
+        Separation least = new Separation(NAMING_TOLERANCE, Vector2.ZERO, Vector2.ZERO);
+        for (int i = 0; i < candidates.size(); i++) {
+            Separation gap = BoxDistance.between(body.box(), candidates.shape(i));
+            if (gap.distance() < least.distance()) {
+                least = gap;
+                nearest = candidates.owner(i).id();
+            }
+        }
+        if (nearest.isEmpty()) {
+            throw new World.UnresolvedContactException(
+                    "a contact was found, but nothing is within 1e-6 m of the robot");
+        }
+        return new Contact(time, nearest, List.of(least.onShape()));
+    }
+
     /**
-     * Slides an obstacle straight from where it stands, turned already, to a place, until it touches the body at rest
-     * in this moment.
+     * Slides an obstacle, already rotated, along a straight line to a pose at which it would overlap the body, until it
+     * touches the body. The body is at rest meanwhile.
      *
-     * @param owner the obstacle's place in the field
-     * @param target where it would overlap the body
-     * @return false where it would overlap the body even before it is slid
+     * @return false if the obstacle overlaps the body before it slides
      */
-    boolean slideUntilContact(int owner, Pose target) {
-        Vector2 from = obstacleSet.obstacles().get(owner).pose().position();
-        Pose turned = new Pose(from.x(), from.y(), target.heading());
-        ObstacleGeometry outline =
-                ObstacleGeometry.of(obstacleSet.obstacles().get(owner).withPose(turned));
-        if (!ObstacleSet.isClear(body.box(), outline)) {
+    boolean slideUntilContact(PlacedObstacle placed, Pose target) {
+        Pose start = placed.obstacle().pose();
+        Vector2 from = start.position();
+        ObstacleGeometry geometry = ObstacleGeometry.of(placed.obstacle().withPose(target.withPosition(from)));
+        if (!ObstacleSet.isClear(body.box(), geometry)) {
             return false;
         }
         Vector2 way = target.position().minus(from);
         TimeOfImpact still = new TimeOfImpact(body.spec().length(), body.spec().width(), Velocity.ZERO);
         double stop = 1;
-        for (ConvexShape part : outline.parts()) {
+        for (ConvexShape part : geometry.parts()) {
             stop = Math.min(stop, still.firstContactTime(body.pose(), part, way, stop));
         }
-        Vector2 place = from.plus(way.times(stop));
-        obstacleSet.move(owner, new Pose(place.x(), place.y(), target.heading()));
+        obstacles.move(placed, target.withPosition(from.plus(way.times(stop))));
         body.stop();
-        contact = Optional.of(contactAt(0, body.pose()));
+        contacts.clear();
+        contacts.add(contactAt(0, body.pose()));
         return true;
     }
 }

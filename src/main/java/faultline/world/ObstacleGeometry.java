@@ -25,8 +25,12 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
 
     /** Returns the geometry of an obstacle at its pose. */
     public static ObstacleGeometry of(Obstacle obstacle) {
-        RigidMotion frame = RigidMotion.of(obstacle.pose());
-        return new ObstacleGeometry(obstacle.shape().accept(new Placement(frame)), obstacle.shape(), frame);
+        return of(obstacle.shape(), RigidMotion.of(obstacle.pose()));
+    }
+
+    /** Returns the geometry of a shape in a frame. */
+    static ObstacleGeometry of(ObstacleShape shape, RigidMotion frame) {
+        return new ObstacleGeometry(shape.accept(new Placement(frame)), shape, frame);
     }
 
     /** Returns whether a point of the world is inside the obstacle; one on the outline may give either result. */
@@ -70,13 +74,16 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
         }
 
         private List<ConvexShape> segments(List<Vector2> points, boolean closed) {
-            List<Vector2> placed = points.stream().map(frame::toParent).toList();
-            List<ConvexShape> segments = new ArrayList<>();
-            for (int i = 1; i < placed.size(); i++) {
-                segments.add(new Segment(placed.get(i - 1), placed.get(i)));
+            List<ConvexShape> segments = new ArrayList<>(points.size());
+            Vector2 first = frame.toParent(points.get(0));
+            Vector2 from = first;
+            for (int i = 1; i < points.size(); i++) {
+                Vector2 to = frame.toParent(points.get(i));
+                segments.add(new Segment(from, to));
+                from = to;
             }
             if (closed) {
-                segments.add(new Segment(placed.get(placed.size() - 1), placed.get(0)));
+                segments.add(new Segment(from, first));
             }
             return segments;
         }

@@ -18,6 +18,9 @@ public sealed interface ObstacleShape {
     /** Returns whether every surface is flat, so that it can be specular. */
     boolean isFlat();
 
+    /** Returns the radius of the circle about the origin that encloses the shape, metres. */
+    double boundingRadius();
+
     /**
      * An operation with one method for each kind of shape.
      *
@@ -60,6 +63,11 @@ public sealed interface ObstacleShape {
         }
 
         @Override
+        public double boundingRadius() {
+            return Math.sqrt(width * width + height * height) / 2;
+        }
+
+        @Override
         public boolean isFlat() {
             return true;
         }
@@ -93,6 +101,11 @@ public sealed interface ObstacleShape {
         }
 
         @Override
+        public double boundingRadius() {
+            return radius;
+        }
+
+        @Override
         public boolean isFlat() {
             return false;
         }
@@ -118,6 +131,11 @@ public sealed interface ObstacleShape {
         @Override
         public boolean contains(Vector2 local) {
             return new Vector2(local.x() / rx, local.y() / ry).length() <= 1;
+        }
+
+        @Override
+        public double boundingRadius() {
+            return Math.max(rx, ry);
         }
 
         @Override
@@ -147,6 +165,11 @@ public sealed interface ObstacleShape {
         }
 
         @Override
+        public double boundingRadius() {
+            return maxLength(points);
+        }
+
+        @Override
         public boolean isFlat() {
             return true;
         }
@@ -170,6 +193,11 @@ public sealed interface ObstacleShape {
         @Override
         public boolean contains(Vector2 local) {
             return false;
+        }
+
+        @Override
+        public double boundingRadius() {
+            return maxLength(points);
         }
 
         @Override
@@ -207,6 +235,11 @@ public sealed interface ObstacleShape {
         }
 
         @Override
+        public double boundingRadius() {
+            return maxLength(rings.stream().flatMap(List::stream).toList());
+        }
+
+        @Override
         public boolean isFlat() {
             return true;
         }
@@ -222,6 +255,10 @@ public sealed interface ObstacleShape {
             a = b;
         }
         return inside;
+    }
+
+    private static double maxLength(List<Vector2> points) {
+        return points.stream().mapToDouble(Vector2::length).max().orElse(0);
     }
 
     private static void requirePositive(String name, double value) {

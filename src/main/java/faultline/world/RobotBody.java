@@ -4,8 +4,10 @@ import faultline.geometry.BoxDistance;
 import faultline.geometry.ConvexShape;
 import faultline.geometry.OrientedBox;
 import faultline.geometry.Pose;
+import faultline.geometry.RigidMotion;
 import faultline.geometry.Segment;
 import faultline.geometry.Separation;
+import faultline.geometry.StrictTrig;
 import faultline.geometry.Vector2;
 import faultline.robot.DifferentialDrive;
 import faultline.robot.RobotSpec;
@@ -14,19 +16,38 @@ import faultline.robot.WheelSpeeds;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The robot as it stands and rolls; mutable, on the world's thread. */
+/**
+ * The robot's body in motion; mutable, confined to the world's thread. Pose and speeds are kept as numbers, so that a
+ * tick allocates nothing.
+ */
 final class RobotBody {
 
-    /** Points of a contact are looked for within this distance, metres: ten times the touching gap. */
+    /** The tolerance of contact points, metres: ten times the distance at which a sweep ends. */
     private static final double CONTACT_TOLERANCE = 1e-9;
 
     private RobotSpec spec;
-    private Pose pose;
-    private WheelSpeeds wheelSpeeds = WheelSpeeds.ZERO;
+    private double x;
+    private double y;
+    private double heading;
+    private double cos = 1;
+    private double sin;
+    private double leftSpeed;
+    private double rightSpeed;
 
     RobotBody(RobotSpec spec, Pose pose) {
         this.spec = spec;
-        this.pose = pose;
+        x = pose.x();
+        y = pose.y();
+        setHeading(pose.heading());
+    }
+
+    private void setHeading(double newHeading) {
+        // A zero may have changed its sign.
+        if (newHeading != heading || newHeading == 0) {
+            cos = StrictTrig.cos(newHeading);
+            sin = StrictTrig.sin(newHeading);
+        }
+        heading = newHeading;
     }
 
     RobotSpec spec() {
@@ -38,61 +59,106 @@ final class RobotBody {
     }
 
     Pose pose() {
-        return pose;
+        return new Pose(x, y, heading);
+    }
+
+    double x() {
+        return x;
+    }
+
+    double y() {
+        return y;
+    }
+
+    double heading() {
+        return heading;
+    }
+
+    double cos() {
+        return cos;
+    }
+
+    double sin() {
+        return sin;
+    }
+
+    RigidMotion frame() {
+        return new RigidMotion(cos, sin, x, y);
     }
 
     WheelSpeeds wheelSpeeds() {
-        return wheelSpeeds;
+        return new WheelSpeeds(leftSpeed, rightSpeed);
     }
 
     Velocity velocity() {
-        return wheelSpeeds.toVelocity(spec.track());
+        return new Velocity(v(), omega());
     }
 
-    /** Voltage to wheel speed, once a tick: the new speeds hold for the whole tick. */
+    /** Returns the linear velocity, metres per second. */
+    double v() {
+        return (rightSpeed + leftSpeed) / 2;
+    }
+
+    /** Returns the angular velocity, radians per second. */
+    double omega() {
+        return (rightSpeed - leftSpeed) / spec.track();
+    }
+
+    boolean isAtRest() {
+        return leftSpeed == 0 && rightSpeed == 0;
+    }
+
+    /** Applies the motors' voltages; the new wheel speeds hold for the whole tick. */
     void driveMotors(double leftVolts, double rightVolts, double decay) {
-        wheelSpeeds = spec.motor().step(wheelSpeeds, leftVolts, rightVolts, decay);
+        leftSpeed = spec.motor().step(leftSpeed, leftVolts, decay);
+        rightSpeed = spec.motor().step(rightSpeed, rightVolts, decay);
     }
 
-    /** Rolls on at the present wheel speeds. */
+    /** Moves for some seconds at the current wheel speeds, as {@link DifferentialDrive#advance} does. */
     void advance(double time) {
-        pose = DifferentialDrive.advance(pose, velocity(), time);
+        double turn = omega() * time;
+        double half = turn / 2;
+        double chord = DifferentialDrive.chord(v(), half, time);
+        double direction = heading + half;
+        x += chord * StrictTrig.cos(direction);
+        y += chord * StrictTrig.sin(direction);
+        setHeading(heading + turn);
     }
 
-    /** Stands still, at once and for good. */
+    /** Stops at once. */
     void stop() {
-        wheelSpeeds = WheelSpeeds.ZERO;
+        leftSpeed = 0;
+        rightSpeed = 0;
     }
 
     OrientedBox box() {
-        return new OrientedBox(pose, spec.length(), spec.width());
+        return new OrientedBox(frame(), spec.length() / 2, spec.width() / 2);
     }
 
-    /** How far any point of the body can come from its centre's present place in a time, metres. */
+    /** Returns the radius about the centre within which the body stays for some seconds, metres. */
     double reachableRadius(double time) {
-        return spec.boundingRadius() + Math.abs(velocity().linear()) * time;
+        return spec.boundingRadius() + Math.abs(v()) * time;
     }
 
-    /** A sweep of the body at its present wheel speeds. */
     TimeOfImpact timeOfImpact() {
         return new TimeOfImpact(spec.length(), spec.width(), velocity());
     }
 
-    /** Where the body touches a figure: the ends of the common piece if a side lies flush, else one point. */
-    List<Vector2> contactPoints(ConvexShape figure) {
+    /** Returns where the body touches a shape: the ends of the contact if a side lies flush, else one point. */
+    List<Vector2> contactPoints(ConvexShape shape) {
         OrientedBox box = box();
         List<Vector2> points = new ArrayList<>();
-        Separation gap = BoxDistance.between(box, figure);
+        Separation gap = BoxDistance.between(box, shape);
         if (gap.distance() > CONTACT_TOLERANCE) {
             return points;
         }
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < OrientedBox.CORNERS; i++) {
             Vector2 corner = box.corner(i);
-            addIfNew(points, figure.nearestTo(corner), corner);
+            addIfTouching(points, shape.nearestTo(corner), corner);
         }
-        if (figure instanceof Segment segment) {
-            addIfNew(points, segment.a(), box.nearestTo(segment.a()));
-            addIfNew(points, segment.b(), box.nearestTo(segment.b()));
+        if (shape instanceof Segment segment) {
+            addIfTouching(points, segment.a(), box.nearestTo(segment.a()));
+            addIfTouching(points, segment.b(), box.nearestTo(segment.b()));
         }
         if (points.isEmpty()) {
             points.add(gap.onShape());
@@ -100,10 +166,10 @@ final class RobotBody {
         return points;
     }
 
-    private static void addIfNew(List<Vector2> points, Vector2 onFigure, Vector2 onBox) {
-        boolean touching = onFigure.distanceTo(onBox) <= CONTACT_TOLERANCE;
-        if (touching && points.stream().noneMatch(point -> point.distanceTo(onFigure) <= 2 * CONTACT_TOLERANCE)) {
-            points.add(onFigure);
+    private static void addIfTouching(List<Vector2> points, Vector2 onShape, Vector2 onBox) {
+        boolean touching = onShape.distanceTo(onBox) <= CONTACT_TOLERANCE;
+        if (touching && points.stream().noneMatch(point -> point.distanceTo(onShape) <= 2 * CONTACT_TOLERANCE)) {
+            points.add(onShape);
         }
     }
 }

@@ -1,10 +1,7 @@
 package faultline.world;
 
-import faultline.geometry.ConvexShape;
-import faultline.geometry.Pose;
 import faultline.geometry.RigidMotion;
 import faultline.geometry.Sector;
-import faultline.geometry.SectorDistance;
 import faultline.geometry.SectorIntersections;
 import faultline.geometry.Segment;
 import faultline.geometry.SpecularDistance;
@@ -12,74 +9,65 @@ import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.Reading;
-import faultline.sensor.SensorRandom;
 import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The robot's sensors at work: true and reported readings, tick by tick; mutable, on the world's thread. */
+/**
+ * The robot's sensors in action: true and reported readings, tick by tick; mutable, confined to the world's thread.
+ *
+ * <p>The static shapes that a sensor may see are collected for all poses near the present one, and again when the robot
+ * has left that region or obstacles have been edited.
+ */
 final class SensorArray {
 
+    /** The region's extent as a share of the longest range. */
+    private static final double TRAVEL_PER_RANGE = 0.125;
+
+    private static final double MIN_TRAVEL = 0.02;
+    private static final double MAX_TRAVEL = 0.5;
+    private static final double MAX_TURN = 0.25;
+
     private final double dt;
-    private final List<MountedSensor> mountedSensors = new ArrayList<>();
+    private final List<MountedSensor> sensors = new ArrayList<>();
     private final CandidateBuffer candidates = new CandidateBuffer();
-    private double[] truth = new double[0];
-    private double[] reported = new double[0];
+    private final List<MovingObstacle> movingNear = new ArrayList<>();
+    private final double[] truth;
+    private final double[] reported;
     private double sensingRadius;
+    private double maxTravel;
+
+    // The region of the collected shapes.
+    private long version = -1;
+    private double regionX;
+    private double regionY;
+    private double regionHeading;
 
     SensorArray(RobotSpec robot, long seed, double dt) {
         this.dt = dt;
-        robot.sensors()
-                .forEach(sensor ->
-                        mountedSensors.add(new MountedSensor(sensor, SensorRandom.streamKey(seed, sensor.id()))));
-        truth = new double[mountedSensors.size()];
-        reported = new double[mountedSensors.size()];
+        robot.sensors().forEach(spec -> sensors.add(new MountedSensor(spec, seed)));
+        truth = new double[sensors.size()];
+        reported = new double[sensors.size()];
         configure(robot);
     }
 
-    /** One sensor as mounted, its axis and cone as unit vectors in the robot's frame, and its faults. */
-    private static final class MountedSensor {
-        private final long streamKey;
-        private final List<Fault> faults = new ArrayList<>();
-        private final ActiveFaults active = new ActiveFaults();
-        private SensorSpec spec;
-        private RigidMotion frame;
-        private double cosHalf;
-        private double sinHalf;
-        private boolean outsideBody;
-
-        MountedSensor(SensorSpec spec, long stream) {
-            this.streamKey = stream;
-            this.spec = spec;
-        }
-
-        void configure(SensorSpec newSpec, RobotSpec robot) {
-            spec = newSpec;
-            frame = RigidMotion.of(
-                    new Pose(spec.mountPosition().x(), spec.mountPosition().y(), spec.bearing()));
-            cosHalf = StrictMath.cos(spec.cone() / 2);
-            sinHalf = StrictMath.sin(spec.cone() / 2);
-            outsideBody = Math.abs(spec.mountPosition().x()) > robot.length() / 2
-                    || Math.abs(spec.mountPosition().y()) > robot.width() / 2;
-        }
-
-        Sector sector(RigidMotion robot) {
-            return new Sector(robot.after(frame), cosHalf, sinHalf, spec.range());
-        }
-    }
-
-    /** Takes the sensors' and the platform's values anew after a change. */
+    /** Applies changed settings of the sensors or the platform. */
     void configure(RobotSpec robot) {
+        double longest =
+                robot.sensors().stream().mapToDouble(SensorSpec::range).max().orElse(0);
+        maxTravel = Math.max(MIN_TRAVEL, Math.min(MAX_TRAVEL, TRAVEL_PER_RANGE * longest));
         sensingRadius = 0;
-        for (int i = 0; i < mountedSensors.size(); i++) {
+        for (int i = 0; i < sensors.size(); i++) {
             SensorSpec spec = robot.sensors().get(i);
-            mountedSensors.get(i).configure(spec, robot);
+            sensors.get(i).configure(spec, robot, maxTravel, MAX_TURN);
             sensingRadius = Math.max(sensingRadius, spec.mountPosition().length() + spec.range());
         }
+        sensingRadius *= 1 + 1e-12;
+        version = -1;
     }
 
     List<Fault> faults(int sensor) {
-        return mountedSensors.get(sensor).faults;
+        return sensors.get(sensor).faults();
     }
 
     double truth(int sensor) {
@@ -90,119 +78,119 @@ final class SensorArray {
         return reported[sensor];
     }
 
-    /** What all sensors report, as an array of its own. */
-    double[] reported() {
-        return reported.clone();
+    /** Copies all reported readings to an array. */
+    void copyReported(double[] target) {
+        System.arraycopy(reported, 0, target, 0, reported.length);
     }
 
-    /** Senses, then lets the faults act: step 6 of a tick. */
-    void sense(ObstacleSet field, Pose pose, long tick) {
-        RigidMotion robot = RigidMotion.of(pose);
+    /** Reads all sensors, then lets their faults act: step 6 of a tick. */
+    void sense(ObstacleSet obstacles, RobotBody body, long tick) {
+        for (int i = 0; i < truth.length; i++) {
+            if (sensors.get(i).updateFaults(tick, dt, reported[i], maxTravel, MAX_TURN)) {
+                version = -1;
+            }
+        }
+        if (version != obstacles.version() || !isInRegion(body)) {
+            collect(obstacles, body);
+        }
+        collectMoving(obstacles, body);
+        for (int i = 0; i < truth.length; i++) {
+            truth[i] = measure(sensors.get(i), sensors.get(i).soundCone(), body);
+        }
+        for (int i = 0; i < truth.length; i++) {
+            MountedSensor sensor = sensors.get(i);
+            boolean sound = sensor.actualCone() == sensor.soundCone();
+            double seen = sound ? truth[i] : measure(sensor, sensor.actualCone(), body);
+            reported[i] = sensor.report(seen, truth[i + 1 < truth.length ? i + 1 : 0], tick);
+        }
+    }
+
+    private boolean isInRegion(RobotBody body) {
+        double dx = body.x() - regionX;
+        double dy = body.y() - regionY;
+        return dx * dx + dy * dy < maxTravel * maxTravel && Math.abs(body.heading() - regionHeading) < MAX_TURN;
+    }
+
+    private void collect(ObstacleSet obstacles, RobotBody body) {
+        version = obstacles.version();
+        regionX = body.x();
+        regionY = body.y();
+        regionHeading = body.heading();
         candidates.clear();
-        field.findNear(pose.x(), pose.y(), sensingRadius * (1 + 1e-12), candidates);
+        obstacles.findStaticNear(regionX, regionY, sensingRadius + maxTravel, candidates);
         for (int i = 0; i < truth.length; i++) {
-            MountedSensor mount = mountedSensors.get(i);
-            truth[i] = measure(field, mount, mount.sector(robot), Obstacle.MATT);
-        }
-        for (int i = 0; i < truth.length; i++) {
-            MountedSensor mount = mountedSensors.get(i);
-            mount.active.update(mount.faults, tick, dt, reported[i]);
-            reported[i] = report(mount, seen(field, mount, robot, i), truth[(i + 1) % truth.length], tick);
+            MountedSensor sensor = sensors.get(i);
+            sensor.soundCone().collect(candidates, body);
+            if (sensor.actualCone() != sensor.soundCone()) {
+                sensor.actualCone().collect(candidates, body);
+            }
         }
     }
 
-    /** Returns what a sensor sees through its optics, faults included. */
-    private double seen(ObstacleSet field, MountedSensor mount, RigidMotion robot, int sensor) {
-        if (!mount.active.changesOptics()) {
-            return truth[sensor];
+    private void collectMoving(ObstacleSet obstacles, RobotBody body) {
+        movingNear.clear();
+        List<MovingObstacle> moving = obstacles.moving();
+        for (int i = 0; i < moving.size(); i++) {
+            if (moving.get(i).isWithin(body.x(), body.y(), sensingRadius)) {
+                movingNear.add(moving.get(i));
+            }
         }
-        SensorSpec optics = mount.active.optics(mount.spec);
-        RigidMotion frame = RigidMotion.of(
-                new Pose(optics.mountPosition().x(), optics.mountPosition().y(), optics.bearing()));
-        Sector sector = new Sector(
-                robot.after(frame),
-                StrictMath.cos(optics.cone() / 2),
-                StrictMath.sin(optics.cone() / 2),
-                optics.range());
-        return measure(field, mount, sector, mount.active.specularAngle());
     }
 
-    private double measure(ObstacleSet field, MountedSensor mount, Sector sector, double specularLimit) {
-        if (mount.outsideBody && field.isInsideSolid(sector.apex())) {
+    private double measure(MountedSensor sensor, SensorCone cone, RobotBody body) {
+        if (sensor.isOutsideBody() && isInsideSolid(new Vector2(cone.apexX(body), cone.apexY(body)))) {
             return 0;
         }
-        double least = Reading.NOTHING;
-        for (int i = 0; i < candidates.size(); i++) {
-            least = Math.min(
-                    least,
-                    nearestDistance(
-                            sector,
-                            candidates.shape(i),
-                            Math.min(specularLimit, field.specularAngle(candidates.owner(i)))));
-        }
-        return least;
-    }
-
-    private static double nearestDistance(Sector sector, ConvexShape figure, double specular) {
-        return specular < Obstacle.MATT && figure instanceof Segment segment
-                ? SpecularDistance.nearest(sector, segment, specular)
-                : SectorDistance.nearest(sector, figure);
-    }
-
-    private static double report(MountedSensor mount, double seen, double neighbour, long tick) {
-        SensorSpec spec = mount.spec;
-        if (!spec.on()) {
-            return Reading.OFF;
-        }
-        if (spec.noise() == 0 && mount.faults.isEmpty()) {
-            return seen;
-        }
-        SensorRandom dice = SensorRandom.forTick(mount.streamKey, tick);
-        double reading = addNoise(seen, spec, dice);
-        return mount.active.apply(reading, tick, spec.range(), neighbour, dice);
-    }
-
-    /** Noise adds to a distance, held at 0; beyond the range it reads as nothing. What sees nothing has no noise. */
-    private static double addNoise(double truth, SensorSpec spec, SensorRandom dice) {
-        double noise = spec.noise() * dice.nextGaussian();
-        double reading = Math.max(0, truth + noise);
-        return reading <= spec.range() ? reading : Reading.NOTHING;
+        return cone.measure(body, movingNear);
     }
 
     /**
-     * All sensors as values, with the points where their cones' outlines meet what they can see of obstacles' outlines.
+     * Returns whether an apex is inside a solid obstacle. The robot's centre is outside all obstacles, so the outline
+     * of one that contains the apex is among the candidates.
      */
-    List<SensorSnapshot> snapshots(ObstacleSet field, Pose pose) {
-        RigidMotion robot = RigidMotion.of(pose);
-        candidates.clear();
-        field.findNear(pose.x(), pose.y(), sensingRadius, candidates);
+    private boolean isInsideSolid(Vector2 apex) {
+        ShapeOwner last = null;
+        for (int i = 0; i < candidates.size(); i++) {
+            ShapeOwner owner = candidates.owner(i);
+            if (owner != last
+                    && owner instanceof PlacedObstacle obstacle
+                    && obstacle.geometry().contains(apex)) {
+                return true;
+            }
+            last = owner;
+        }
+        return movingNear.stream().anyMatch(mover -> mover.geometry().contains(apex));
+    }
+
+    /** Returns all sensors as values, with the points where their cones' outlines meet obstacles' outlines. */
+    List<SensorSnapshot> snapshots(ObstacleSet obstacles, RobotBody body) {
+        RigidMotion robot = body.frame();
+        CandidateBuffer shapes = new CandidateBuffer();
+        obstacles.findNear(body.x(), body.y(), sensingRadius, shapes);
         List<SensorSnapshot> snapshots = new ArrayList<>();
         for (int i = 0; i < truth.length; i++) {
-            MountedSensor mount = mountedSensors.get(i);
-            Sector sector = mount.sector(robot);
+            MountedSensor sensor = sensors.get(i);
+            Sector sector = sensor.soundCone().sector(robot);
             snapshots.add(new SensorSnapshot(
-                    mount.spec,
+                    sensor.spec(),
                     sector,
                     new Reading(truth[i]),
                     new Reading(reported[i]),
-                    mount.spec.on() ? intersections(field, sector) : List.of(),
-                    mount.faults));
+                    sensor.spec().on() ? intersections(shapes, sector) : List.of(),
+                    sensor.faults()));
         }
         return snapshots;
     }
 
-    private List<Vector2> intersections(ObstacleSet field, Sector sector) {
+    private static List<Vector2> intersections(CandidateBuffer shapes, Sector sector) {
         List<Vector2> hits = new ArrayList<>();
-        for (int i = 0; i < candidates.size(); i++) {
-            hits.addAll(intersections(sector, candidates.shape(i), field.specularAngle(candidates.owner(i))));
+        for (int i = 0; i < shapes.size(); i++) {
+            ShapeOwner owner = shapes.owner(i);
+            hits.addAll(
+                    owner.isSpecular() && shapes.shape(i) instanceof Segment segment
+                            ? SpecularDistance.intersections(sector, segment, owner.specularAngle())
+                            : SectorIntersections.points(sector, shapes.shape(i)));
         }
         return hits;
-    }
-
-    /** Of a glossy surface only what the sensor can see. */
-    private static List<Vector2> intersections(Sector sector, ConvexShape figure, double specular) {
-        return specular < Obstacle.MATT && figure instanceof Segment segment
-                ? SpecularDistance.intersections(sector, segment, specular)
-                : SectorIntersections.points(sector, figure);
     }
 }

@@ -1,21 +1,23 @@
 package faultline.world;
 
-/** Finds the static figures near a point. */
+/** Finds the shapes near a point. */
 public interface SpatialIndex {
 
+    /** Up to this number of shapes, looking at all of them is fastest. */
+    int MAX_BRUTE_FORCE = 64;
+
     /**
-     * Adds every figure that comes within a distance of a point, and perhaps some that do not, always in the same
-     * order.
+     * Adds every shape that comes within a distance of a point, and perhaps others, always in the same order.
      *
      * @param x metres
      * @param y metres
      * @param distance metres
-     * @param found where they are added
+     * @param found receives the shapes
      */
     void findNear(double x, double y, double distance, CandidateBuffer found);
 
-    /** The index that suits a number of figures: below some dozens, looking at all of them is fastest. */
+    /** Returns an index suited to the number of shapes; the buffer may be cleared afterwards. */
     static SpatialIndex of(CandidateBuffer all) {
-        return all.size() <= 64 ? new BruteForceIndex(all) : new GridIndex(all);
+        return all.size() <= MAX_BRUTE_FORCE ? new BruteForceIndex(all) : new GridIndex(all);
     }
 }

@@ -10,25 +10,25 @@ import faultline.robot.DifferentialDrive;
 import faultline.robot.Velocity;
 
 /**
- * The first contact of the robot's body, which moves along an exact arc, with a figure that moves straight:
- * conservative advancement (B. Mirtich 1996), which no speed and no thin wall can outrun.
+ * The first contact of the robot's body, which moves along an exact arc, with a shape that moves straight: conservative
+ * advancement (B. Mirtich 1996), in which no speed is too high and no wall too thin.
  *
- * <p>At each moment the line through the figure's nearest point, square to the gap, keeps the figure on one side. The
- * body is let go on only for as long as none of its corners can have crossed that line: a corner with velocity w and
- * the body's turn rate omega comes nearer by no more than (w . n - u . n) s + |w| |omega| s^2 / 2 in a time s, where u
- * is the figure's velocity. The steps shrink as Newton's do.
+ * <p>At each step, the line through the shape's nearest point, perpendicular to the gap, keeps the shape on one side.
+ * The body advances only for as long as none of its corners can have crossed that line: a corner with velocity w and
+ * the body's turn rate omega approaches by at most (w . n - u . n) s + |w| |omega| s^2 / 2 in a time s, where u is the
+ * shape's velocity. The steps shrink as Newton's do.
  */
 final class TimeOfImpact {
 
-    /**
-     * The gap at which things count as touching, metres: far above rounding, far below the 1e-9 that the world
-     * promises.
-     */
+    /** The gap that counts as contact, metres: far above rounding, far below the promised 1e-9. */
     static final double TOUCH_DISTANCE = 1e-10;
 
-    private static final int MAX_STEPS = 10_000;
+    private static final int MAX_STEPS = 100_000;
 
-    /** How many roundings, at most, lie between the true ends of a gap and those computed. */
+    /** A body that turns further than this in one test, radians, is also advanced by its bounding circle. */
+    private static final double FAST_TURN = StrictMath.PI;
+
+    /** The maximum number of roundings between the true ends of a gap and those computed. */
     private static final int MAX_ROUNDINGS = 8;
 
     private final double length;
@@ -36,7 +36,7 @@ final class TimeOfImpact {
     private final Velocity velocity;
 
     /**
-     * Sweeps of a body at constant velocities.
+     * Creates a test of a body at constant velocity.
      *
      * @param length of the body, metres
      * @param width of the body, metres
@@ -49,21 +49,24 @@ final class TimeOfImpact {
     }
 
     /**
-     * When the body first touches a figure and still goes nearer.
+     * Returns when the body first touches a shape while approaching it.
      *
      * @param start the body's pose at time 0
-     * @param figure the figure at time 0, clear of the body or touching it
-     * @param shapeVelocity the figure's, metres per second
+     * @param shape the shape at time 0, clear of the body or touching it
+     * @param shapeVelocity of the shape, metres per second
      * @param time how long both move, seconds
-     * @return seconds in [0, time], or positive infinity where they do not meet
+     * @return seconds in [0, time], or positive infinity if they do not meet
+     * @throws World.UnresolvedContactException if the steps are too many
      */
-    double firstContactTime(Pose start, ConvexShape figure, Vector2 shapeVelocity, double time) {
+    double firstContactTime(Pose start, ConvexShape shape, Vector2 shapeVelocity, double time) {
+        double end = Math.min(time, period(shapeVelocity));
+        boolean fast = Math.abs(velocity.angular()) * end > FAST_TURN;
         double now = 0;
         for (int step = 0; step < MAX_STEPS; step++) {
             Pose pose = poseAfter(start, now);
             OrientedBox box = new OrientedBox(pose, length, width);
-            ConvexShape there = now == 0 ? figure : figure.translated(shapeVelocity.x() * now, shapeVelocity.y() * now);
-            Separation gap = BoxDistance.between(box, there);
+            ConvexShape moved = now == 0 ? shape : shape.translated(shapeVelocity.x() * now, shapeVelocity.y() * now);
+            Separation gap = BoxDistance.between(box, moved);
             if (gap.distance() == 0) {
                 return now;
             }
@@ -71,20 +74,36 @@ final class TimeOfImpact {
             if (gap.distance() <= TOUCH_DISTANCE && closingSpeed(pose, gap.onBox(), normal, shapeVelocity) > 0) {
                 return now;
             }
-            now += safeTime(pose, box, gap, normal, shapeVelocity);
-            if (now >= time) {
+            double safe = safeTime(pose, box, gap, normal, shapeVelocity);
+            now += fast ? Math.max(safe, safeTimeOfCircle(box, moved, shapeVelocity)) : safe;
+            if (now >= end) {
                 return Double.POSITIVE_INFINITY;
             }
         }
-        return now;
+        throw new World.UnresolvedContactException("the robot turns by " + Math.abs(velocity.angular()) * time
+                + " radians in one tick, too far to find its contacts");
     }
 
-    /** The body's pose after a time from another. */
+    /**
+     * Returns the time after which the motion repeats itself: that of a whole turn on the spot beside a static shape.
+     */
+    private double period(Vector2 shapeVelocity) {
+        boolean repeats = velocity.linear() == 0 && shapeVelocity.equals(Vector2.ZERO) && velocity.angular() != 0;
+        return repeats ? 2.01 * StrictMath.PI / Math.abs(velocity.angular()) : Double.POSITIVE_INFINITY;
+    }
+
+    /** Returns how long the circle about the body cannot reach a shape, however the body turns; at least 0. */
+    private double safeTimeOfCircle(OrientedBox box, ConvexShape shape, Vector2 shapeVelocity) {
+        double room = shape.distanceTo(box.frame().x(), box.frame().y()) - box.boundingRadius() - TOUCH_DISTANCE;
+        return room <= 0 ? 0 : room / (Math.abs(velocity.linear()) + shapeVelocity.length());
+    }
+
+    /** Returns the body's pose after some seconds. */
     Pose poseAfter(Pose start, double time) {
         return time == 0 ? start : DifferentialDrive.advance(start, velocity, time);
     }
 
-    /** The velocity at which a point of the body and the figure come together along the normal. */
+    /** Returns the speed at which a point of the body and the shape approach along the normal. */
     private double closingSpeed(Pose pose, Vector2 point, Vector2 normal, Vector2 shapeVelocity) {
         return velocityAt(pose, point).minus(shapeVelocity).dot(normal);
     }
@@ -97,8 +116,8 @@ final class TimeOfImpact {
     }
 
     /**
-     * How long no corner of the body can reach the line through the figure's nearest point; half the touching gap is
-     * left over. The direction of a short gap is known only to the rounding of its two ends, which tilts the line: a
+     * Returns how long no corner of the body can reach the line through the shape's nearest point, less half the touch
+     * distance. The direction of a short gap is known only to the rounding of its two ends, which tilts the line: a
      * corner far along it gets that much less room, but never less than the gap.
      */
     private double safeTime(Pose pose, OrientedBox box, Separation gap, Vector2 normal, Vector2 shapeVelocity) {
@@ -106,7 +125,7 @@ final class TimeOfImpact {
         double tilt = MAX_ROUNDINGS
                 * Math.ulp(Math.abs(box.frame().x()) + Math.abs(box.frame().y()) + box.boundingRadius())
                 / gap.distance();
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < OrientedBox.CORNERS; i++) {
             Vector2 corner = box.corner(i);
             Vector2 room = gap.onShape().minus(corner);
             double slack = Math.max(room.dot(normal) - tilt * room.length(), gap.distance()) - TOUCH_DISTANCE / 2;
@@ -118,7 +137,7 @@ final class TimeOfImpact {
         return least;
     }
 
-    /** The s > 0 at which rate s + bend s^2 / 2 = slack, positive infinity where there is none. */
+    /** Returns the s &gt; 0 at which rate s + bend s^2 / 2 = slack, positive infinity if there is none. */
     private static double crossingTime(double slack, double rate, double bend) {
         double root = rate + Math.sqrt(rate * rate + 2 * bend * slack);
         return root > 0 ? 2 * slack / root : Double.POSITIVE_INFINITY;

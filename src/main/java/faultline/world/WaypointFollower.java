@@ -1,97 +1,107 @@
 package faultline.world;
 
-import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import java.util.ArrayList;
 import java.util.List;
 
-/** How far a moving obstacle has come on its way; mutable, on the world's thread. */
+/** The progress of a moving obstacle along its path; mutable, confined to the world's thread. */
 final class WaypointFollower {
 
     /**
-     * A straight piece of a tick's way: from a time to a time within the tick, at constant velocity, starting at a
-     * place.
+     * A straight part of the path within a tick, at constant velocity.
+     *
+     * @param from seconds from the start of the tick
+     * @param to seconds from the start of the tick
+     * @param start the position at {@code from}
+     * @param velocity metres per second
      */
     record Leg(double from, double to, Vector2 start, Vector2 velocity) {}
 
     /**
-     * A way-point counts as reached from here, metres: one where the mover just touches the robot would never be
-     * reached otherwise.
+     * A way-point is reached within this distance, metres: one at which the obstacle just touches the robot would
+     * otherwise never be reached.
      */
     private static final double ARRIVAL_TOLERANCE = 1e-9;
 
     private final WaypointPath path;
-    private Vector2 position;
+    private double x;
+    private double y;
     private int nextWaypoint;
 
-    /** A mover that sets out from where its obstacle stands towards the first way-point. */
-    WaypointFollower(WaypointPath motion, Vector2 start) {
-        this.path = motion;
-        this.position = start;
+    /** Creates a follower at a position, on its way to the first way-point. */
+    WaypointFollower(WaypointPath path, Vector2 start) {
+        this.path = path;
+        x = start.x();
+        y = start.y();
     }
 
-    /**
-     * What this one becomes when its obstacle is exchanged: on the same way, at whatever speed, it goes on to the same
-     * way-point.
-     */
-    WaypointFollower replacedBy(WaypointFollower other) {
-        if (path.withSpeed(other.path.speed()).equals(other.path)) {
-            other.nextWaypoint = nextWaypoint;
+    /** Takes over the progress of another follower if the paths are equal except for their speeds. */
+    void continueFrom(WaypointFollower other) {
+        if (other.path.withSpeed(path.speed()).equals(path)) {
+            nextWaypoint = other.nextWaypoint;
         }
-        return other;
     }
 
-    Vector2 position() {
-        return position;
+    double x() {
+        return x;
     }
 
-    /** The pieces of the way that a tick holds if nothing is in it. */
-    List<Leg> legs(double dt) {
-        return travel(dt, false);
+    double y() {
+        return y;
     }
 
-    /** Goes on along the way for a time, as if nothing were in it. */
-    void advance(double time) {
-        travel(time, true);
+    double speed() {
+        return path.speed();
     }
 
-    private List<Leg> travel(double time, boolean keep) {
+    /** Returns the parts of the path in the next seconds if nothing is in the way. */
+    List<Leg> legs(double time) {
         List<Leg> legs = new ArrayList<>();
-        Vector2 at = position;
-        int target = nextWaypoint;
+        WaypointFollower scout = new WaypointFollower(path, new Vector2(x, y));
+        scout.nextWaypoint = nextWaypoint;
+        scout.travel(time, legs);
+        return legs;
+    }
+
+    /** Moves along the path for some seconds as if nothing were in the way. */
+    void advance(double time) {
+        travel(time, null);
+    }
+
+    /** Moves along the path, and adds its parts to a list unless that is null. */
+    private void travel(double time, List<Leg> legs) {
+        List<Vector2> waypoints = path.waypoints();
         double now = 0;
         int stops = 0;
-        while (now < time
-                && path.speed() > 0
-                && target < path.waypoints().size()
-                && stops <= path.waypoints().size()) {
-            Vector2 way = path.waypoints().get(target).minus(at);
-            double length = way.length();
+        while (now < time && path.speed() > 0 && nextWaypoint < waypoints.size() && stops <= waypoints.size()) {
+            Vector2 target = waypoints.get(nextWaypoint);
+            double dx = target.x() - x;
+            double dy = target.y() - y;
+            double length = Math.sqrt(dx * dx + dy * dy);
             double arrival = now + length / path.speed();
             if (arrival > time) {
-                Vector2 velocity = way.times(path.speed() / length);
-                legs.add(new Leg(now, time, at, velocity));
-                at = at.plus(velocity.times(time - now));
+                double scale = path.speed() / length;
+                addLeg(legs, now, time, scale * dx, scale * dy);
+                x += (time - now) * (scale * dx);
+                y += (time - now) * (scale * dy);
                 now = time;
             } else {
                 stops = length > ARRIVAL_TOLERANCE ? 0 : stops + 1;
                 if (length > ARRIVAL_TOLERANCE) {
-                    legs.add(new Leg(now, arrival, at, way.times(1 / (arrival - now))));
-                    at = path.waypoints().get(target);
+                    double scale = 1 / (arrival - now);
+                    addLeg(legs, now, arrival, scale * dx, scale * dy);
+                    x = target.x();
+                    y = target.y();
                     now = arrival;
                 }
-                target = path.loop() ? (target + 1) % path.waypoints().size() : target + 1;
+                nextWaypoint = path.loop() ? (nextWaypoint + 1) % waypoints.size() : nextWaypoint + 1;
             }
         }
-        if (keep) {
-            position = at;
-            nextWaypoint = target;
-        }
-        return legs;
     }
 
-    /** Puts the mover somewhere else; it goes on to the way-point that it was going to. */
-    void moveTo(Pose pose) {
-        position = pose.position();
+    private void addLeg(List<Leg> legs, double from, double to, double vx, double vy) {
+        if (legs != null) {
+            legs.add(new Leg(from, to, new Vector2(x, y), new Vector2(vx, vy)));
+        }
     }
 }

@@ -27,6 +27,16 @@ public final class World {
     private final List<Collision> collisions = new ArrayList<>();
     private List<Vector2> contacts = List.of();
 
+    /** Thrown if a tick's contacts cannot be resolved, because the robot turns by very many radians in it. */
+    public static final class UnresolvedContactException extends RuntimeException {
+
+        private static final long serialVersionUID = 1;
+
+        UnresolvedContactException(String message) {
+            super(message);
+        }
+    }
+
     /**
      * A world at tick 0, before its first sensing.
      *
@@ -106,7 +116,7 @@ public final class World {
 
     /** Reads all sensors, then lets their faults act: step 6. */
     public void sense() {
-        sensors.sense(obstacleSet, body.pose(), tick);
+        sensors.sense(obstacleSet, body, tick);
         sensed = true;
     }
 
@@ -162,13 +172,16 @@ public final class World {
         return sensors.reported(sensor);
     }
 
-    /**
-     * What all sensors report.
-     *
-     * @return a fresh array in the robot's order, encoded as in {@link faultline.sensor.Reading}
-     */
+    /** Returns all reported readings in a new array, encoded as in {@link faultline.sensor.Reading}. */
     public double[] reportedReadings() {
-        return sensors.reported();
+        double[] readings = new double[body.spec().sensors().size()];
+        copyReportedReadings(readings);
+        return readings;
+    }
+
+    /** Copies all reported readings, encoded as in {@link faultline.sensor.Reading}, to an array of their number. */
+    public void copyReportedReadings(double[] target) {
+        sensors.copyReported(target);
     }
 
     /**
@@ -195,7 +208,7 @@ public final class World {
                 body.spec(),
                 body.pose(),
                 body.wheelSpeeds(),
-                sensors.snapshots(obstacleSet, body.pose()),
+                sensors.snapshots(obstacleSet, body),
                 obstacleSet.obstacles(),
                 contacts,
                 collisions);

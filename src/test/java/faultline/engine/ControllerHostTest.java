@@ -28,7 +28,7 @@ class ControllerHostTest {
     void theDecisionOnTheObservationComesBack(ControllerMode mode) {
         Decision decision = new Decision(1, 2, Telemetry.ofState("TEST"));
         try (ControllerHost link = ControllerHost.create(observation -> decision, mode)) {
-            link.submit(AT_TICK_7);
+            submit(link);
             assertEquals(decision, link.await());
         }
     }
@@ -40,11 +40,15 @@ class ControllerHostTest {
             throw new IllegalStateException("no wheels");
         };
         try (ControllerHost link = ControllerHost.create(broken, mode)) {
-            link.submit(AT_TICK_7);
+            submit(link);
             RunFailedException failure = assertThrows(RunFailedException.class, link::await);
             assertEquals(
                     "the controller broke at tick 7: java.lang.IllegalStateException: no wheels", failure.getMessage());
         }
+    }
+
+    private static void submit(ControllerHost host) {
+        host.submit(AT_TICK_7.tick(), AT_TICK_7.dt(), AT_TICK_7.robot(), AT_TICK_7.readings());
     }
 
     @Test
@@ -59,7 +63,7 @@ class ControllerHostTest {
             return new Decision(0, 0, Telemetry.ofState("LATE"));
         };
         try (ControllerHost link = new ThreadedHost(silent, 0.05)) {
-            link.submit(AT_TICK_7);
+            submit(link);
             RunFailedException failure = assertThrows(RunFailedException.class, link::await);
             assertEquals("the controller has not answered for 0.05 s at tick 7", failure.getMessage());
         }
@@ -73,7 +77,7 @@ class ControllerHostTest {
             return new Decision(0, 0, Telemetry.ofState("TEST"));
         };
         try (ControllerHost link = ControllerHost.create(nosy, ControllerMode.OWN_THREAD)) {
-            link.submit(AT_TICK_7);
+            submit(link);
             link.await();
             assertNotEquals(Thread.currentThread(), thread.get());
         }

@@ -22,9 +22,13 @@ class GridIndexTest {
     private static CandidateBuffer randomScene(SplittableRandom random, int size, double spread) {
         CandidateBuffer all = new CandidateBuffer();
         for (int i = 0; i < size; i++) {
-            all.add(randomShape(random, spread), i);
+            all.add(randomShape(random, spread), owner(i));
         }
         return all;
+    }
+
+    private static ShapeOwner owner(int number) {
+        return new ShapeOwner("owner" + number, number, Obstacle.MATT);
     }
 
     private static ConvexShape randomShape(SplittableRandom random, double spread) {
@@ -40,11 +44,11 @@ class GridIndexTest {
         };
     }
 
-    private static Set<Integer> within(CandidateBuffer found, Vector2 point, double distance) {
-        Set<Integer> owners = new HashSet<>();
+    private static Set<Long> within(CandidateBuffer found, Vector2 point, double distance) {
+        Set<Long> owners = new HashSet<>();
         for (int i = 0; i < found.size(); i++) {
             if (found.shape(i).nearestTo(point).distanceTo(point) <= distance) {
-                owners.add(found.owner(i));
+                owners.add(found.owner(i).order());
             }
         }
         return owners;
@@ -84,7 +88,7 @@ class GridIndexTest {
             all.add(
                     new Segment(
                             at, at.plus(Vector2.direction(random.nextDouble(7)).times(0.3))),
-                    i);
+                    owner(i));
         }
         CandidateBuffer found = new CandidateBuffer();
         new GridIndex(all).findNear(50, 50, 1, found);

@@ -6,7 +6,6 @@ import faultline.geometry.Ellipse;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.world.CandidateBuffer;
-import faultline.world.ObstacleSet;
 import faultline.world.SpatialIndex;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
@@ -20,7 +19,7 @@ public final class WallReference {
 
     private static final double NONE = Double.POSITIVE_INFINITY;
 
-    private final CandidateBuffer shapes = new CandidateBuffer();
+    private final CandidateBuffer shapes;
     private final CandidateBuffer candidates = new CandidateBuffer();
     private final SpatialIndex index;
 
@@ -30,7 +29,7 @@ public final class WallReference {
      * @param world before anything moves
      */
     public WallReference(WorldSpec world) {
-        new ObstacleSet(world).collectStatic(shapes);
+        shapes = CandidateBuffer.ofStaticShapes(world);
         index = SpatialIndex.of(shapes);
     }
 
