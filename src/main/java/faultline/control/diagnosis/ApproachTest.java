@@ -11,7 +11,6 @@ import faultline.sensor.Reading;
 final class ApproachTest {
 
     private static final int POINTS = 7;
-    private static final int FIELDS = 5;
 
     /** The least way that the rate is taken over, metres. */
     private static final double MIN_WAY = 0.08;
@@ -33,39 +32,38 @@ final class ApproachTest {
     }
 
     /** Returns how far ahead of the sensor the surface crosses the way, metres, infinite if none is foreseen. */
-    static double expectedAhead(MountedCone cone, double[] claims, int count, int size) {
-        if (count < POINTS) {
-            return Reading.NOTHING;
-        }
-        double axis = claims[(count - 1) % size * FIELDS + 2];
-        double cos = StrictMath.cos(axis - cone.bearing());
-        double sin = StrictMath.sin(axis - cone.bearing());
-        double meanWay = 0;
-        double meanReading = 0;
-        double firstWay = 0;
-        double lastWay = 0;
+    static double expectedAhead(MountedCone cone, ClaimRing claims) {
         for (int i = 0; i < POINTS; i++) {
-            int slot = (count - 1 - i) % size * FIELDS;
-            if (claims[slot + 3] < 0 || Math.abs(claims[slot + 2] - axis) > STRAIGHT) {
+            if (!claims.has(i) || claims.reading(i) < 0 || Math.abs(claims.axis(i) - claims.axis(0)) > STRAIGHT) {
                 return Reading.NOTHING;
             }
-            lastWay = claims[slot] * cos + claims[slot + 1] * sin;
-            firstWay = i == 0 ? lastWay : firstWay;
-            meanWay += lastWay / POINTS;
-            meanReading += claims[slot + 3] / POINTS;
         }
-        if (firstWay - lastWay < MIN_WAY) {
-            return Reading.NOTHING;
+        double cos = StrictMath.cos(claims.axis(0) - cone.bearing());
+        double sin = StrictMath.sin(claims.axis(0) - cone.bearing());
+        double driven = way(claims, 0, cos, sin) - way(claims, POINTS - 1, cos, sin);
+        return driven < MIN_WAY ? Reading.NOTHING : ahead(cone, -slope(claims, cos, sin), claims.reading(0));
+    }
+
+    private static double way(ClaimRing claims, int age, double cos, double sin) {
+        return claims.x(age) * cos + claims.y(age) * sin;
+    }
+
+    /** Returns the slope of the readings over the way, by least squares. */
+    private static double slope(ClaimRing claims, double cos, double sin) {
+        double meanWay = 0;
+        double meanReading = 0;
+        for (int i = 0; i < POINTS; i++) {
+            meanWay += way(claims, i, cos, sin) / POINTS;
+            meanReading += claims.reading(i) / POINTS;
         }
         double top = 0;
         double bottom = 0;
         for (int i = 0; i < POINTS; i++) {
-            int slot = (count - 1 - i) % size * FIELDS;
-            double way = claims[slot] * cos + claims[slot + 1] * sin - meanWay;
-            top += way * (claims[slot + 3] - meanReading);
+            double way = way(claims, i, cos, sin) - meanWay;
+            top += way * (claims.reading(i) - meanReading);
             bottom += way * way;
         }
-        return ahead(cone, -top / bottom, claims[(count - 1) % size * FIELDS + 3]);
+        return top / bottom;
     }
 
     private static double ahead(MountedCone cone, double rate, double reading) {

@@ -15,6 +15,11 @@ public final class DeadReckoning {
     private double y;
     private double heading;
     private WheelSpeeds wheelSpeeds = WheelSpeeds.ZERO;
+    private double headingCos = 1;
+    private double headingSin;
+    private RobotSpec motorOf;
+    private double decayDt;
+    private double decay;
     private double rolled;
     private double turned;
 
@@ -29,21 +34,31 @@ public final class DeadReckoning {
      */
     void advance(RobotSpec robot, double leftVolts, double rightVolts, double dt, long ticks) {
         MotorSpec motor = robot.motor();
-        double decay = motor.decay(dt);
         rolled = 0;
         turned = 0;
+        if (robot != motorOf || dt != decayDt) {
+            motorOf = robot;
+            decayDt = dt;
+            decay = motor.decay(dt);
+        }
         for (long i = 0; i < ticks; i++) {
             wheelSpeeds = motor.step(wheelSpeeds, leftVolts, rightVolts, decay);
             Velocity velocity = wheelSpeeds.toVelocity(robot.track());
             double way = velocity.linear() * dt;
             double turn = velocity.angular() * dt;
-            double middle = heading + turn / 2;
-            x += way * StrictMath.cos(middle);
-            y += way * StrictMath.sin(middle);
+            // The direction at the middle of the arc, to second order in the turn of a tick.
+            double cos = ticks == 1 ? headingCos : StrictMath.cos(heading);
+            double sin = ticks == 1 ? headingSin : StrictMath.sin(heading);
+            double half = turn / 2;
+            double shrink = 1 - half * half / 2;
+            x += way * (cos * shrink - sin * half);
+            y += way * (sin * shrink + cos * half);
             heading += turn;
             rolled += way;
             turned += turn;
         }
+        headingCos = StrictMath.cos(heading);
+        headingSin = StrictMath.sin(heading);
     }
 
     /**
@@ -71,6 +86,16 @@ public final class DeadReckoning {
      */
     public double heading() {
         return heading;
+    }
+
+    /** Returns the cosine of the heading. */
+    double headingCos() {
+        return headingCos;
+    }
+
+    /** Returns the sine of the heading. */
+    double headingSin() {
+        return headingSin;
     }
 
     /**

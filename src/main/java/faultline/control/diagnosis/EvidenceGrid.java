@@ -15,15 +15,14 @@ public final class EvidenceGrid {
     public static final int SIZE = 128;
 
     private static final int WRAP = SIZE - 1;
+    private static final int PLANE = SIZE * SIZE;
 
-    private final int sources;
     private final int[] free;
     private final int[] hit;
 
     EvidenceGrid(int sources) {
-        this.sources = sources;
-        this.free = new int[SIZE * SIZE * sources];
-        this.hit = new int[SIZE * SIZE * sources];
+        this.free = new int[PLANE * sources];
+        this.hit = new int[PLANE * sources];
     }
 
     /**
@@ -36,8 +35,8 @@ public final class EvidenceGrid {
         return (int) Math.floor(coordinate / CELL);
     }
 
-    private int base(int column, int row) {
-        return ((row & WRAP) * SIZE + (column & WRAP)) * sources;
+    private static int cell(int column, int row) {
+        return (row & WRAP) * SIZE + (column & WRAP);
     }
 
     /**
@@ -50,7 +49,7 @@ public final class EvidenceGrid {
      * @return the bits of those that did
      */
     public int freeBy(int column, int row, int since, int asked) {
-        return by(free, base(column, row), since, asked);
+        return by(free, cell(column, row), since, asked);
     }
 
     /**
@@ -63,14 +62,14 @@ public final class EvidenceGrid {
      * @return the bits of those that did
      */
     public int hitBy(int column, int row, int since, int asked) {
-        return by(hit, base(column, row), since, asked);
+        return by(hit, cell(column, row), since, asked);
     }
 
-    private int by(int[] stamps, int base, int since, int asked) {
+    private static int by(int[] stamps, int cell, int since, int asked) {
         int found = 0;
         for (int rest = asked; rest != 0; rest &= rest - 1) {
             int source = Integer.numberOfTrailingZeros(rest);
-            if (stamps[base + source] >= since) {
+            if (stamps[source * PLANE + cell] >= since) {
                 found |= 1 << source;
             }
         }
@@ -79,7 +78,7 @@ public final class EvidenceGrid {
 
     /** Notes that a source saw a surface at a point. */
     void markHit(int source, double x, double y, int moment) {
-        hit[base(cellOf(x), cellOf(y)) + source] = moment;
+        hit[source * PLANE + cell(cellOf(x), cellOf(y))] = moment;
     }
 
     /** Notes that a source occupied or saw free a disc. */
@@ -98,46 +97,31 @@ public final class EvidenceGrid {
      * @param source the sensor
      * @param x of the apex, metres
      * @param y of the apex, metres
-     * @param axis direction, radians
-     * @param half the half angle, radians, less than a right angle
+     * @param axisCos cosine of the axis's direction
+     * @param axisSin sine of it
+     * @param cone the sensor's
      * @param radius metres
      * @param moment now
      */
-    void markSector(int source, double x, double y, double axis, double half, double radius, int moment) {
-        double leftCos = StrictMath.cos(axis + half);
-        double leftSin = StrictMath.sin(axis + half);
-        double rightCos = StrictMath.cos(axis - half);
-        double rightSin = StrictMath.sin(axis - half);
-        double top = Math.max(0, Math.max(leftSin, rightSin));
-        double bottom = Math.min(0, Math.min(leftSin, rightSin));
-        // The sector's extreme is the arc's where the axis is near the vertical.
-        double spread = StrictMath.cos(half);
-        double axisSin = StrictMath.sin(axis);
-        top = axisSin >= spread ? 1 : top;
-        bottom = axisSin <= -spread ? -1 : bottom;
+    void markSector(
+            int source, double x, double y, double axisCos, double axisSin, ConeTable cone, double radius, int moment) {
+        int edge = ConeTable.SAMPLES - 1;
+        double leftSin = cone.sin(edge, axisCos, axisSin);
+        double rightSin = cone.sin(0, axisCos, axisSin);
+        double leftSlope = cone.cos(edge, axisCos, axisSin) / leftSin;
+        double rightSlope = cone.cos(0, axisCos, axisSin) / rightSin;
+        double top = axisSin >= cone.cosHalf() ? 1 : Math.max(0, Math.max(leftSin, rightSin));
+        double bottom = axisSin <= -cone.cosHalf() ? -1 : Math.min(0, Math.min(leftSin, rightSin));
         int last = cellOf(y + radius * top);
         for (int row = cellOf(y + radius * bottom); row <= last; row++) {
             double dy = (row + 0.5) * CELL - y;
             double reach = radius * radius - dy * dy;
-            if (reach <= 0) {
-                continue;
-            }
-            double from = -Math.sqrt(reach);
-            double to = -from;
-            // To the right of the left edge: leftSin dx >= leftCos dy.
-            if (leftSin > 0) {
-                from = Math.max(from, leftCos * dy / leftSin);
-            } else if (leftSin < 0) {
-                to = Math.min(to, leftCos * dy / leftSin);
-            }
-            // To the left of the right edge: rightSin dx <= rightCos dy.
-            if (rightSin > 0) {
-                to = Math.min(to, rightCos * dy / rightSin);
-            } else if (rightSin < 0) {
-                from = Math.max(from, rightCos * dy / rightSin);
-            }
-            if (from <= to) {
-                markRow(source, row, x + from, x + to, moment);
+            if (reach > 0) {
+                double end = Math.sqrt(reach);
+                // Right of the left edge, leftSin dx >= leftCos dy; left of the right edge, rightSin dx <= rightCos dy.
+                double from = Math.max(leftSin > 0 ? leftSlope * dy : -end, rightSin < 0 ? rightSlope * dy : -end);
+                double to = Math.min(leftSin < 0 ? leftSlope * dy : end, rightSin > 0 ? rightSlope * dy : end);
+                markRow(source, row, x + Math.max(-end, from), x + Math.min(end, to), moment);
             }
         }
     }
@@ -145,9 +129,9 @@ public final class EvidenceGrid {
     private void markRow(int source, int row, double from, double to, int moment) {
         int first = (int) Math.ceil(from / CELL - 0.5);
         int last = (int) Math.floor(to / CELL - 0.5);
-        int base = (row & WRAP) * SIZE;
+        int base = source * PLANE + (row & WRAP) * SIZE;
         for (int column = first; column <= last; column++) {
-            free[(base + (column & WRAP)) * sources + source] = moment;
+            free[base + (column & WRAP)] = moment;
         }
     }
 }

@@ -8,6 +8,7 @@ import faultline.sensor.Reading;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * Judges the sensors. One sensor is inspected at each step: what it reports must lie somewhere on the arc at the
@@ -21,16 +22,9 @@ public final class SensorDiagnosis {
     /** A sector is free up to this much before the reading, metres. */
     private static final double FREE_MARGIN = 0.04;
 
-    /** A claimed arc is looked at up to this much beyond the cone on either side, because cells are coarse, metres. */
-    private static final double ARC_MARGIN = 0.025;
-
-    /** Points on a claimed arc that are looked at. */
-    private static final int SAMPLES = 7;
-
     /** Each claim is tested again after these numbers of inspections, when more has been seen free. */
     private static final int[] RETESTS = {5, 12, 24};
 
-    private static final int CLAIMS = 32;
 
     private static final double FADE = 0.97;
     private static final double THRESHOLD = 9;
@@ -60,8 +54,9 @@ public final class SensorDiagnosis {
     private SignalTest[] signals = {};
     private EvidenceGrid grid;
     private ConflictCounts conflicts;
-    private double[][] claims = {};
-    private int[] inspections = {};
+    private ConeTable[] tables = {};
+    private ClaimRing[] claims = {};
+    private ClaimTest claimTest;
     private SensorFinding[] findings = {};
     private double[] since = {};
     private double[] penance = {};
@@ -112,6 +107,7 @@ public final class SensorDiagnosis {
             SensorFinding finding = signals[i].test(readings[i], reckoning.rolled(), reckoning.turned());
             if (finding != SensorFinding.NONE) {
                 distrust(i, finding);
+                refreshHealth(i);
             }
         }
         long steps = Math.max(1, Math.min(cones.length, Math.round(dt / 0.01)));
@@ -131,14 +127,15 @@ public final class SensorDiagnosis {
         cones = newRobot.sensors().stream()
                 .map(sensor -> MountedCone.of(sensor, side))
                 .toArray(MountedCone[]::new);
+        tables = Arrays.stream(cones).map(ConeTable::new).toArray(ConeTable[]::new);
         if (same) {
             return;
         }
         signals = Arrays.stream(cones).map(SignalTest::new).toArray(SignalTest[]::new);
         grid = new EvidenceGrid(n + 1);
         conflicts = new ConflictCounts(n);
-        claims = new double[n][CLAIMS * 5];
-        inspections = new int[n];
+        claimTest = new ClaimTest(grid);
+        claims = Stream.generate(ClaimRing::new).limit(n).toArray(ClaimRing[]::new);
         findings = new SensorFinding[n];
         Arrays.fill(findings, SensorFinding.NONE);
         since = new double[n];
@@ -151,6 +148,9 @@ public final class SensorDiagnosis {
         blindness = new double[n];
         Arrays.fill(blindness, -1);
         trusted = (1 << n) - 1;
+        health = newRobot.sensors().stream()
+                .map(sensor -> new SensorHealth(sensor.id(), SensorFinding.NONE, 0, 0))
+                .toList();
     }
 
     private int moment() {
@@ -159,74 +159,66 @@ public final class SensorDiagnosis {
 
     private void inspect(int sensor, double reading) {
         if (!Reading.isOff(reading)) {
-            MountedCone cone = cones[sensor];
-            double cos = StrictMath.cos(reckoning.heading());
-            double sin = StrictMath.sin(reckoning.heading());
-            double x = reckoning.x() + cos * cone.x() - sin * cone.y();
-            double y = reckoning.y() + sin * cone.x() + cos * cone.y();
-            double axis = reckoning.heading() + cone.bearing();
-            boolean sees = reading < cone.range();
-            keepClaim(sensor, x, y, axis, sees ? reading : -1);
+            boolean sees = reading < cones[sensor].range();
+            keepClaim(sensor, sees ? reading : -1);
             if (sees) {
-                test(sensor, x, y, axis, reading, moment() - MEMORY);
-                confirm(sensor, x, y, axis, reading);
+                test(sensor, 0, moment() - MEMORY);
+                if (claimTest.confirm(
+                        sensor, tables[sensor], claims[sensor], moment(), moment() - MEMORY, trusted & ~(1 << sensor))) {
+                    confirmations[sensor]++;
+                }
             }
-            double radius = (sees ? reading : cone.range()) - FREE_MARGIN;
-            if (radius > 0) {
-                grid.markSector(sensor, x, y, axis, cone.half(), radius, moment());
-            }
+            markFree(sensor, (sees ? reading : cones[sensor].range()) - FREE_MARGIN);
             retest(sensor);
-            if (sees && ApproachTest.applies(cone)) {
+            if (sees && ApproachTest.applies(cones[sensor])) {
                 testApproach(sensor);
             }
         }
         conflicts.fade(sensor, FADE);
         confirmations[sensor] *= FADE;
         judge(sensor);
+        refreshHealth(sensor);
     }
 
-    private void keepClaim(int sensor, double x, double y, double axis, double reading) {
-        int slot = inspections[sensor]++ % CLAIMS * 5;
-        double[] ring = claims[sensor];
-        ring[slot] = x;
-        ring[slot + 1] = y;
-        ring[slot + 2] = axis;
-        ring[slot + 3] = reading;
-        ring[slot + 4] = clock;
+    private void keepClaim(int sensor, double reading) {
+        MountedCone cone = cones[sensor];
+        double cos = reckoning.headingCos();
+        double sin = reckoning.headingSin();
+        claims[sensor].add(
+                reckoning.x() + cos * cone.x() - sin * cone.y(),
+                reckoning.y() + sin * cone.x() + cos * cone.y(),
+                reckoning.heading() + cone.bearing(),
+                tables[sensor].axisCos(cos, sin),
+                tables[sensor].axisSin(cos, sin),
+                reading,
+                clock);
+    }
+
+    private void markFree(int sensor, double radius) {
+        if (radius > 0) {
+            ClaimRing ring = claims[sensor];
+            grid.markSector(sensor, ring.x(0), ring.y(0), ring.axisCos(0), ring.axisSin(0), tables[sensor], radius, moment());
+        }
     }
 
     private void retest(int sensor) {
-        double[] ring = claims[sensor];
+        ClaimRing ring = claims[sensor];
         for (int age : RETESTS) {
-            int index = inspections[sensor] - 1 - age;
-            if (index >= 0) {
-                int slot = index % CLAIMS * 5;
-                double reading = ring[slot + 3];
-                if (reading >= 0 && clock - ring[slot + 4] > 1 && clock - ring[slot + 4] < MEMORY) {
-                    test(sensor, ring[slot], ring[slot + 1], ring[slot + 2], reading, (int) ring[slot + 4] + 1);
+            if (ring.has(age) && ring.reading(age) >= 0) {
+                double since = clock - ring.clock(age);
+                if (since > 1 && since < MEMORY) {
+                    test(sensor, age, (int) ring.clock(age) + 1);
                 }
             }
         }
     }
 
     /** Tests a claim against what was seen free since a moment. */
-    private void test(int sensor, double x, double y, double axis, double reading, int oldest) {
-        int asked = trusted | 1 << sensor;
-        int all = asked;
-        double half = cones[sensor].half() + ARC_MARGIN / Math.max(reading, ARC_MARGIN);
-        for (int i = 0; i < SAMPLES; i++) {
-            double angle = axis + half * (2.0 * i / (SAMPLES - 1) - 1);
-            int by = grid.freeBy(
-                    EvidenceGrid.cellOf(x + reading * StrictMath.cos(angle)),
-                    EvidenceGrid.cellOf(y + reading * StrictMath.sin(angle)),
-                    oldest,
-                    asked);
-            if (by == 0) {
-                return;
-            }
-            all &= by;
+    private void test(int sensor, int age, int oldest) {
+        int by = claimTest.contradicting(tables[sensor], claims[sensor], age, oldest, trusted | 1 << sensor);
+        if (by != ClaimTest.POSSIBLE) {
+            blame(sensor, by);
         }
-        blame(sensor, all);
     }
 
     private void blame(int sensor, int all) {
@@ -240,24 +232,8 @@ public final class SensorDiagnosis {
         }
     }
 
-    private void confirm(int sensor, double x, double y, double axis, double reading) {
-        double half = cones[sensor].half();
-        int others = trusted & ~(1 << sensor);
-        int found = 0;
-        for (int i = 0; i < SAMPLES; i++) {
-            double angle = axis + half * (2.0 * i / (SAMPLES - 1) - 1);
-            double px = x + reading * StrictMath.cos(angle);
-            double py = y + reading * StrictMath.sin(angle);
-            found |= grid.hitBy(EvidenceGrid.cellOf(px), EvidenceGrid.cellOf(py), moment() - MEMORY, others);
-            grid.markHit(sensor, px, py, moment());
-        }
-        if (found != 0) {
-            confirmations[sensor]++;
-        }
-    }
-
     private void testApproach(int sensor) {
-        double expected = ApproachTest.expectedAhead(cones[sensor], claims[sensor], inspections[sensor], CLAIMS);
+        double expected = ApproachTest.expectedAhead(cones[sensor], claims[sensor]);
         for (int front = 0; front < cones.length && expected < Reading.NOTHING; front++) {
             boolean blind = Math.abs(cones[front].bearing()) < cones[front].half()
                     && isTrusted(front)
@@ -389,22 +365,17 @@ public final class SensorDiagnosis {
 
     /** Returns the findings and evidence for all sensors, the same list as long as nothing has changed. */
     public List<SensorHealth> health() {
-        boolean same = health.size() == cones.length;
-        for (int i = 0; i < cones.length && same; i++) {
-            same = health.get(i).finding() == findings[i] && health.get(i).evidence() == evidence(i);
-        }
-        if (!same) {
-            List<SensorHealth> fresh = new ArrayList<>();
-            for (int i = 0; i < cones.length; i++) {
-                fresh.add(new SensorHealth(robot.sensors().get(i).id(), findings[i], evidence(i), foundAt[i]));
-            }
-            health = List.copyOf(fresh);
-        }
         return health;
     }
 
-    private double evidence(int sensor) {
-        return Math.min(10, Math.floor(10 * against(sensor) / THRESHOLD)) / 10;
+    private void refreshHealth(int sensor) {
+        double evidence = Math.min(10, Math.floor(10 * against(sensor) / THRESHOLD)) / 10;
+        SensorHealth now = health.get(sensor);
+        if (now.finding() != findings[sensor] || now.evidence() != evidence) {
+            List<SensorHealth> fresh = new ArrayList<>(health);
+            fresh.set(sensor, new SensorHealth(now.sensor(), findings[sensor], evidence, foundAt[sensor]));
+            health = List.copyOf(fresh);
+        }
     }
 
     /**

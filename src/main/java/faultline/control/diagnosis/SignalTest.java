@@ -31,6 +31,7 @@ final class SignalTest {
     private static final double FLIP_MEMORY = 150;
 
     private final MountedCone cone;
+    private final double axisCos;
     private double before = Double.NaN;
     private double first = Double.NaN;
     private double second = Double.NaN;
@@ -41,6 +42,7 @@ final class SignalTest {
 
     SignalTest(MountedCone cone) {
         this.cone = cone;
+        this.axisCos = StrictMath.cos(cone.bearing());
     }
 
     /** Takes a reading after a piece of motion. */
@@ -71,7 +73,7 @@ final class SignalTest {
         turn += turned;
         way += rolled;
         return Math.abs(turn) > STUCK_TURN
-                || Math.abs(way * StrictMath.cos(cone.bearing())) > STUCK_DISTANCE
+                || Math.abs(way * axisCos) > STUCK_DISTANCE
                         && Math.abs(cone.bearing()) < cone.half()
                 || reading < 0.001 && Math.abs(way) + Math.abs(turn) > STUCK_DISTANCE;
     }

@@ -1,0 +1,59 @@
+package faultline.control.diagnosis;
+
+/** The last claims of one sensor: where its cone was, and what it reported; a claim of nothing has a negative reading. */
+final class ClaimRing {
+
+    private static final int SIZE = 32;
+    private static final int FIELDS = 7;
+
+    private final double[] data = new double[SIZE * FIELDS];
+    private int count;
+
+    void add(double x, double y, double axis, double axisCos, double axisSin, double reading, double clock) {
+        int slot = count++ % SIZE * FIELDS;
+        data[slot] = x;
+        data[slot + 1] = y;
+        data[slot + 2] = axis;
+        data[slot + 3] = axisCos;
+        data[slot + 4] = axisSin;
+        data[slot + 5] = reading;
+        data[slot + 6] = clock;
+    }
+
+    /** Returns whether there is a claim of some age, counted in claims, 0 for the last. */
+    boolean has(int age) {
+        return age < Math.min(count, SIZE);
+    }
+
+    private double field(int age, int field) {
+        return data[(count - 1 - age) % SIZE * FIELDS + field];
+    }
+
+    double x(int age) {
+        return field(age, 0);
+    }
+
+    double y(int age) {
+        return field(age, 1);
+    }
+
+    double axis(int age) {
+        return field(age, 2);
+    }
+
+    double axisCos(int age) {
+        return field(age, 3);
+    }
+
+    double axisSin(int age) {
+        return field(age, 4);
+    }
+
+    double reading(int age) {
+        return field(age, 5);
+    }
+
+    double clock(int age) {
+        return field(age, 6);
+    }
+}

@@ -1,0 +1,48 @@
+package faultline.control.diagnosis;
+
+/** The directions in a sensor's cone that its claims are looked at along, relative to its axis, computed once. */
+final class ConeTable {
+
+    /** Points on a claimed arc that are looked at. */
+    static final int SAMPLES = 7;
+
+    private final double[] cos = new double[SAMPLES];
+    private final double[] sin = new double[SAMPLES];
+    private final double bearingCos;
+    private final double bearingSin;
+
+    ConeTable(MountedCone cone) {
+        bearingCos = StrictMath.cos(cone.bearing());
+        bearingSin = StrictMath.sin(cone.bearing());
+        for (int i = 0; i < SAMPLES; i++) {
+            double offset = cone.half() * (2.0 * i / (SAMPLES - 1) - 1);
+            cos[i] = StrictMath.cos(offset);
+            sin[i] = StrictMath.sin(offset);
+        }
+    }
+
+    double axisCos(double headingCos, double headingSin) {
+        return headingCos * bearingCos - headingSin * bearingSin;
+    }
+
+    double axisSin(double headingCos, double headingSin) {
+        return headingSin * bearingCos + headingCos * bearingSin;
+    }
+
+    double cos(int sample, double axisCos, double axisSin) {
+        return axisCos * cos[sample] - axisSin * sin[sample];
+    }
+
+    double sin(int sample, double axisCos, double axisSin) {
+        return axisSin * cos[sample] + axisCos * sin[sample];
+    }
+
+    /** Returns which way a point at the border of the cone is moved out of it: -1, 1, or 0 for one inside. */
+    static int outward(int sample) {
+        return sample == 0 ? -1 : sample == SAMPLES - 1 ? 1 : 0;
+    }
+
+    double cosHalf() {
+        return cos[SAMPLES - 1];
+    }
+}
