@@ -1,6 +1,8 @@
 package faultline.control.diagnosis;
 
-/** The last claims of one sensor: where its cone was, and what it reported; a claim of nothing has a negative reading. */
+/**
+ * The last claims of one sensor: where its cone was, and what it reported; a claim of nothing has a negative reading.
+ */
 final class ClaimRing {
 
     private static final int SIZE = 32;

@@ -1,8 +1,8 @@
 package faultline.control.diagnosis;
 
 /**
- * Tests what a sensor claims against the map: a surface must lie somewhere on the arc at the reported distance, so not all
- * of that arc can be free.
+ * Tests what a sensor claims against the map: a surface must lie somewhere on the arc at the reported distance, so not
+ * all of that arc can be free.
  */
 final class ClaimTest {
 

@@ -25,7 +25,6 @@ public final class SensorDiagnosis {
     /** Each claim is tested again after these numbers of inspections, when more has been seen free. */
     private static final int[] RETESTS = {5, 12, 24};
 
-
     private static final double FADE = 0.97;
     private static final double THRESHOLD = 9;
     private static final double FORGIVEN = 0.5;
@@ -164,7 +163,12 @@ public final class SensorDiagnosis {
             if (sees) {
                 test(sensor, 0, moment() - MEMORY);
                 if (claimTest.confirm(
-                        sensor, tables[sensor], claims[sensor], moment(), moment() - MEMORY, trusted & ~(1 << sensor))) {
+                        sensor,
+                        tables[sensor],
+                        claims[sensor],
+                        moment(),
+                        moment() - MEMORY,
+                        trusted & ~(1 << sensor))) {
                     confirmations[sensor]++;
                 }
             }
@@ -197,7 +201,8 @@ public final class SensorDiagnosis {
     private void markFree(int sensor, double radius) {
         if (radius > 0) {
             ClaimRing ring = claims[sensor];
-            grid.markSector(sensor, ring.x(0), ring.y(0), ring.axisCos(0), ring.axisSin(0), tables[sensor], radius, moment());
+            grid.markSector(
+                    sensor, ring.x(0), ring.y(0), ring.axisCos(0), ring.axisSin(0), tables[sensor], radius, moment());
         }
     }
 

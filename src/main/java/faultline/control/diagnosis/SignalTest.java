@@ -73,8 +73,7 @@ final class SignalTest {
         turn += turned;
         way += rolled;
         return Math.abs(turn) > STUCK_TURN
-                || Math.abs(way * axisCos) > STUCK_DISTANCE
-                        && Math.abs(cone.bearing()) < cone.half()
+                || Math.abs(way * axisCos) > STUCK_DISTANCE && Math.abs(cone.bearing()) < cone.half()
                 || reading < 0.001 && Math.abs(way) + Math.abs(turn) > STUCK_DISTANCE;
     }
 
