@@ -42,6 +42,9 @@ public final class CampaignPlan {
             "coverage",
             "distance_rms_m",
             "final_state",
+            "final_rung",
+            "detection_delay_s",
+            "false_alarms",
             "simulated_s",
             "trajectory_hash",
             "failure");

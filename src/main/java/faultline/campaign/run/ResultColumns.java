@@ -4,6 +4,7 @@ import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.Column;
 import faultline.campaign.plan.PlannedRun;
 import faultline.engine.metrics.CarryOnMetrics;
+import faultline.engine.metrics.DiagnosisMetrics;
 import faultline.engine.metrics.RunResult;
 import faultline.io.DecimalText;
 import faultline.scenario.RunSummary;
@@ -11,16 +12,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import java.util.function.BiFunction;
 
 /** The columns of {@code runs.csv}: the run, what varies, and what the run came to. */
 public final class ResultColumns {
 
     private static final int FAILURE_LENGTH = 200;
 
+    /** Makes a cell of what was measured in a run. */
+    private interface CellMaker {
+        String cell(RunResult result, CarryOnMetrics carry, DiagnosisMetrics diagnosis);
+    }
+
     /** A column with the way in which its cell is made. */
-    private record Result(Column column, BiFunction<RunResult, CarryOnMetrics, String> cell) {
-        Result(String name, String unit, String meaning, BiFunction<RunResult, CarryOnMetrics, String> cell) {
+    private record Result(Column column, CellMaker cell) {
+        Result(String name, String unit, String meaning, CellMaker cell) {
             this(new Column(name, unit, meaning), cell);
         }
     }
@@ -32,62 +37,87 @@ public final class ResultColumns {
                     "carried_on, collided, stopped (at rest without contact), lost, "
                             + "undecided (the run was too short), or"
                             + " broken",
-                    (result, carry) -> Outcome.of(result, carry).word()),
+                    (result, carry, diagnosis) -> Outcome.of(result, carry).word()),
             new Result(
                     "carried_on",
                     "",
                     "1 if there was no contact and 0.80 of the wall was passed within "
                             + "0.15 m of the wanted way in the time"
                             + " of two laps after the fault, 0 if not, empty if undecided",
-                    ResultColumns::carriedOn),
+                    (result, carry, diagnosis) -> carriedOn(result, carry)),
             new Result(
                     "collided",
                     "",
                     "1 if the robot touched something, 0 if not",
-                    (result, carry) -> result.collision().isPresent() ? "1" : "0"),
-            new Result("collision_time_s", "s", "time of the first contact", (result, carry) -> result.collision()
-                    .map(contact -> fixed(contact.time(), 3))
-                    .orElse("")),
-            new Result("collided_with", "", "what it touched", (result, carry) -> result.collision()
+                    (result, carry, diagnosis) -> result.collision().isPresent() ? "1" : "0"),
+            new Result(
+                    "collision_time_s",
+                    "s",
+                    "time of the first contact",
+                    (result, carry, diagnosis) -> result.collision()
+                            .map(contact -> fixed(contact.time(), 3))
+                            .orElse("")),
+            new Result("collided_with", "", "what it touched", (result, carry, diagnosis) -> result.collision()
                     .map(contact -> contact.obstacle())
                     .orElse("")),
             new Result(
                     "wall_share",
                     "",
                     "share of the wall that was passed within 0.15 m of the wanted way since the clock started",
-                    (result, carry) -> fixed(carry.share(), 4)),
+                    (result, carry, diagnosis) -> fixed(carry.share(), 4)),
             new Result(
                     "laps",
                     "",
                     "how often the wall was passed since the clock started, on average over its length",
-                    (result, carry) -> fixed(carry.laps(), 3)),
+                    (result, carry, diagnosis) -> fixed(carry.laps(), 3)),
             new Result(
                     "clock_start_s",
                     "s",
                     "start of the clock: the fault, or the first meeting with a wall if that is later",
-                    (result, carry) -> fixed(carry.clockStart(), 3)),
+                    (result, carry, diagnosis) -> fixed(carry.clockStart(), 3)),
             new Result(
                     "coverage",
                     "",
                     "share of the wall that was followed within 0.05 m in the whole run",
-                    (result, carry) -> fixed(result.coverage(), 4)),
+                    (result, carry, diagnosis) -> fixed(result.coverage(), 4)),
             new Result(
                     "distance_rms_m",
                     "m",
                     "distance error on straight walls, root mean square",
-                    (result, carry) -> fixed(result.distanceRms(), 6)),
-            new Result("final_state", "", "last state of the controller", (result, carry) -> result.finalState()),
+                    (result, carry, diagnosis) -> fixed(result.distanceRms(), 6)),
+            new Result(
+                    "final_state",
+                    "",
+                    "last state of the controller",
+                    (result, carry, diagnosis) -> result.finalState()),
+            new Result(
+                    "final_rung",
+                    "",
+                    "last strategy of the controller, empty without a diagnosis",
+                    (result, carry, diagnosis) -> diagnosis.rung()),
+            new Result(
+                    "detection_delay_s",
+                    "s",
+                    "time from the first fault until the diagnosis does not trust its sensor, empty if it always does",
+                    (result, carry, diagnosis) -> fixed(diagnosis.detectionDelay(), 3)),
+            new Result(
+                    "false_alarms",
+                    "",
+                    "sensors without a fault that the diagnosis did not trust at some time, empty without a diagnosis",
+                    (result, carry, diagnosis) -> diagnosis.falseAlarms().isPresent()
+                            ? Integer.toString(diagnosis.falseAlarms().getAsInt())
+                            : ""),
             new Result(
                     "simulated_s",
                     "s",
                     "how long the run lasted",
-                    (result, carry) -> fixed(result.simulatedSeconds(), 9)),
+                    (result, carry, diagnosis) -> fixed(result.simulatedSeconds(), 9)),
             new Result(
                     "trajectory_hash",
                     "",
                     "hash over all ticks, the same for every run of the same scenario",
-                    (result, carry) -> RunSummary.formatHash(result)),
-            new Result("failure", "", "why the run broke, empty if it did not", (result, carry) -> ""));
+                    (result, carry, diagnosis) -> RunSummary.formatHash(result)),
+            new Result("failure", "", "why the run broke, empty if it did not", (result, carry, diagnosis) -> ""));
 
     private ResultColumns() {}
 
@@ -118,9 +148,9 @@ public final class ResultColumns {
     }
 
     /** Returns the row of a run. */
-    static String row(PlannedRun run, RunResult result, CarryOnMetrics carry) {
+    static String row(PlannedRun run, RunResult result, CarryOnMetrics carry, DiagnosisMetrics diagnosis) {
         List<String> cells = leadingCells(run);
-        RESULTS.forEach(column -> cells.add(column.cell.apply(result, carry)));
+        RESULTS.forEach(column -> cells.add(column.cell.cell(result, carry, diagnosis)));
         return Csv.row(cells);
     }
 

@@ -6,6 +6,7 @@ import faultline.engine.ControllerFactory;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.CarryOnMetrics;
+import faultline.engine.metrics.DiagnosisMetrics;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.engine.metrics.WallCircuit;
@@ -56,14 +57,15 @@ final class RunMaker {
         try {
             SimulationSetup setup = plan.scenario(run).setup();
             CarryOnMetrics carry = new CarryOnMetrics(setup, circuit(setup));
+            DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
             boolean untilVerdict = plan.header().untilVerdict();
             RunResult result = HeadlessRun.run(
                     setup,
                     ControllerFactory.create(setup.controller()),
                     ControllerMode.DIRECT,
-                    List.of(carry),
+                    List.of(carry, diagnosis),
                     () -> untilVerdict && carry.isDecided());
-            String row = ResultColumns.row(run, result, carry);
+            String row = ResultColumns.row(run, result, carry, diagnosis);
             return new MadeRun(index, row, false, result.ticks(), secondsSince(start));
         } catch (ScenarioException e) {
             return broken(run, e.problems().get(0).toString(), start);

@@ -44,6 +44,7 @@ class CampaignReportTest {
                         "Summary",
                         "Survival by fault and sensor",
                         "controller_distance_m: 0.2, 0.25, 0.3",
+                        "Detection delays",
                         "Distributions",
                         "Worst runs",
                         "Columns of runs.csv"),

@@ -1,0 +1,77 @@
+package faultline.engine.metrics;
+
+import faultline.control.SensorHealth;
+import faultline.control.Telemetry;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.TickObserver;
+import faultline.robot.RobotSpec;
+import faultline.world.Command;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.Set;
+
+/** Compares what a controller's diagnosis thinks of the sensors with the faults that they have. */
+public final class DiagnosisMetrics implements TickObserver {
+
+    private final double onset;
+    private final Set<String> faulty = new HashSet<>();
+    private final Optional<String> firstFaulty;
+    private final Set<String> wronglyDistrusted = new HashSet<>();
+    private double detected = Double.NaN;
+    private String rung = "";
+    private boolean diagnosed;
+
+    /** Creates metrics of one run of a setup. */
+    public DiagnosisMetrics(SimulationSetup setup) {
+        onset = CarryOnMetrics.onset(setup);
+        setup.timeline().stream()
+                .filter(timed -> timed.command() instanceof Command.InjectFault)
+                .forEach(timed -> faulty.add(((Command.InjectFault) timed.command()).sensor()));
+        firstFaulty = setup.timeline().stream()
+                .filter(timed -> timed.time() == onset && timed.command() instanceof Command.InjectFault)
+                .map(timed -> ((Command.InjectFault) timed.command()).sensor())
+                .findFirst();
+    }
+
+    @Override
+    public void observe(Simulation simulation) {
+        Telemetry telemetry = simulation.telemetry();
+        rung = telemetry.rung();
+        List<SensorHealth> health = telemetry.health();
+        diagnosed |= !health.isEmpty();
+        for (SensorHealth sensor : health) {
+            if (!sensor.isTrusted()) {
+                distrust(sensor.sensor(), simulation.time(), simulation.robot());
+            }
+        }
+    }
+
+    private void distrust(String sensor, double time, RobotSpec robot) {
+        if (!faulty.contains(sensor)
+                && robot.sensor(sensor).filter(spec -> spec.on()).isPresent()) {
+            wronglyDistrusted.add(sensor);
+        }
+        if (Double.isNaN(detected) && time >= onset && firstFaulty.equals(Optional.of(sensor))) {
+            detected = time;
+        }
+    }
+
+    /** Returns the time from the first fault until its sensor is not trusted, seconds; empty if it always is. */
+    public OptionalDouble detectionDelay() {
+        return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(detected - onset);
+    }
+
+    /** Returns how many sensors without any fault were not trusted at some time; empty without a diagnosis. */
+    public OptionalInt falseAlarms() {
+        return diagnosed ? OptionalInt.of(wronglyDistrusted.size()) : OptionalInt.empty();
+    }
+
+    /** Returns the name of the strategy that drove last, empty without a diagnosis. */
+    public String rung() {
+        return rung;
+    }
+}
