@@ -1,25 +1,25 @@
 package faultline.studies;
 
 import faultline.control.TimingRule;
+import faultline.geometry.Angles;
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Pose;
-import faultline.geometry.Sector;
-import faultline.geometry.SectorDistance;
+import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.sensor.SensorSpec;
 import faultline.world.ObstacleGeometry;
 import java.util.List;
 
 /**
- * What eq. (4) gives in theory. The left sensor sees the wall between two headings, the edges; for an endless wall they
- * lie at plus and minus the phi0 that solves R cos(max(0, phi0 - b)) + a cos(phi0) = D, with the range R, half the cone
- * b, the seat a and the distance D from centre to wall. Turning back for half the time ends in their middle, which is
- * parallel where the edges are symmetric. The paper's rule to the letter falls short of it by the motor's lag and half
- * a period.
+ * The heading error of eq. (4) in theory. The left sensor sees the wall between two headings, the edges; for an endless
+ * wall they lie at plus and minus the phi0 that solves R cos(max(0, phi0 - b)) + a cos(phi0) = D, with the range R,
+ * half the cone b, the mounting offset a and the distance D from the centre to the wall. Turning back for half of the
+ * time ends in their middle, which is parallel if the edges are symmetric. The paper's rule falls short of it by the
+ * motors' lag and half a period.
  *
- * @param trial what is tried
- * @param walls the outlines that stand there
- * @param position where the robot's centre is
+ * @param trial the trial
+ * @param walls the geometry of its walls
+ * @param position of the robot's centre
  */
 record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 position) {
 
@@ -34,27 +34,30 @@ record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 po
         return new AlignmentTheory(trial, walls, at);
     }
 
-    /** The mean heading error at the hand-over, radians. */
+    /** Returns the mean heading error at the hand-over, radians. */
     double headingError() {
         double late =
                 trial.timing() == TimingRule.RANGE ? trial.robot().motor().timeConstant() + trial.period() / 2 : 0;
         return middleHeading() - trial.robot().turnRate() * late;
     }
 
-    /** How far single trials may be from the mean because a look comes up to one period late, radians. */
+    /**
+     * Returns the greatest deviation of single trials from the mean, because a sample is up to one period late,
+     * radians.
+     */
     double spread() {
         return trial.timing() == TimingRule.RANGE ? trial.robot().turnRate() * trial.period() / 2 : 0;
     }
 
-    /** The middle between the two edges, radians from parallel. */
+    /** Returns the middle between the two edges, radians from parallel. */
     private double middleHeading() {
         double level = edgeReading();
         return (edgeHeading(level, 1) + edgeHeading(level, -1)) / 2;
     }
 
     /**
-     * The reading at which the sensor comes and leaves: the range, or a little more than the nearest, unless the
-     * readings turn round before.
+     * Returns the reading at the edges: the range, or a little more than the nearest reading, unless the readings turn
+     * before.
      */
     double edgeReading() {
         if (trial.timing() == TimingRule.RANGE) {
@@ -66,7 +69,8 @@ record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 po
     }
 
     /**
-     * The heading of the nearest reading about parallel; it is not parallel itself where the axis misses the centre.
+     * Returns the heading of the nearest reading near parallel; it is not parallel itself if the axis misses the
+     * centre.
      */
     private double nearestHeading() {
         double nearest = 0;
@@ -76,7 +80,7 @@ record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 po
         return nearest;
     }
 
-    /** The farthest reading on one side of a heading before the readings fall again, looked for up to a level. */
+    /** Returns the farthest reading on one side of a heading before the readings fall again, up to a level. */
     private double maxReading(double from, double level, int side) {
         double last = readingAt(from);
         for (double turned = STEP; turned < StrictMath.PI; turned += STEP) {
@@ -89,7 +93,7 @@ record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 po
         return last;
     }
 
-    /** The heading at which the reading first comes up to a level, turning from the nearest reading to one side. */
+    /** Returns the heading at which the reading first reaches a level, turning from the nearest reading to one side. */
     double edgeHeading(double level, int side) {
         double from = nearestHeading();
         double seen = 0;
@@ -108,18 +112,47 @@ record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 po
         return from + side * seen;
     }
 
+    /**
+     * Returns the distance of the nearest point of the walls in the cone, in closed form: it is the foot of the
+     * perpendicular, the end of a wall, or a point on an edge of the cone. The simulator's sensor is not used.
+     */
     private double readingAt(double heading) {
         SensorSpec left = leftSensor();
-        Sector sector = Sector.of(
-                new Pose(position.x(), position.y(), heading).toParent(left.mountPosition()),
-                heading + left.bearing(),
-                left.cone(),
-                left.range());
-        double least = Double.POSITIVE_INFINITY;
-        for (ConvexShape wall : walls) {
-            least = Math.min(least, SectorDistance.nearest(sector, wall));
+        Vector2 apex = new Pose(position.x(), position.y(), heading).toParent(left.mountPosition());
+        double axis = heading + left.bearing();
+        double half = left.cone() / 2;
+        double least = left.range() * (1 + 1e-12);
+        double found = Double.POSITIVE_INFINITY;
+        for (ConvexShape shape : walls) {
+            Segment wall = (Segment) shape;
+            Vector2 along = wall.b().minus(wall.a());
+            double foot = apex.minus(wall.a()).dot(along) / along.dot(along);
+            found = Math.min(found, inCone(wall.a().plus(along.times(clamp(foot))), apex, axis, half));
+            found = Math.min(found, Math.min(inCone(wall.a(), apex, axis, half), inCone(wall.b(), apex, axis, half)));
+            found = Math.min(found, alongRay(wall, apex, axis - half));
+            found = Math.min(found, alongRay(wall, apex, axis + half));
         }
-        return least;
+        return found <= least ? found : Double.POSITIVE_INFINITY;
+    }
+
+    private static double clamp(double share) {
+        return Math.max(0, Math.min(1, share));
+    }
+
+    /** Returns the distance of a point in the cone; infinite outside. */
+    private static double inCone(Vector2 point, Vector2 apex, double axis, double half) {
+        Vector2 way = point.minus(apex);
+        return Math.abs(Angles.difference(axis, way.angle())) <= half ? way.length() : Double.POSITIVE_INFINITY;
+    }
+
+    /** Returns the distance at which a ray meets a wall; infinite if it does not. */
+    private static double alongRay(Segment wall, Vector2 apex, double bearing) {
+        Vector2 ray = Vector2.direction(bearing);
+        Vector2 along = wall.b().minus(wall.a());
+        double cross = ray.cross(along);
+        double distance = wall.a().minus(apex).cross(along) / cross;
+        double share = wall.a().minus(apex).cross(ray) / cross;
+        return cross != 0 && distance >= 0 && share >= 0 && share <= 1 ? distance : Double.POSITIVE_INFINITY;
     }
 
     private SensorSpec leftSensor() {

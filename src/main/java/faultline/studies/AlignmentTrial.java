@@ -17,33 +17,33 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * One trial of eq. (4) in the whole simulator: the robot drives to a wall, spins, times the wall, turns back, and hands
- * over to FOLLOW. The wall in question lies on y = {@link #WALL_Y}; parallel to it, with the wall on the left, is
- * heading 0. Five ticks a control period: between two looks the robot moves as smoothly as a real one.
+ * A trial of eq. (4) in the whole simulator: the robot drives to a wall, spins, times the wall, turns back, and hands
+ * over to FOLLOW. The wall lies on y = {@link #WALL_Y}; heading 0 is parallel to it with the wall on the left. A
+ * control period has five ticks, so that the robot moves smoothly between two samples.
  *
- * @param setup what is run
- * @param handOver which alignment counts: 1 for the first
+ * @param setup the setup
+ * @param handOver the number of the alignment that counts, from 1
  */
 record AlignmentTrial(SimulationSetup setup, int handOver) {
 
-    /** Where the wall in question lies in all files of the studies, metres. */
+    /** The y coordinate of the wall in all files of the studies, metres. */
     static final double WALL_Y = 10;
 
-    /** The file that the trials start from. */
+    /** The setup that the trials start from. */
     static final SimulationSetup BASE =
             StudyScenarios.load("studies/eq4-wall.xml").setup();
 
     /**
-     * What came of a trial.
+     * The result of a trial.
      *
-     * @param headingError how far the robot is turned from parallel at the first FOLLOW tick, radians, positive towards
-     *     the wall
-     * @param position where it stands then
+     * @param headingError from parallel at the first FOLLOW tick, radians, positive towards the wall
+     * @param position at that tick
      * @param tD the time between F3 and F4, seconds
+     * @param distance the true reading of the left sensor at that tick, metres
      */
-    record TrialResult(double headingError, Vector2 position, double tD) {}
+    record TrialResult(double headingError, Vector2 position, double tD, double distance) {}
 
-    /** The file's robot, with sensors of a range and cone, a spin rate and motors of a time constant. */
+    /** Returns the file's robot with sensors of a range and cone, a spin rate and motors of a time constant. */
     static RobotSpec robot(double range, double cone, double rate, double tau) {
         RobotSpec usual = BASE.robot();
         List<SensorSpec> sensors = usual.sensors().stream()
@@ -54,7 +54,7 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
         return usual.withTurnRate(rate).withMotor(motor).withSensors(sensors);
     }
 
-    /** The file's robot and control before its long wall. */
+    /** Returns the file's robot and control before its long wall. */
     static AlignmentTrial standard(TimingRule timing, int variant) {
         SimulationSetup before = WallScenes.endless(BASE, controllerSpec(BASE).distance(), variant);
         return new AlignmentTrial(before.withSeed(variant + 1L), 1).withTiming(timing);
@@ -83,7 +83,7 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
         return new AlignmentTrial(setup.withRobot(robot), handOver);
     }
 
-    /** The same robot, control and seed elsewhere. */
+    /** Returns this trial with the same robot, control and seed in another world. */
     AlignmentTrial withSetup(SimulationSetup place) {
         SimulationSetup there = place.withRobot(setup.robot()).withController(setup.controller());
         return new AlignmentTrial(there.withSeed(setup.seed()), handOver);
@@ -105,17 +105,17 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
         return setup.robot();
     }
 
-    /** The period of its control, seconds. */
+    /** Returns the control period, seconds. */
     double period() {
         return controllerSpec(setup).period();
     }
 
-    /** Which moments are F3 and F4. */
+    /** Returns the rule for F3 and F4. */
     TimingRule timing() {
         return controllerSpec(setup).timingRule();
     }
 
-    /** Runs the trial; empty where the robot never hands over. */
+    /** Runs the trial; empty if the robot never hands over. */
     Optional<TrialResult> run() {
         try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
             int handOvers = 0;
@@ -128,8 +128,11 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
                         && before.equals(FollowerState.ALIGN.name())
                         && ++handOvers == handOver) {
                     Pose pose = simulation.pose();
-                    return Optional.of(
-                            new TrialResult(Angles.normalize(pose.heading()), pose.position(), now.tF4() - now.tF3()));
+                    return Optional.of(new TrialResult(
+                            Angles.normalize(pose.heading()),
+                            pose.position(),
+                            now.tF4() - now.tF3(),
+                            simulation.trueReading(setup.robot().indexOf("left"))));
                 }
                 before = now.state();
             }

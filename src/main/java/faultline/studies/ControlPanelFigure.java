@@ -15,7 +15,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 
-/** Fig. 1: the control panel as it stands beside a run, painted without a display. */
+/** Fig. 1: the control panel during a run, painted without a display. */
 final class ControlPanelFigure implements Figure {
 
     private static final String SCENARIO = "every-fault.xml";

@@ -8,46 +8,49 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Beside Fig. 6: where two sensors suffice, over all angles between the walls. */
+/** Fig. 6: the angles between the walls at which two sensors suffice, over many starts. */
 final class CornerAngleSweep implements Figure {
 
     private static final double FIRST_ANGLE = 35;
-    private static final double LAST_ANGLE = 150;
-    private static final double ANGLE_STEP = 5;
-    /** Two sensors stand out, and four lie on top of what they agree with. */
+    private static final double LAST_ANGLE = 145;
+    private static final double ANGLE_STEP = 10;
+    static final int STARTS = 31;
+    /** Two sensors stand out; four lie on top of those that they agree with. */
     private static final List<Integer> STYLES = List.of(2, 1, 3, 0);
 
     @Override
     public void write(FigureFolder folder) throws IOException {
-        CsvTable table = new CsvTable("angle_deg", "sensors", "error_mm", "distance_rms_mm", "collided");
-        List<Series> marks = new ArrayList<>();
+        CsvTable table = new CsvTable("angle_deg", "sensors", "starts", "aligned", "median_mm", "min_mm", "max_mm");
+        List<Series> series = new ArrayList<>();
         for (CornerRun.SensorSelection sensors : CornerRun.SensorSelection.values()) {
-            List<Vector2> points = runAll(sensors, table);
-            marks.add(new Series.Line("", points, STYLES.get(sensors.ordinal())));
-            marks.add(new Series.Points(sensors.title(), points, STYLES.get(sensors.ordinal())));
+            addSeries(sensors, table, series);
         }
-        Axis x = Axis.linear("angle between the walls (degrees)", 30, LAST_ANGLE);
         Chart chart = new Chart(
-                "Distance kept through a corner",
-                x,
-                Axis.linear("distance at the hand-over, error (mm)", -120, 20),
-                marks);
-        folder.writeSvg("fig6-angles", FigureCanvas.drawChart(chart, 480, 360));
+                "Distance error after a corner: median and range of " + STARTS + " starts",
+                Axis.linear("angle between the walls (degrees)", 30, 150),
+                Axis.linear("distance error at the hand-over (mm)", -160, 40),
+                series);
+        folder.writeSvg("fig6-angles", FigureCanvas.drawChart(chart, 520, 380));
         folder.writeCsv("fig6-angles", table);
     }
 
-    private static List<Vector2> runAll(CornerRun.SensorSelection sensors, CsvTable table) {
-        List<Vector2> points = new ArrayList<>();
+    private static void addSeries(CornerRun.SensorSelection sensors, CsvTable table, List<Series> series) {
+        List<Vector2> medians = new ArrayList<>();
+        List<Vector2> low = new ArrayList<>();
+        List<Vector2> high = new ArrayList<>();
         for (double degrees = FIRST_ANGLE; degrees <= LAST_ANGLE; degrees += ANGLE_STEP) {
-            RunTrace journey = CornerRun.run(degrees, sensors);
-            points.add(new Vector2(degrees, CornerRun.distanceError(journey)));
+            Sample errors = CornerRun.distanceErrors(degrees, sensors, STARTS);
             table.addRow(
-                    degrees,
-                    sensors.fileName(),
-                    CornerRun.distanceError(journey),
-                    1000 * journey.result().distanceRms().orElse(Double.NaN),
-                    journey.result().collision().isPresent());
+                    degrees, sensors.fileName(), STARTS, errors.size(), errors.median(), errors.min(), errors.max());
+            if (errors.size() > 0) {
+                medians.add(new Vector2(degrees, errors.median()));
+                low.add(new Vector2(degrees, errors.min()));
+                high.add(new Vector2(degrees, errors.max()));
+            }
         }
-        return points;
+        int style = STYLES.get(sensors.ordinal());
+        series.add(new Series.Band("", high, low, style));
+        series.add(new Series.Line("", medians, style));
+        series.add(new Series.Points(sensors.title(), medians, style));
     }
 }

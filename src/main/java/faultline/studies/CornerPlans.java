@@ -14,8 +14,8 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * Fig. 6: corners of three angles, each with two sensors and with either third one, to one scale, and what it comes to
- * in numbers. The cones that look ahead are shown where the robot stops for the second wall.
+ * Fig. 6: corners of three angles, each with two sensors and with either third one, to one scale, with the median
+ * distance over many starts. The forward cones are shown where the robot stops for the second wall.
  */
 final class CornerPlans implements Figure {
 
@@ -32,50 +32,59 @@ final class CornerPlans implements Figure {
 
     @Override
     public void write(FigureFolder folder) throws IOException {
-        FigureCanvas sheet = new FigureCanvas(ANGLES.size() * COLUMN_WIDTH, ROWS.size() * ROW_HEIGHT + 22);
+        FigureCanvas canvas = new FigureCanvas(ANGLES.size() * COLUMN_WIDTH, ROWS.size() * ROW_HEIGHT + 22);
         for (int column = 0; column < ANGLES.size(); column++) {
             for (int row = 0; row < ROWS.size(); row++) {
-                draw(sheet, ANGLES.get(column), ROWS.get(row), COLUMN_WIDTH * column, ROW_HEIGHT * row);
+                draw(canvas, ANGLES.get(column), ROWS.get(row), COLUMN_WIDTH * column, ROW_HEIGHT * row);
             }
         }
-        plan(sheet, ANGLES.get(0), 0, ROW_HEIGHT * (ROWS.size() - 1))
+        plan(canvas, ANGLES.get(0), 0, ROW_HEIGHT * (ROWS.size() - 1))
                 .drawScaleBar(0.5, ANGLES.size() * COLUMN_WIDTH - VIEW_AREA.x() - 24, ROW_HEIGHT - 20);
-        folder.writeSvg("fig6-corners", sheet.surface());
+        folder.writeSvg("fig6-corners", canvas.surface());
     }
 
     private static void draw(
-            FigureCanvas sheet, double degrees, CornerRun.SensorSelection sensors, double x, double y) {
-        RunTrace journey = CornerRun.run(degrees, sensors);
-        PlanView plan = plan(sheet, degrees, x, y);
+            FigureCanvas canvas, double degrees, CornerRun.SensorSelection sensors, double x, double y) {
+        RunTrace trace = CornerRun.run(degrees, sensors);
+        PlanView plan = plan(canvas, degrees, x, y);
         plan.drawLine(
                 List.of(CORNER.plus(firstWall(degrees)), CORNER, CORNER.plus(new Vector2(SECOND_WALL, 0))),
                 LineStyle.solid(FigureCanvas.THEME.palette().obstacleOutline(), 3));
-        List<Pose> shown = shownPoses(journey);
-        Pose stop = journey.poses().get(secondWallTick(journey));
-        journey.setup().robot().sensors().stream()
+        List<Pose> shown = shownPoses(trace);
+        Pose stop = trace.poses().get(secondWallTick(trace));
+        trace.setup().robot().sensors().stream()
                 .filter(sensor -> sensor.on() && !sensor.id().equals("left"))
                 .forEach(sensor -> plan.drawCone(
-                        nearCone(stop, sensor), journey.setup().robot().indexOf(sensor.id())));
+                        nearCone(stop, sensor), trace.setup().robot().indexOf(sensor.id())));
         plan.drawLine(shown.stream().map(Pose::position).toList(), FigureCanvas.PATH_LINE);
-        plan.drawRobot(journey.setup().robot(), shown.get(0), 0.4);
-        plan.drawRobot(journey.setup().robot(), shown.get(shown.size() - 1), 1);
-        sheet.addText(
-                FigureNumbers.format(degrees, 0) + "\u00b0, " + sensors.title(),
+        plan.drawRobot(trace.setup().robot(), shown.get(0), 0.4);
+        plan.drawRobot(trace.setup().robot(), shown.get(shown.size() - 1), 1);
+        canvas.addText(
+                panelLetter(degrees, sensors) + "  " + FigureNumbers.format(degrees, 0) + "\u00b0, " + sensors.title(),
                 x + COLUMN_WIDTH / 2.0,
                 y + 18,
                 FigureCanvas.TEXT_STYLE.withBold().withAnchor(Anchor.MIDDLE));
-        sheet.addLines(
-                List.of(FigureNumbers.format(250 + CornerRun.distanceError(journey), 0)
-                        + " mm from the wall when aligned"),
+        canvas.addLines(
+                List.of(FigureNumbers.format(250 + median(degrees, sensors), 0) + " mm from the wall when aligned"),
                 x + COLUMN_WIDTH / 2.0,
                 y + ROW_HEIGHT - 18);
     }
 
-    /** Every plan has the same size, that of the most obtuse corner's, so that all have one scale. */
-    private static PlanView plan(FigureCanvas sheet, double degrees, double x, double y) {
+    private static char panelLetter(double degrees, CornerRun.SensorSelection sensors) {
+        return (char) ('A' + ANGLES.size() * ROWS.indexOf(sensors) + ANGLES.indexOf(degrees));
+    }
+
+    /** Returns the median distance error over many starts, millimetres; the path is that of one of them. */
+    private static double median(double degrees, CornerRun.SensorSelection sensors) {
+        return CornerRun.distanceErrors(degrees, sensors, CornerAngleSweep.STARTS)
+                .median();
+    }
+
+    /** Returns a plan of the size of the most obtuse corner, so that all have one scale. */
+    private static PlanView plan(FigureCanvas canvas, double degrees, double x, double y) {
         double width = SECOND_WALL + FIRST_WALL / StrictMath.sqrt(2);
         double left = CORNER.x() + (Math.min(0, firstWall(degrees).x()) + SECOND_WALL - width) / 2;
-        return sheet.addPlan(
+        return canvas.addPlan(
                 new PixelRectangle(x + VIEW_AREA.x(), y + VIEW_AREA.y(), VIEW_AREA.width(), VIEW_AREA.height()),
                 new Rectangle2D.Double(left, CORNER.y() - FIRST_WALL, width, FIRST_WALL));
     }
@@ -84,7 +93,7 @@ final class CornerPlans implements Figure {
         return Vector2.direction(-Degrees.toRadians(degrees)).times(FIRST_WALL);
     }
 
-    /** The near half of a cone: all of it would cover its neighbours. */
+    /** Returns the near half of a cone: the whole would cover its neighbours. */
     private static Sector nearCone(Pose at, SensorSpec sensor) {
         return Sector.of(
                 at.toParent(sensor.mountPosition()),
@@ -93,26 +102,26 @@ final class CornerPlans implements Figure {
                 sensor.range() / 2);
     }
 
-    /** The tick at which the second wall is met: the spin that ends in the second hand-over begins. */
-    private static int secondWallTick(RunTrace journey) {
-        return journey.states().subList(0, journey.handOvers().get(1)).lastIndexOf("FOLLOW") + 1;
+    /** Returns the tick at which the second wall is met: the spin that ends in the second hand-over begins. */
+    private static int secondWallTick(RunTrace trace) {
+        return trace.states().subList(0, trace.handOvers().get(1)).lastIndexOf("FOLLOW") + 1;
     }
 
-    /** From shortly before the corner to where the second wall has been followed for a while. */
-    private static List<Pose> shownPoses(RunTrace journey) {
-        int stop = secondWallTick(journey);
-        int from = journey.states().indexOf("FOLLOW");
-        while (journey.poses()
+    /** Returns the poses from shortly before the corner to a position along the second wall. */
+    private static List<Pose> shownPoses(RunTrace trace) {
+        int stop = secondWallTick(trace);
+        int from = trace.states().indexOf("FOLLOW");
+        while (trace.poses()
                         .get(from)
                         .position()
-                        .distanceTo(journey.poses().get(stop).position())
+                        .distanceTo(trace.poses().get(stop).position())
                 > LENGTH_BEFORE) {
             from++;
         }
         int to = stop;
-        while (journey.poses().get(to).x() < CORNER.x() + SECOND_WALL - 0.2) {
+        while (trace.poses().get(to).x() < CORNER.x() + SECOND_WALL - 0.2) {
             to++;
         }
-        return journey.poses().subList(from, to);
+        return trace.poses().subList(from, to);
     }
 }

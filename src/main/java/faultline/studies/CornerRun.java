@@ -6,12 +6,14 @@ import faultline.geometry.Degrees;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /** A run along one wall into an inner corner and along the other, with only some sensors switched on. */
 final class CornerRun {
 
-    /** Which sensors are on: left and front, and what is added. */
+    /** The sensors that are on: left and front, and additional ones. */
     enum SensorSelection {
         TWO("left and front"),
         FRONT_RIGHT("with front-right", "front-right"),
@@ -45,23 +47,42 @@ final class CornerRun {
     private CornerRun() {}
 
     static RunTrace run(double degrees, SensorSelection sensors) {
+        return RunTrace.simulate(setup(degrees, sensors, 0));
+    }
+
+    /** Returns a setup with one of several starts; number 0 is that of the figure. */
+    private static SimulationSetup setup(double degrees, SensorSelection sensors, int start) {
         RobotSpec robot = BASE.robot();
         for (SensorSpec sensor : robot.sensors()) {
             robot = robot.withSensor(sensor.withOn(sensors.includes(sensor.id())));
         }
-        return RunTrace.simulate(
-                WallScenes.corner(BASE, Degrees.toRadians(degrees), WallFollowing.DEFAULT.distance(), 0)
-                        .withRobot(robot));
+        return WallScenes.corner(BASE, Degrees.toRadians(degrees), WallFollowing.DEFAULT.distance(), start)
+                .withRobot(robot);
+    }
+
+    /** Returns the distance error after the corner of a run from one of several starts, millimetres. */
+    static OptionalDouble distanceError(double degrees, SensorSelection sensors, int start) {
+        return new AlignmentTrial(setup(degrees, sensors, start), 2)
+                .run()
+                .map(result -> OptionalDouble.of(1000 * (result.distance() - WallFollowing.DEFAULT.distance())))
+                .orElse(OptionalDouble.empty());
+    }
+
+    /** Returns the distance errors of runs from several starts, millimetres. */
+    static Sample distanceErrors(double degrees, SensorSelection sensors, int starts) {
+        return Sample.of(IntStream.range(0, starts)
+                .mapToObj(start -> distanceError(degrees, sensors, start))
+                .flatMapToDouble(OptionalDouble::stream));
     }
 
     /**
-     * How far the second wall is from the wanted distance when the robot has been aligned with it, millimetres; not a
-     * number where it was not.
+     * Returns the distance error to the second wall when the robot has been aligned with it, millimetres; not a number
+     * if it was not.
      */
-    static double distanceError(RunTrace journey) {
-        List<Integer> handOvers = journey.handOvers();
+    static double distanceError(RunTrace trace) {
+        List<Integer> handOvers = trace.handOvers();
         return handOvers.size() < 2
                 ? Double.NaN
-                : 1000 * (journey.distances().get(handOvers.get(1)) - WallFollowing.DEFAULT.distance());
+                : 1000 * (trace.distances().get(handOvers.get(1)) - WallFollowing.DEFAULT.distance());
     }
 }

@@ -5,7 +5,7 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The numbers behind a figure, row by row. */
+/** The table of the numbers in a figure. */
 final class CsvTable {
 
     private static final MathContext DIGITS = new MathContext(7);
@@ -16,7 +16,7 @@ final class CsvTable {
         lines.add(String.join(",", columns));
     }
 
-    /** A row of numbers, to seven digits; what is not a number stays empty; and of words. */
+    /** Adds a row of texts and numbers; numbers have seven digits, those that are not finite stay empty. */
     void addRow(Object... cells) {
         List<String> texts = new ArrayList<>();
         for (Object cell : cells) {

@@ -15,7 +15,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Fig. 2: the moves of differential steering, rolled by the model itself. */
+/** Fig. 2: the motions of differential steering, computed by the model itself. */
 final class DriveMotions implements Figure {
 
     private static final RobotSpec ROBOT = RobotSpec.DEFAULT;
@@ -24,7 +24,7 @@ final class DriveMotions implements Figure {
     private static final int COLUMN_WIDTH = 190;
     private static final int ROW_HEIGHT = 246;
 
-    /** One move: its name and the speeds of the left and the right wheels, metres per second. */
+    /** A motion: its name and the speeds of the left and the right wheels, metres per second. */
     private record DriveMotion(String name, double left, double right) {
         Velocity velocity() {
             return new WheelSpeeds(left, right).toVelocity(ROBOT.track());
@@ -47,29 +47,32 @@ final class DriveMotions implements Figure {
 
     @Override
     public void write(FigureFolder folder) throws IOException {
-        FigureCanvas sheet = new FigureCanvas(4 * COLUMN_WIDTH, 2 * ROW_HEIGHT + 6);
+        FigureCanvas canvas = new FigureCanvas(4 * COLUMN_WIDTH, 2 * ROW_HEIGHT + 6);
         for (int i = 0; i < MOTIONS.size(); i++) {
-            draw(sheet, MOTIONS.get(i), COLUMN_WIDTH * (i % 4), ROW_HEIGHT * (i / 4));
+            draw(canvas, MOTIONS.get(i), COLUMN_WIDTH * (i % 4), ROW_HEIGHT * (i / 4));
         }
-        folder.writeSvg("fig2-moves", sheet.surface());
+        folder.writeSvg("fig2-moves", canvas.surface());
     }
 
-    private static void draw(FigureCanvas sheet, DriveMotion move, double x, double y) {
+    private static void draw(FigureCanvas canvas, DriveMotion move, double x, double y) {
         double v = move.velocity().linear();
         double low = v > 0 ? -0.15 : v < 0 ? -0.48 : -0.315;
-        PlanView plan = sheet.addPlan(
+        PlanView plan = canvas.addPlan(
                 new PixelRectangle(x, y + 26, COLUMN_WIDTH, 172), new Rectangle2D.Double(-0.35, low, 0.7, 0.63));
         plan.drawRobot(ROBOT, move.poseAfter(0), 0.35);
         plan.drawRobot(ROBOT, move.poseAfter(SECONDS), 1);
         plan.drawLine(path(move), FigureCanvas.PATH_LINE);
         drawWheelSpeed(plan, move, move.left(), ROBOT.track() / 2);
         drawWheelSpeed(plan, move, move.right(), -ROBOT.track() / 2);
-        sheet.addText(
-                move.name(),
+        if (move.equals(MOTIONS.get(0))) {
+            plan.drawScaleBar(0.1, COLUMN_WIDTH - 12, 160);
+        }
+        canvas.addText(
+                (char) ('A' + MOTIONS.indexOf(move)) + "  " + move.name(),
                 x + COLUMN_WIDTH / 2.0,
                 y + 18,
                 FigureCanvas.TEXT_STYLE.withBold().withAnchor(Anchor.MIDDLE));
-        sheet.addLines(captionLines(move), x + COLUMN_WIDTH / 2.0, y + 216);
+        canvas.addLines(captionLines(move), x + COLUMN_WIDTH / 2.0, y + 216);
     }
 
     private static List<Vector2> path(DriveMotion move) {
@@ -81,8 +84,8 @@ final class DriveMotions implements Figure {
     }
 
     /**
-     * An arrow beside the wheels, as long as they roll in half a second; farther out than a corner of the body can
-     * turn.
+     * Draws an arrow beside the wheels, as long as they roll in half a second; farther out than a corner of the body
+     * can turn.
      */
     private static void drawWheelSpeed(PlanView plan, DriveMotion move, double speed, double side) {
         Pose start = move.poseAfter(0);

@@ -11,7 +11,7 @@ import java.io.IOException;
  * Fig. 5: the path of the robot in an environment.
  *
  * @param name of the file
- * @param scenario that is run
+ * @param scenario to run
  * @param bounds the part that is shown, metres
  */
 record EnvironmentPath(String name, String scenario, Rectangle2D bounds) implements Figure {
@@ -22,36 +22,32 @@ record EnvironmentPath(String name, String scenario, Rectangle2D bounds) impleme
 
     @Override
     public void write(FigureFolder folder) throws IOException {
-        RunTrace journey = RunTrace.simulate(StudyScenarios.load(scenario).setup());
+        RunTrace trace = RunTrace.simulate(StudyScenarios.load(scenario).setup());
         double scale = (WIDTH - 2 * MARGIN) / bounds.getWidth();
         double height = scale * bounds.getHeight();
-        FigureCanvas sheet = new FigureCanvas(WIDTH, (int) Math.ceil(height + 2 * MARGIN + FOOTER));
-        PlanView plan = sheet.addPlan(new PixelRectangle(MARGIN, MARGIN, WIDTH - 2 * MARGIN, height), bounds);
-        plan.drawWorld(journey.setup().world());
-        plan.drawLine(journey.path(), FigureCanvas.PATH_LINE);
-        plan.drawRobot(journey.setup().robot(), journey.setup().start(), 0.4);
-        plan.drawRobot(journey.setup().robot(), journey.lastPose(), 1);
-        journey.result().collision().ifPresent(collision -> plan.drawRing(collision.point(), 7));
+        FigureCanvas canvas = new FigureCanvas(WIDTH, (int) Math.ceil(height + 2 * MARGIN + FOOTER));
+        PlanView plan = canvas.addPlan(new PixelRectangle(MARGIN, MARGIN, WIDTH - 2 * MARGIN, height), bounds);
+        plan.drawWorld(trace.setup().world());
+        plan.drawLine(trace.path(), FigureCanvas.PATH_LINE);
+        plan.drawRobot(trace.setup().robot(), trace.setup().start(), 0.4);
+        plan.drawRobot(trace.setup().robot(), trace.lastPose(), 1);
+        trace.result().collision().ifPresent(collision -> plan.drawRing(collision.point(), 7));
         plan.drawLabel(
-                "start",
-                journey.setup().start().position().plus(new Vector2(0.1, -0.3)),
-                0,
-                0,
-                FigureCanvas.SMALL_TEXT);
+                "start", trace.setup().start().position().plus(new Vector2(0.1, -0.3)), 0, 0, FigureCanvas.SMALL_TEXT);
         plan.drawScaleBar(bounds.getWidth() > 5 ? 1 : 0.5, WIDTH - 2 * MARGIN, height + 40);
-        sheet.addText(captionOf(journey), MARGIN, height + MARGIN + 40, FigureCanvas.TEXT_STYLE);
-        folder.writeSvg(name, sheet.surface());
+        canvas.addText(captionOf(trace), MARGIN, height + MARGIN + 40, FigureCanvas.TEXT_STYLE);
+        folder.writeSvg(name, canvas.surface());
     }
 
-    private static String captionOf(RunTrace journey) {
-        return journey.result()
+    private static String captionOf(RunTrace trace) {
+        return trace.result()
                 .collision()
                 .map(EnvironmentPath::collisionText)
-                .orElseGet(() -> FigureNumbers.format(journey.result().simulatedSeconds(), 0)
+                .orElseGet(() -> FigureNumbers.format(trace.result().simulatedSeconds(), 0)
                         + " s; coverage of the wall "
-                        + FigureNumbers.format(100 * journey.result().coverage().orElse(0), 1) + " %; distance error "
+                        + FigureNumbers.format(100 * trace.result().coverage().orElse(0), 1) + " %; distance error "
                         + FigureNumbers.format(
-                                1000 * journey.result().distanceRms().orElse(Double.NaN), 2) + " mm RMS");
+                                1000 * trace.result().distanceRms().orElse(Double.NaN), 2) + " mm RMS");
     }
 
     private static String collisionText(Collision collision) {

@@ -2,14 +2,14 @@ package faultline.studies;
 
 import java.io.IOException;
 
-/** One figure or study: knows how to make its files. */
+/** A figure or study, which writes its own files. */
 interface Figure {
 
     /**
-     * Makes the files.
+     * Writes the files.
      *
-     * @param folder where they go
-     * @throws IOException if one cannot be written
+     * @param folder the target
+     * @throws IOException if a file cannot be written
      */
     void write(FigureFolder folder) throws IOException;
 }

@@ -14,7 +14,7 @@ import java.awt.Color;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 
-/** One picture on paper: the drawing, and the sizes and pens that all figures share. */
+/** A picture for a figure, with the sizes and styles that all figures share. */
 final class FigureCanvas {
 
     static final ChartStyle THEME = ChartStyle.LIGHT;
@@ -34,7 +34,7 @@ final class FigureCanvas {
         return surface;
     }
 
-    /** A part of the world in an area. */
+    /** Adds a view of a part of the world in an area. */
     PlanView addPlan(PixelRectangle area, Rectangle2D bounds) {
         return new PlanView(surface, area, bounds, THEME);
     }
@@ -47,17 +47,17 @@ final class FigureCanvas {
         surface.drawText(text, new Vector2(x, y), style);
     }
 
-    /** Lines of text, one below the other, about a middle. */
+    /** Adds lines of text, one below the other, centred on a middle. */
     void addLines(List<String> lines, double middle, double y) {
         for (int i = 0; i < lines.size(); i++) {
             addText(lines.get(i), middle, y + 15 * i, SMALL_TEXT.withAnchor(Anchor.MIDDLE));
         }
     }
 
-    /** A chart on a sheet of its own. */
+    /** Draws a chart on a picture of its own. */
     static SvgSurface drawChart(Chart chart, int width, int height) {
-        FigureCanvas sheet = new FigureCanvas(width, height);
-        sheet.addChart(chart, new PixelRectangle(0, 4, width, height - 8));
-        return sheet.surface;
+        FigureCanvas canvas = new FigureCanvas(width, height);
+        canvas.addChart(chart, new PixelRectangle(0, 4, width, height - 8));
+        return canvas.surface;
     }
 }

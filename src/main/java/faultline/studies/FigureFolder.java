@@ -11,14 +11,14 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 
 /**
- * Where figures go.
+ * The target of figures.
  *
  * @param path an existing folder
  * @param appearance of the pictures
  */
 record FigureFolder(Path path, SvgTheme appearance) {
 
-    /** The folder of a path, made where it is not there. */
+    /** Returns the folder at a path, which is created if necessary. */
     static FigureFolder create(Path path, SvgTheme appearance) throws IOException {
         return new FigureFolder(Files.createDirectories(path), appearance);
     }
@@ -33,10 +33,7 @@ record FigureFolder(Path path, SvgTheme appearance) {
         write(name + ".csv", table.toCsv());
     }
 
-    /**
-     * Writes pixels. What letters look like hangs on the machine's fonts, so these files may differ from one machine to
-     * another.
-     */
+    /** Writes a bitmap. Its letters depend on the fonts of the machine, so these files may differ between machines. */
     void writePng(String name, BufferedImage image) throws IOException {
         try (AtomicFile file = AtomicFile.create(path.resolve(name + ".png"))) {
             ImageIO.write(image, "png", file.stream());

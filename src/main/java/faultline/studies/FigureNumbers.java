@@ -2,12 +2,12 @@ package faultline.studies;
 
 import java.util.Locale;
 
-/** Numbers as figures write them. */
+/** Formats numbers for figures. */
 final class FigureNumbers {
 
     private FigureNumbers() {}
 
-    /** A number with so many decimals and a true minus sign. */
+    /** Returns a number with some decimals and a true minus sign. */
     static String format(double value, int decimals) {
         String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
         boolean zero = text.chars().allMatch(c -> "-0.".indexOf(c) >= 0);

@@ -12,27 +12,30 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
-/** All figures and studies, and how they are made: on every core, each by itself. */
+/** Writes all figures and studies, on all cores. */
 public final class Figures {
 
     private Figures() {}
 
-    /** Told how far the work is. */
+    /** Listens to the progress. */
     @FunctionalInterface
     public interface FigureListener {
 
         /**
-         * Called on the caller's thread when a figure is done.
+         * Called on the caller's thread when a figure is written.
          *
-         * @param done how many figures are
-         * @param all how many there are to be
+         * @param done the number of figures written
+         * @param all the number of figures
          */
         void figureWritten(int done, int all);
     }
 
     static List<Figure> allFigures() {
         List<Figure> figures = new ArrayList<>();
-        // The longest first, so that no core waits for it in the end.
+        // The longest first, so that no core is idle at the end.
+        figures.add(new AlignmentErrors());
+        figures.add(new CornerAngleSweep());
+        figures.add(new NoiseInRandomRooms());
         figures.add(new NoiseWhileFollowing());
         figures.add(new ControlPanelFigure());
         figures.add(new DriveMotions());
@@ -41,9 +44,10 @@ public final class Figures {
         figures.add(new EnvironmentPath("fig5-indoor", "office.xml", new Rectangle2D.Double(-0.1, -0.1, 8.2, 6.2)));
         figures.add(new EnvironmentPath("fig5-outdoor", "yard.xml", new Rectangle2D.Double(0.5, 0.8, 10.5, 7.4)));
         figures.add(new CornerPlans());
-        figures.add(new CornerAngleSweep());
         figures.add(new StateDiagramFigure());
         figures.addAll(EquationFour.sweeps());
+        figures.add(new HypercubeStudy());
+        figures.add(new MotorMismatch());
         figures.add(new OtherSensorFaults());
         figures.add(new GainsMap());
         figures.add(new StepResponse());
@@ -61,11 +65,11 @@ public final class Figures {
     }
 
     /**
-     * Makes all figures.
+     * Writes all figures.
      *
-     * @param path the folder; made where it is not there
+     * @param path the folder; created if necessary
      * @param appearance of the pictures
-     * @param progress told of each figure
+     * @param progress called for each figure
      * @throws IOException if a file cannot be written
      */
     public static void writeAll(Path path, SvgTheme appearance, FigureListener progress) throws IOException {

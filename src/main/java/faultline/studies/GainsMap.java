@@ -12,17 +12,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 
-/** Which gains of the PD controller are good: the fate of the loop over kp and kd, and theory as lines. */
+/**
+ * The response of the loop over k_p and k_d, with theory as lines. The limit of stability is an approximation that
+ * neglects the limits of the turn rate.
+ */
 final class GainsMap implements Figure {
 
     private static final Axis KP = new Axis("k_p (rad/s per m)", 2, 2000, true);
     private static final Axis KD = new Axis("k_d (rad/s per m/s)", 1, 100, true);
-    /** A hard start: at the wanted distance, but well on the way into the wall. */
+    /** A hard start: at the wanted distance, but heading for the wall. */
     private static final double START_HEADING = Degrees.toRadians(45);
 
     private static final int COLUMNS = 48;
     private static final int ROWS = 36;
-    /** From a decision to half way through the tick in which it acts. */
+    /** From a decision to the middle of the tick in which it acts. */
     private static final double DELAY = 1.5 * PdLoop.TICK;
 
     private static final List<String> RESPONSE_NAMES =
@@ -36,7 +39,7 @@ final class GainsMap implements Figure {
             rows.add(computeRow(KD.valueAt((row + 0.5) / ROWS), table));
         }
         PdGains chosen = PdGains.forSpeed(PdLoop.SPEED, MotorSpec.DEFAULT.timeConstant() + PdLoop.TICK);
-        List<Series> marks = List.of(
+        List<Series> series = List.of(
                 new Series.Cells(RESPONSE_NAMES, rows),
                 new Series.Line("critically damped", gainLine(kd -> PdLoop.SPEED * kd * kd / 4), 0),
                 new Series.Line(
@@ -45,7 +48,7 @@ final class GainsMap implements Figure {
         folder.writeCsv("pd-gains", table);
         folder.writeSvg(
                 "pd-gains",
-                FigureCanvas.drawChart(new Chart("Gains of the PD controller at 0.3 m/s", KP, KD, marks), 520, 420));
+                FigureCanvas.drawChart(new Chart("Gains of the PD controller at 0.3 m/s", KP, KD, series), 520, 420));
     }
 
     private static List<Integer> computeRow(double kd, CsvTable table) {

@@ -8,14 +8,12 @@ import faultline.geometry.Vector2;
 import faultline.paint.chart.Axis;
 import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
-import faultline.robot.RobotSpec;
-import faultline.sensor.SensorSpec;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.DoubleStream;
 
-/** Noise: what it does to following, in the room of a shipped scenario. */
+/** Following with noisy sensors in the room of a shipped scenario. */
 final class NoiseWhileFollowing implements Figure {
 
     private static final String SCENARIO = "noisy-sensors.xml";
@@ -56,10 +54,6 @@ final class NoiseWhileFollowing implements Figure {
 
     private static SimulationSetup withNoise(double deviation) {
         SimulationSetup setup = StudyScenarios.load(SCENARIO).setup();
-        RobotSpec robot = setup.robot();
-        for (SensorSpec sensor : robot.sensors()) {
-            robot = robot.withSensor(sensor.withNoise(deviation));
-        }
-        return setup.withRobot(robot);
+        return SetupVariations.withNoise(SetupVariations.withoutDiagnosis(setup), deviation);
     }
 }

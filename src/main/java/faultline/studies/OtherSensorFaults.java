@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * The paper's claim that t_D does not depend on other sensors: every other sensor failed in every way, once from the
- * moment that the spin begins, and once from the start of the run, when the robot may come to stand elsewhere.
+ * The paper's claim that t_D does not depend on other sensors: every other sensor fails in every way, once from the
+ * beginning of the spin, and once from the start of the run, when the robot may stop elsewhere.
  */
 final class OtherSensorFaults implements Figure {
 
@@ -68,11 +68,11 @@ final class OtherSensorFaults implements Figure {
     }
 
     private static double alignmentStart(SimulationSetup setup) {
-        RunTrace journey = RunTrace.simulate(setup.withDuration(10));
-        return journey.states().indexOf("TURN") * setup.dt();
+        RunTrace trace = RunTrace.simulate(setup.withDuration(10));
+        return trace.states().indexOf("TURN") * setup.dt();
     }
 
-    /** The time between F3 and F4 when ALIGN hands over; empty where it never does. */
+    /** Returns the time between F3 and F4 when ALIGN hands over; empty if it never does. */
     private static OptionalDouble measureTD(SimulationSetup setup) {
         try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
             while (simulation.time() < setup.duration()

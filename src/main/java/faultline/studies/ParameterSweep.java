@@ -13,15 +13,15 @@ import java.util.Optional;
 import java.util.stream.DoubleStream;
 
 /**
- * The heading error of eq. (4) against one quantity, all others as usual: every trial as a point, theory as a line
- * through them, for both timings.
+ * The heading error of eq. (4) against one quantity, all others at their defaults: every trial as a point, theory as a
+ * line, for both rules.
  *
  * @param name of the files
  * @param title of the chart
  * @param label of the quantity, with its unit
- * @param values of the quantity as the chart shows them, ascending
- * @param variants how many trials there are at each value
- * @param trialFactory makes a trial
+ * @param values of the quantity as in the chart, ascending
+ * @param variants the number of trials at each value
+ * @param trialFactory creates a trial
  */
 record ParameterSweep(
         String name, String title, String label, List<Double> values, int variants, TrialFactory trialFactory)
@@ -30,7 +30,7 @@ record ParameterSweep(
     private static final int WIDTH = 480;
     private static final int HEIGHT = 360;
 
-    /** Makes the trial at a value of the quantity. */
+    /** Creates the trial at a value of the quantity. */
     interface TrialFactory {
         AlignmentTrial create(double value, TimingRule timing, int variant);
     }
@@ -94,7 +94,7 @@ record ParameterSweep(
         List<TrialPoint> equal = points.stream()
                 .filter(point -> point.timing() == TimingRule.EQUAL_READINGS)
                 .toList();
-        List<Series> marks = List.of(
+        List<Series> series = List.of(
                 new Series.Band("\u00b1 \u03c9T/2", means(letter, 1), means(letter, -1), 1),
                 new Series.Line("theory, to the letter", means(letter, 0), 1),
                 new Series.Points(
@@ -117,11 +117,11 @@ record ParameterSweep(
                 title,
                 Axis.covering(label, values.stream().mapToDouble(value -> value)),
                 Axis.covering("heading error (degrees)", errors),
-                marks);
+                series);
         return FigureCanvas.drawChart(chart, WIDTH, HEIGHT);
     }
 
-    /** The theory at each value: the mean over its trials. */
+    /** Returns the theory at each value: the mean over its trials. */
     private List<Vector2> means(List<TrialPoint> points, double spreads) {
         List<Vector2> means = new ArrayList<>();
         for (double value : values) {

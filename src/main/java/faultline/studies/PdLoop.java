@@ -9,12 +9,12 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The PD law and the motors beside a long straight wall, and nothing else: distance and heading are known, a decision
- * acts at the next tick.
+ * The PD law and the motors beside a long straight wall: distance and heading are known, and a decision acts at the
+ * next tick. The P term is clamped.
  *
  * @param gains of the law
- * @param distanceError how much too far from the wall the robot starts, metres
- * @param heading that it starts at, radians towards the wall
+ * @param distanceError at the start, metres, positive if too far
+ * @param heading at the start, radians towards the wall
  */
 record PdLoop(PdGains gains, double distanceError, double heading) {
 
@@ -23,7 +23,10 @@ record PdLoop(PdGains gains, double distanceError, double heading) {
     static final double TICK = BASE.dt();
     static final double SPEED = BASE.robot().speed();
 
-    /** What became of the loop, from the best to the worst. */
+    /**
+     * The response of the loop, from the best to the worst. A settled loop keeps the distance within a millimetre; its
+     * heading may still chatter.
+     */
     enum LoopResponse {
         SETTLES,
         SLOW,
@@ -36,7 +39,7 @@ record PdLoop(PdGains gains, double distanceError, double heading) {
     private static final double SETTLED_WINDOW = 2;
     private static final double MIN_SPEED_SHARE = 0.3;
 
-    /** The distance errors tick by tick, metres; they end where the robot touches the wall. */
+    /** Returns the distance errors of all ticks, metres, up to the contact with the wall. */
     List<Double> errors() {
         RobotSpec robot = BASE.robot();
         double line = BASE.start().y();

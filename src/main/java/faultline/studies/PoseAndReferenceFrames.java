@@ -22,15 +22,15 @@ final class PoseAndReferenceFrames implements Figure {
 
     @Override
     public void write(FigureFolder folder) throws IOException {
-        FigureCanvas sheet = new FigureCanvas(460, 380);
+        FigureCanvas canvas = new FigureCanvas(460, 380);
         PlanView plan =
-                sheet.addPlan(new PixelRectangle(20, 14, 420, 352), new Rectangle2D.Double(-0.07, -0.06, 0.88, 0.68));
+                canvas.addPlan(new PixelRectangle(20, 14, 420, 352), new Rectangle2D.Double(-0.07, -0.06, 0.88, 0.68));
         plan.drawRobot(ROBOT, POSE, 1);
         globalFrame(plan);
         ownFrame(plan);
         coordinates(plan);
         velocities(plan);
-        folder.writeSvg("fig3-frames", sheet.surface());
+        folder.writeSvg("fig3-frames", canvas.surface());
     }
 
     private static void globalFrame(PlanView plan) {

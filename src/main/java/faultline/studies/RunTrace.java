@@ -12,13 +12,13 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A run and every pose of it.
+ * A run with its poses.
  *
- * @param setup what was run
- * @param poses tick by tick, from tick 0
- * @param states tick by tick
- * @param distances tick by tick: what the left sensor truly has before it, metres; infinite for nothing
- * @param result what it came to
+ * @param setup the setup
+ * @param poses at each tick, from tick 0
+ * @param states at each tick
+ * @param distances the true reading of the left sensor at each tick, metres; infinite for nothing
+ * @param result of the run
  */
 record RunTrace(
         SimulationSetup setup, List<Pose> poses, List<String> states, List<Double> distances, RunResult result) {
@@ -40,7 +40,7 @@ record RunTrace(
         return poses.stream().map(Pose::position).toList();
     }
 
-    /** The ticks at which ALIGN has handed over to FOLLOW. */
+    /** Returns the ticks at which ALIGN has handed over to FOLLOW. */
     List<Integer> handOvers() {
         return IntStream.range(1, states.size())
                 .filter(tick -> states.get(tick).equals("FOLLOW")

@@ -1,5 +1,6 @@
 package faultline.studies;
 
+import faultline.control.ControllerSpec.WallFollowing;
 import faultline.engine.SimulationSetup;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
@@ -16,6 +17,13 @@ final class SetupVariations {
                 .withObstacles(base.world().obstacles().stream()
                         .map(obstacle -> obstacle.id().equals(changed.id()) ? changed : obstacle)
                         .toList()));
+    }
+
+    /** Returns a setup whose wall follower does not diagnose its sensors, as in the paper. */
+    static SimulationSetup withoutDiagnosis(SimulationSetup base) {
+        WallFollowing spec = (WallFollowing) base.controller();
+        return base.withController(
+                new WallFollowing(spec.distance(), spec.side(), spec.period(), spec.timingRule(), false));
     }
 
     /** Returns a setup with the same noise on all sensors, standard deviation in metres. */

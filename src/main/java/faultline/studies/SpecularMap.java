@@ -13,7 +13,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Specular reflection: which glossy walls, met at which slant, the robot finds in time. */
+/** Specular reflection: the slants and surfaces at which the robot finds a glossy wall in time. */
 final class SpecularMap implements Figure {
 
     private static final int COLUMNS = 32;
@@ -38,17 +38,19 @@ final class SpecularMap implements Figure {
             }
             rows.add(outcomes);
         }
-        List<Series> marks = List.of(
+        List<Series> series = List.of(
                 new Series.Cells(OUTCOME_NAMES, rows),
                 visibleBoundary("front sensor sees it", 0, 1),
                 visibleBoundary("a corner sensor sees it", 45, 0),
                 visibleBoundary("", -45, 0));
         folder.writeCsv("specular-map", table);
         folder.writeSvg(
-                "specular-map", FigureCanvas.drawChart(new Chart("Glossy walls", SLANT, SPECULAR, marks), 520, 420));
+                "specular-map", FigureCanvas.drawChart(new Chart("Glossy walls", SLANT, SPECULAR, series), 520, 420));
     }
 
-    /** Where a sensor of a bearing sees the wall: its cone reaches to within the angle of the normal. */
+    /**
+     * Returns the boundary within which a sensor of a bearing sees the wall: its cone reaches the angle of the normal.
+     */
     private static Series visibleBoundary(String name, double bearing, int style) {
         double half = StrictMath.toDegrees(SensorSpec.DEFAULT_CONE) / 2;
         return new Series.Line(
@@ -65,10 +67,10 @@ final class SpecularMap implements Figure {
         Obstacle wall = SetupVariations.findObstacle(BASE, "wall");
         Pose start = new Pose(BASE.start().x(), BASE.start().y(), StrictMath.PI / 2 + Degrees.toRadians(slant));
         Obstacle glossy = wall.withSpecularAngle(Degrees.toRadians(specular));
-        RunTrace journey = RunTrace.simulate(SetupVariations.with(BASE, glossy).withStart(start));
-        if (journey.result().collision().isPresent()) {
+        RunTrace trace = RunTrace.simulate(SetupVariations.with(BASE, glossy).withStart(start));
+        if (trace.result().collision().isPresent()) {
             return 2;
         }
-        return Math.abs(StrictMath.sin(journey.lastPose().heading())) < StrictMath.sin(Degrees.toRadians(2)) ? 0 : 1;
+        return Math.abs(StrictMath.sin(trace.lastPose().heading())) < StrictMath.sin(Degrees.toRadians(2)) ? 0 : 1;
     }
 }

@@ -17,8 +17,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * How an error of the distance dies out: the PD law alone with several lengths, and the whole follower when its wall is
- * moved.
+ * The decay of a distance error: the PD law alone with several lengths, and the whole follower when its wall is moved.
  */
 final class StepResponse implements Figure {
 
@@ -33,37 +32,37 @@ final class StepResponse implements Figure {
     @Override
     public void write(FigureFolder folder) throws IOException {
         CsvTable table = new CsvTable("what", "t_s", "error_m");
-        FigureCanvas sheet = new FigureCanvas(920, 360);
-        sheet.addChart(controllerChart(table), new PixelRectangle(0, 4, 460, 352));
-        sheet.addChart(followerChart(table), new PixelRectangle(460, 4, 460, 352));
-        folder.writeSvg("pd-step", sheet.surface());
+        FigureCanvas canvas = new FigureCanvas(920, 360);
+        canvas.addChart(controllerChart(table), new PixelRectangle(0, 4, 460, 352));
+        canvas.addChart(followerChart(table), new PixelRectangle(460, 4, 460, 352));
+        folder.writeSvg("pd-step", canvas.surface());
         folder.writeCsv("pd-step", table);
     }
 
     private static Chart controllerChart(CsvTable table) {
-        List<Series> marks = new ArrayList<>();
+        List<Series> series = new ArrayList<>();
         for (double length : LENGTHS) {
             List<Double> errors =
                     new PdLoop(PdGains.criticallyDamped(length, PdLoop.SPEED), WALL_DISPLACEMENT, 0).errors();
             String name = "l = " + FigureNumbers.format(1000 * length, 0) + " mm";
-            marks.add(addLine(
-                    name + (marks.isEmpty() ? " (chosen)" : ""),
+            series.add(addLine(
+                    name + (series.isEmpty() ? " (chosen)" : ""),
                     errors.subList(0, (int) Math.min(errors.size(), SECONDS / TICK)),
-                    marks.size(),
+                    series.size(),
                     table));
         }
-        return new Chart("PD law and motors alone", Axis.linear("time (s)", 0, SECONDS), DISTANCE_ERROR, marks);
+        return new Chart("A  PD law and motors alone", Axis.linear("time (s)", 0, SECONDS), DISTANCE_ERROR, series);
     }
 
     private static Chart followerChart(CsvTable table) {
-        List<Series> marks = List.of(
+        List<Series> series = List.of(
                 addLine("wall moved away: taken for its end, ROUND", displacedErrors(WALL_DISPLACEMENT), 0, table),
                 addLine("wall moved nearer", displacedErrors(-WALL_DISPLACEMENT), 1, table));
         return new Chart(
-                "The whole follower, its wall moved by 55 mm",
+                "B  The whole follower, its wall moved by 55 mm",
                 Axis.linear("time (s)", 0, SECONDS),
                 DISTANCE_ERROR,
-                marks);
+                series);
     }
 
     private static Series addLine(String name, List<Double> errors, int style, CsvTable table) {
@@ -81,11 +80,11 @@ final class StepResponse implements Figure {
     private static List<Double> displacedErrors(double away) {
         SimulationSetup.TimedCommand jump = BASE.timeline().get(0);
         Command move = new Command.MoveObstacle("wall", new Pose(0, away, 0));
-        RunTrace journey =
+        RunTrace trace =
                 RunTrace.simulate(BASE.withTimeline(List.of(new SimulationSetup.TimedCommand(jump.time(), move))));
         int from = (int) Math.round(jump.time() / TICK);
         double line = AlignmentTrial.WALL_Y + away - RobotSpec.DEFAULT.width() / 2 - WallFollowing.DEFAULT.distance();
-        return journey.poses().subList(from, journey.poses().size()).stream()
+        return trace.poses().subList(from, trace.poses().size()).stream()
                 .map(pose -> line - pose.y())
                 .toList();
     }

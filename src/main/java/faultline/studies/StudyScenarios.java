@@ -3,7 +3,7 @@ package faultline.studies;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 
-/** The scenarios that ship with the program, which cannot be bad files. */
+/** Loads the scenarios of the studies, which ship with the program and are valid. */
 final class StudyScenarios {
 
     private StudyScenarios() {}

@@ -18,7 +18,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Thin objects: how often a pole that stands beside a wall is run into, by its thickness and the sensors' cones. */
+/** Thin objects: the number of collisions with a pole beside a wall, by its thickness and the cones of the sensors. */
 final class ThinObjects implements Figure {
 
     private static final List<Double> DIAMETERS = List.of(0.5, 2.0, 5.0, 20.0, 50.0);
@@ -32,7 +32,7 @@ final class ThinObjects implements Figure {
     @Override
     public void write(FigureFolder folder) throws IOException {
         CsvTable table = new CsvTable("cone_deg", "diameter_mm", "runs", "collisions");
-        List<Series> marks = new ArrayList<>();
+        List<Series> series = new ArrayList<>();
         for (double cone : CONES) {
             List<Vector2> points = new ArrayList<>();
             for (double diameter : DIAMETERS) {
@@ -40,15 +40,15 @@ final class ThinObjects implements Figure {
                 table.addRow(cone, diameter, POSITIONS, hit);
                 points.add(new Vector2(diameter, 100.0 * hit / POSITIONS));
             }
-            marks.add(new Series.Line("", points, CONES.indexOf(cone)));
-            marks.add(new Series.Points(
+            series.add(new Series.Line("", points, CONES.indexOf(cone)));
+            series.add(new Series.Points(
                     "cones of " + FigureNumbers.format(cone, 0) + " degrees", points, CONES.indexOf(cone)));
         }
         Chart chart = new Chart(
                 "A pole beside the wall",
                 new Axis("diameter (mm)", 0.4, 60, true),
                 Axis.linear("runs that end at it (%)", 0, 40),
-                marks);
+                series);
         folder.writeCsv("thin-objects", table);
         folder.writeSvg("thin-objects", FigureCanvas.drawChart(chart, 480, 360));
     }
@@ -62,7 +62,7 @@ final class ThinObjects implements Figure {
         return collisions;
     }
 
-    /** A long wall is followed to a pole at a distance from it. */
+    /** Runs the robot along a long wall to a pole at a distance from it. */
     private static RunResult run(double cone, double diameter, double away) {
         Obstacle pole = SetupVariations.findObstacle(BASE, "pole");
         Pose place = new Pose(pole.pose().x(), AlignmentTrial.WALL_Y - away - diameter / 2, 0);

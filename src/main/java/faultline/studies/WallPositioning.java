@@ -21,42 +21,43 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Fig. 4: the positioning beside a wall, in frames at their measured times. The paper names F3 and F4; F1 is taken as
- * the moment when the front sensor first sees the wall, F2 as the one when the robot begins to spin.
+ * Fig. 4: the positioning beside a wall, in frames at their measured times. The paper names F3, the first sample that
+ * sees the wall, and F4, the first sample that no longer sees it; F1 is taken as the moment when the front sensor first
+ * sees the wall, F2 as the beginning of the spin.
  */
 final class WallPositioning implements Figure {
 
     private static final String SCENARIO = "beside-a-wall.xml";
     private static final int COLUMN_WIDTH = 160;
     private static final double SECONDS = 8;
-    /** How much of the wall a frame shows, metres. */
+    /** The length of the wall that a frame shows, metres. */
     private static final double SHOWN_LENGTH = 1.3;
 
-    /** A frame: its name, what happens, and its tick. */
+    /** A frame: its name, its event, and its tick. */
     private record KeyMoment(String name, String what, int tick) {}
 
     @Override
     public void write(FigureFolder folder) throws IOException {
         Scenario scenario = StudyScenarios.load(SCENARIO);
-        RunTrace journey = RunTrace.simulate(scenario.setup());
+        RunTrace trace = RunTrace.simulate(scenario.setup());
         ScenarioRun run = scenario.run();
-        List<KeyMoment> moments = keyMoments(journey, run);
-        FigureCanvas sheet = new FigureCanvas(5 * COLUMN_WIDTH, 540);
+        List<KeyMoment> moments = keyMoments(trace, run);
+        FigureCanvas canvas = new FigureCanvas(5 * COLUMN_WIDTH, 540);
         for (int i = 0; i < moments.size(); i++) {
-            draw(sheet, journey, moments.get(i), COLUMN_WIDTH * i);
+            draw(canvas, trace, moments.get(i), COLUMN_WIDTH * i);
         }
-        sheet.addChart(chart(journey, run, moments), new PixelRectangle(0, 272, 5 * COLUMN_WIDTH, 264));
-        folder.writeSvg("fig4-positioning", sheet.surface());
-        folder.writeCsv("fig4-positioning", table(journey, moments));
+        canvas.addChart(chart(trace, run, moments), new PixelRectangle(0, 272, 5 * COLUMN_WIDTH, 264));
+        folder.writeSvg("fig4-positioning", canvas.surface());
+        folder.writeCsv("fig4-positioning", table(trace, moments));
     }
 
-    private static List<KeyMoment> keyMoments(RunTrace journey, ScenarioRun run) {
-        double dt = journey.setup().dt();
-        int sees = IntStream.range(0, journey.poses().size())
+    private static List<KeyMoment> keyMoments(RunTrace trace, ScenarioRun run) {
+        double dt = trace.setup().dt();
+        int sees = IntStream.range(0, trace.poses().size())
                 .filter(tick -> run.reading("front", tick * dt).distance().isPresent())
                 .findFirst()
                 .orElseThrow();
-        List<String> states = journey.states();
+        List<String> states = trace.states();
         return List.of(
                 new KeyMoment("F1", "front sees the wall", sees),
                 new KeyMoment("F2", "spin begins", states.indexOf("TURN")),
@@ -65,9 +66,9 @@ final class WallPositioning implements Figure {
                 new KeyMoment("P", "turned back", states.indexOf("FOLLOW")));
     }
 
-    private static void draw(FigureCanvas sheet, RunTrace journey, KeyMoment moment, double x) {
-        Pose pose = journey.poses().get(moment.tick());
-        SensorSpec sensor = journey.setup()
+    private static void draw(FigureCanvas canvas, RunTrace trace, KeyMoment moment, double x) {
+        Pose pose = trace.poses().get(moment.tick());
+        SensorSpec sensor = trace.setup()
                 .robot()
                 .sensor(moment.name().equals("F1") ? "front" : "left")
                 .orElseThrow();
@@ -76,26 +77,29 @@ final class WallPositioning implements Figure {
                 pose.heading() + sensor.bearing(),
                 sensor.cone(),
                 sensor.range());
-        // Robot and cone in the middle, so that neither reaches into the neighbouring frame.
+        // Robot and cone are centred, so that neither reaches into the neighbouring frame.
         double left =
                 (pose.x() + cone.apex().plus(cone.axis().times(cone.range())).x() - SHOWN_LENGTH) / 2;
-        PlanView plan = sheet.addPlan(
+        PlanView plan = canvas.addPlan(
                 new PixelRectangle(x + 6, 26, COLUMN_WIDTH - 12, 205),
                 new Rectangle2D.Double(left, 1.25, SHOWN_LENGTH, 1.85));
         plan.drawLine(
                 List.of(new Vector2(left, 2.5), new Vector2(left + SHOWN_LENGTH, 2.5)),
                 LineStyle.solid(FigureCanvas.THEME.palette().obstacleOutline(), 3));
-        plan.drawCone(cone, journey.setup().robot().indexOf(sensor.id()));
-        plan.drawRobot(journey.setup().robot(), pose, 1);
+        plan.drawCone(cone, trace.setup().robot().indexOf(sensor.id()));
+        plan.drawRobot(trace.setup().robot(), pose, 1);
         double middle = x + COLUMN_WIDTH / 2.0;
-        sheet.addText(
+        if (moment.name().equals("F1")) {
+            plan.drawScaleBar(0.5, COLUMN_WIDTH - 24, 24);
+        }
+        canvas.addText(
                 moment.name(), middle, 18, FigureCanvas.TEXT_STYLE.withBold().withAnchor(Anchor.MIDDLE));
-        sheet.addLines(
+        canvas.addLines(
                 List.of(
                         moment.what(),
                         "t = "
                                 + FigureNumbers.format(
-                                        moment.tick() * journey.setup().dt(), 2) + " s, heading " + heading(pose)),
+                                        moment.tick() * trace.setup().dt(), 2) + " s, heading " + heading(pose)),
                 middle,
                 240);
     }
@@ -108,35 +112,34 @@ final class WallPositioning implements Figure {
         return StrictMath.toDegrees(Angles.normalize(pose.heading()));
     }
 
-    private static Chart chart(RunTrace journey, ScenarioRun run, List<KeyMoment> moments) {
-        double dt = journey.setup().dt();
+    private static Chart chart(RunTrace trace, ScenarioRun run, List<KeyMoment> moments) {
+        double dt = trace.setup().dt();
         List<Vector2> readings = IntStream.range(0, (int) (SECONDS / dt))
                 .mapToObj(tick -> new Vector2(
                         tick * dt, run.reading("left", tick * dt).distance().orElse(Double.NaN)))
                 .toList();
-        List<Series> marks = new ArrayList<>();
+        List<Series> series = new ArrayList<>();
         for (KeyMoment moment : moments) {
             double t = moment.tick() * dt;
-            marks.add(new Series.Line("", List.of(new Vector2(t, 0), new Vector2(t, 1)), 2));
-            marks.add(new Series.Note(moment.name(), new Vector2(t + 0.04, 0.92)));
+            series.add(new Series.Line("", List.of(new Vector2(t, 0), new Vector2(t, 1)), 2));
+            series.add(new Series.Note(moment.name(), new Vector2(t + 0.04, 0.92)));
         }
-        marks.add(new Series.Line("reading of the left sensor", readings, 0));
+        series.add(new Series.Line("reading of the left sensor", readings, 0));
         double tD = (moments.get(3).tick() - moments.get(2).tick()) * dt;
         String title = "t_D = " + FigureNumbers.format(tD, 2) + " s, t_p = t_D/2 = " + FigureNumbers.format(tD / 2, 2)
                 + " s; parallel but for "
-                + FigureNumbers.format(
-                        degrees(journey.poses().get(moments.get(4).tick())), 1) + " degrees";
-        return new Chart(title, Axis.linear("time (s)", 0, SECONDS), Axis.linear("reading (m)", 0, 1), marks);
+                + FigureNumbers.format(degrees(trace.poses().get(moments.get(4).tick())), 1) + " degrees";
+        return new Chart(title, Axis.linear("time (s)", 0, SECONDS), Axis.linear("reading (m)", 0, 1), series);
     }
 
-    private static CsvTable table(RunTrace journey, List<KeyMoment> moments) {
+    private static CsvTable table(RunTrace trace, List<KeyMoment> moments) {
         CsvTable table = new CsvTable("frame", "what", "t_s", "x_m", "y_m", "heading_deg");
         for (KeyMoment moment : moments) {
-            Pose pose = journey.poses().get(moment.tick());
+            Pose pose = trace.poses().get(moment.tick());
             table.addRow(
                     moment.name(),
                     moment.what(),
-                    moment.tick() * journey.setup().dt(),
+                    moment.tick() * trace.setup().dt(),
                     pose.x(),
                     pose.y(),
                     degrees(pose));

@@ -7,10 +7,7 @@ import faultline.geometry.Vector2;
 import faultline.world.ObstacleShape;
 import java.util.List;
 
-/**
- * The walls that eq. (4) is tried at, and where the robot starts before them; variants come from another distance at
- * another angle.
- */
+/** The walls of the trials of eq. (4), and the starts before them; variants start at another distance and angle. */
 final class WallScenes {
 
     private static final double WALL_Y = AlignmentTrial.WALL_Y;
@@ -19,7 +16,7 @@ final class WallScenes {
 
     private WallScenes() {}
 
-    /** The file's wall, which no cone sees the end of. */
+    /** Returns the file's wall, whose ends no cone sees. */
     static SimulationSetup endless(SimulationSetup base, double distance, int variant) {
         double away = distance + 0.25 + 0.0137 * variant;
         double slant = Degrees.toRadians(2.0 * variant + 1);
@@ -27,7 +24,7 @@ final class WallScenes {
                 new Pose(WALL_Y + away * StrictMath.tan(slant) * 0.5, WALL_Y - away, StrictMath.PI / 2 + slant));
     }
 
-    /** A wall that ends a way ahead of the robot's foot point. */
+    /** Returns a wall that ends ahead of the robot's foot point. */
     static SimulationSetup ending(SimulationSetup base, double ahead, double distance, int variant) {
         List<Vector2> points = List.of(new Vector2(WALL_Y - WALL_LENGTH, WALL_Y), new Vector2(WALL_Y + ahead, WALL_Y));
         return SetupVariations.with(
@@ -36,8 +33,8 @@ final class WallScenes {
     }
 
     /**
-     * An inner corner: the robot meets the one wall, follows it, and is then to align with the other, which lies on y =
-     * WALL.
+     * Returns an inner corner: the robot meets one wall, follows it, and is then aligned with the other, which lies on
+     * y = {@link AlignmentTrial#WALL_Y}.
      */
     static SimulationSetup corner(SimulationSetup base, double angle, double distance, int variant) {
         Vector2 corner = new Vector2(WALL_Y, WALL_Y);

@@ -112,41 +112,76 @@ class ResultsTextTest {
 
     @Test
     void betweenF3AndF4TheRobotTurnsByOneAndTheSameAngleEveryTick() {
-        RunTrace journey =
+        RunTrace trace =
                 RunTrace.simulate(StudyScenarios.load("beside-a-wall.xml").setup());
-        for (int tick = journey.states().indexOf("MEASURE");
-                tick < journey.states().indexOf("ALIGN");
-                tick++) {
-            double turned = journey.poses().get(tick - 1).heading()
-                    - journey.poses().get(tick).heading();
+        for (int tick = trace.states().indexOf("MEASURE"); tick < trace.states().indexOf("ALIGN"); tick++) {
+            double turned = trace.poses().get(tick - 1).heading()
+                    - trace.poses().get(tick).heading();
             assertEquals(0.600, StrictMath.toDegrees(Angles.normalize(turned)), 0.0005);
         }
         assertSaid("0.600 degrees every 10 ms from F3 to F4");
     }
 
-    private static double corner(int degrees, CornerRun.SensorSelection sensors) {
-        return 250
-                + ResultsTable.of("fig6-angles")
-                        .where("angle_deg", Integer.toString(degrees))
-                        .where("sensors", sensors.fileName())
-                        .number("error_mm");
+    private static String corner(int degrees, CornerRun.SensorSelection sensors) {
+        ResultsTable row = ResultsTable.of("fig6-angles")
+                .where("angle_deg", Integer.toString(degrees))
+                .where("sensors", sensors.fileName());
+        return String.format(
+                Locale.ROOT,
+                "%.0f mm (%.0f to %.0f)",
+                250 + row.number("median_mm"),
+                250 + row.number("min_mm"),
+                250 + row.number("max_mm"));
     }
 
     @Test
     void theCorners() {
-        assertSaid(
-                "%.0f mm at 45 degrees, %.0f mm at 35. The front-right sensor makes that %.0f mm.",
-                corner(45, TWO), corner(35, TWO), corner(45, FRONT_RIGHT));
-        assertSaid("%.0f mm without it at 135 degrees, %.0f mm with it", corner(135, TWO), corner(135, FRONT_LEFT));
-        double worst = ResultsTable.of("fig6-angles")
-                .where("sensors", TWO.fileName())
-                .between("angle_deg", 75, 105)
-                .numbers("error_mm")
+        assertSaid("%s at 45 degrees, %s at 35. (The starts", corner(45, TWO), corner(35, TWO));
+        assertSaid("The front-right sensor makes that %s.", corner(45, FRONT_RIGHT));
+        assertSaid("%s without it at 135 degrees, %s with it", corner(135, TWO), corner(135, FRONT_LEFT));
+        ResultsTable table = ResultsTable.of("fig6-angles");
+        ResultsTable square = table.where("sensors", TWO.fileName()).between("angle_deg", 75, 105);
+        double worst = DoubleStream.concat(square.numbers("min_mm"), square.numbers("max_mm"))
                 .map(Math::abs)
                 .max()
                 .orElseThrow();
-        assertSaid("From 75 to 105 degrees two sensors are within %d mm", (int) Math.ceil(worst));
-        assertTrue(ResultsTable.of("fig6-angles").cells("collided").noneMatch("true"::equals), "no run collides");
+        assertSaid("degrees two sensors are within %d mm", (int) Math.ceil(worst));
+        assertTrue(table.numbers("starts").allMatch(starts -> starts >= 30));
+    }
+
+    @Test
+    void theHeadingErrorsWithNoise() {
+        ResultsTable slow = ResultsTable.of("eq4-noise-seeds")
+                .where("timing", "range")
+                .where("spin_rate_deg_s", "15")
+                .where("noise_mm", "8");
+        assertSaid("at 15 degrees/s and 8 mm %.0f of %.0f alignments", slow.number("gross"), slow.number("n"));
+        ResultsTable.of("eq4-noise-seeds")
+                .rows()
+                .forEach(row -> assertSaid(
+                        "| %s | %s | %.2f | %.2f to %.2f |",
+                        row.get("period_ms"),
+                        row.get("noise_mm"),
+                        Double.parseDouble(row.get("rms_deg")),
+                        Double.parseDouble(row.get("q05_deg")),
+                        Double.parseDouble(row.get("q95_deg"))));
+    }
+
+    @Test
+    void theHypercube() {
+        ResultsTable table = ResultsTable.of("eq4-hypercube");
+        assertEquals(400, table.rows().size(), "every trial aligns");
+        assertSaid("differ by at most %.2f degrees with equal readings", largestResidual(table, "equal-readings"));
+        assertSaid("to the letter by at most %.2f degrees more", largestResidual(table, "range"));
+    }
+
+    private static double largestResidual(ResultsTable table, String timing) {
+        return table.where("timing", timing).rows().stream()
+                .mapToDouble(row ->
+                        Math.abs(Double.parseDouble(row.get("error_deg")) - Double.parseDouble(row.get("theory_deg")))
+                                - Double.parseDouble(row.get("spread_deg")))
+                .max()
+                .orElseThrow();
     }
 
     @Test
@@ -183,21 +218,21 @@ class ResultsTextTest {
     @Test
     void theNoise() {
         ResultsTable runs = ResultsTable.of("noise-following");
-        runs.where("noise_mm", noise -> !noise.equals("0"))
-                .rows()
-                .forEach(row -> assertTrue(
-                        Double.parseDouble(row.get("distance_rms_mm")) < Double.parseDouble(row.get("noise_mm")) / 2,
-                        row.toString()));
+        long below = runs.rows().stream()
+                .filter(row ->
+                        Double.parseDouble(row.get("distance_rms_mm")) < Double.parseDouble(row.get("noise_mm")) / 2)
+                .count();
+        assertSaid("stays below half of the noise in %d of 144 noisy runs", below);
         assertTrue(runs.cells("collided").noneMatch("true"::equals));
         assertSaid(
-                "%.1f mm RMS without noise, %.1f mm with noise of 4 mm",
+                "%.1f mm RMS on straight walls without noise, %.1f mm with noise of 4 mm",
                 runs.where("noise_mm", "0").numbers("distance_rms_mm").max().orElseThrow(),
                 runs.where("noise_mm", "4").numbers("distance_rms_mm").max().orElseThrow());
-        DoubleStream errors =
-                ResultsTable.of("eq4-noise").where("timing", "equal-readings").numbers("error_deg");
+        ResultsTable rooms = ResultsTable.of("noise-rooms");
+        assertTrue(rooms.cells("collided").noneMatch("true"::equals));
         assertSaid(
-                "none is off by more than %.1f degrees",
-                errors.map(Math::abs).max().orElseThrow());
+                "without noise the largest is %.1f mm",
+                rooms.where("noise_mm", "0").numbers("straight_rms_mm").max().orElseThrow());
     }
 
     @Test

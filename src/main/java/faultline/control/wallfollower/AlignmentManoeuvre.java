@@ -26,15 +26,18 @@ final class AlignmentManoeuvre {
 
     private final StateEstimate estimate;
     private final TimingRule rule;
+    private final boolean realClock;
     private final EdgeTimer edgeTimer;
+    private long startTick;
     private double startHeading;
     private boolean backingOff;
     private double nearestReading;
     private double remainingTurn;
 
-    AlignmentManoeuvre(StateEstimate perception, TimingRule rule) {
-        this.estimate = perception;
+    AlignmentManoeuvre(StateEstimate estimate, TimingRule rule, boolean realClock) {
+        this.estimate = estimate;
         this.rule = rule;
+        this.realClock = realClock;
         this.edgeTimer = new EdgeTimer(rule);
     }
 
@@ -50,6 +53,7 @@ final class AlignmentManoeuvre {
      */
     void begin(boolean wallMetSideways) {
         startHeading = estimate.odometer().heading();
+        startTick = estimate.tick();
         estimate.clearFrontMemory();
         backingOff = wallMetSideways && wallReading() < Reading.NOTHING;
         nearestReading = left().reading();
@@ -142,6 +146,8 @@ final class AlignmentManoeuvre {
      * t_F3, t_F4 and t_p.
      */
     private double spinClock() {
-        return (startHeading - estimate.odometer().heading()) / estimate.turnRate();
+        return realClock
+                ? (estimate.tick() - startTick) * estimate.dt()
+                : (startHeading - estimate.odometer().heading()) / estimate.turnRate();
     }
 }

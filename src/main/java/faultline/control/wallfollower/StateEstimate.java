@@ -115,6 +115,11 @@ final class StateEstimate {
         return current.robot();
     }
 
+    /** Returns the length of a tick, seconds. */
+    double dt() {
+        return current.dt();
+    }
+
     long tick() {
         return current.tick();
     }

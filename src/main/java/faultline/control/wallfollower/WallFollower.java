@@ -74,9 +74,20 @@ public final class WallFollower implements Controller {
      * @param spec its settings
      */
     public WallFollower(ControllerSpec.WallFollowing spec) {
+        this(spec, false);
+    }
+
+    /**
+     * Creates a follower in its initial state.
+     *
+     * @param spec its settings
+     * @param realClock whether F3, F4 and t_p are times of a real clock, for studies; otherwise they are angles by dead
+     *     reckoning in units of the constant rate
+     */
+    public WallFollower(ControllerSpec.WallFollowing spec, boolean realClock) {
         this.spec = spec;
         estimate = new StateEstimate(spec);
-        alignment = new AlignmentManoeuvre(estimate, spec.timingRule());
+        alignment = new AlignmentManoeuvre(estimate, spec.timingRule(), realClock);
         steering = new WallSteering(estimate, spec.distance());
         search = new SearchState(estimate);
         SpinStates spin = new SpinStates(estimate, alignment);

@@ -1,0 +1,137 @@
+package faultline.studies;
+
+import faultline.control.TimingRule;
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.paint.chart.Axis;
+import faultline.paint.chart.Chart;
+import faultline.paint.chart.Series;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+
+/**
+ * Eq. (4) with all quantities varied at once: a Latin hypercube, in which each quantity takes one value from each of as
+ * many equal intervals as there are trials.
+ */
+final class HypercubeStudy implements Figure {
+
+    private static final int TRIALS = 200;
+    private static final long SEED = 20_261_122;
+
+    /** The quantities, in the order of the columns. */
+    private enum Quantity {
+        DISTANCE(0.1, 0.45),
+        RANGE(0.7, 1.5),
+        CONE(4, 50),
+        RATE(20, 120),
+        PERIOD_TICKS(1, 10),
+        TIME_CONSTANT(0, 0.12),
+        SLANT(-50, 50);
+
+        private final double low;
+        private final double high;
+
+        Quantity(double low, double high) {
+            this.low = low;
+            this.high = high;
+        }
+    }
+
+    @Override
+    public void write(FigureFolder folder) throws IOException {
+        CsvTable table = new CsvTable(
+                "timing",
+                "distance_m",
+                "range_m",
+                "cone_deg",
+                "spin_rate_deg_s",
+                "period_ms",
+                "time_constant_ms",
+                "slant_deg",
+                "error_deg",
+                "theory_deg",
+                "spread_deg");
+        double[][] design = design();
+        List<Series> series = new ArrayList<>();
+        series.add(new Series.Line("theory", List.of(new Vector2(-18, -18), new Vector2(1, 1)), 2));
+        for (TimingRule rule : TimingRule.values()) {
+            List<Vector2> points = new ArrayList<>();
+            for (double[] values : design) {
+                measure(rule, values, table).ifPresent(points::add);
+            }
+            boolean range = rule == TimingRule.RANGE;
+            series.add(new Series.Points(range ? "to the letter" : "equal readings", points, range ? 1 : 0));
+        }
+        Chart chart = new Chart(
+                "All quantities at once (n = " + TRIALS + " for each rule)",
+                Axis.linear("heading error by theory (degrees)", -18, 1),
+                Axis.linear("heading error (degrees)", -18, 2),
+                series);
+        folder.writeCsv("eq4-hypercube", table);
+        folder.writeSvg("eq4-hypercube", FigureCanvas.drawChart(chart, 480, 400));
+    }
+
+    /** Returns the values of all quantities for each trial. */
+    private static double[][] design() {
+        SplittableRandom random = new SplittableRandom(SEED);
+        double[][] design = new double[TRIALS][Quantity.values().length];
+        for (Quantity quantity : Quantity.values()) {
+            int[] order = permutation(random);
+            for (int i = 0; i < TRIALS; i++) {
+                double share = (order[i] + random.nextDouble()) / TRIALS;
+                design[i][quantity.ordinal()] = quantity.low + share * (quantity.high - quantity.low);
+            }
+        }
+        return design;
+    }
+
+    private static int[] permutation(SplittableRandom random) {
+        int[] order = new int[TRIALS];
+        for (int i = 0; i < TRIALS; i++) {
+            int j = random.nextInt(i + 1);
+            order[i] = order[j];
+            order[j] = i;
+        }
+        return order;
+    }
+
+    /** Runs a trial, adds its row, and returns theory and error in degrees; empty if the robot never aligns. */
+    private static Optional<Vector2> measure(TimingRule rule, double[] values, CsvTable table) {
+        AlignmentTrial trial = trial(rule, values);
+        return trial.run().map(result -> {
+            AlignmentTheory theory = AlignmentTheory.of(trial, result.position());
+            Vector2 point = new Vector2(
+                    StrictMath.toDegrees(theory.headingError()), StrictMath.toDegrees(result.headingError()));
+            table.addRow(
+                    rule.fileName(),
+                    values[0],
+                    values[1],
+                    values[2],
+                    values[3],
+                    1000 * trial.period(),
+                    1000 * values[5],
+                    values[6],
+                    point.y(),
+                    point.x(),
+                    StrictMath.toDegrees(theory.spread()));
+            return point;
+        });
+    }
+
+    private static AlignmentTrial trial(TimingRule rule, double[] values) {
+        double away = values[0] + 0.35;
+        Pose start = new Pose(
+                AlignmentTrial.WALL_Y, AlignmentTrial.WALL_Y - away, StrictMath.PI / 2 + Degrees.toRadians(values[6]));
+        double period = Math.rint(values[4]) * AlignmentTrial.BASE.dt();
+        return AlignmentTrial.standard(rule, 0)
+                .withRobot(AlignmentTrial.robot(
+                        values[1], Degrees.toRadians(values[2]), Degrees.toRadians(values[3]), values[5]))
+                .withDistance(values[0])
+                .withPeriod(period)
+                .withSetup(AlignmentTrial.BASE.withStart(start));
+    }
+}

@@ -1,0 +1,74 @@
+package faultline.studies;
+
+import faultline.campaign.RandomRoom;
+import faultline.control.ControllerSpec.WallFollowing;
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Vector2;
+import faultline.paint.chart.Axis;
+import faultline.paint.chart.Chart;
+import faultline.paint.chart.Series;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+
+/** Following with noisy sensors in random rooms: the distance error, coverage and collisions. */
+final class NoiseInRandomRooms implements Figure {
+
+    private static final List<Integer> NOISE_MM = List.of(0, 1, 4, 10);
+    private static final int ROOMS = 30;
+    private static final long FIRST_ROOM = 5001;
+    private static final double SECONDS = 60;
+    private static final SimulationSetup BASE = SetupVariations.withoutDiagnosis(
+            StudyScenarios.load("noisy-sensors.xml").setup());
+
+    @Override
+    public void write(FigureFolder folder) throws IOException {
+        CsvTable table = new CsvTable("noise_mm", "room", "straight_rms_mm", "follow_rms_mm", "coverage", "collided");
+        List<Vector2> errors = new ArrayList<>();
+        for (int noise : NOISE_MM) {
+            for (long room = FIRST_ROOM; room < FIRST_ROOM + ROOMS; room++) {
+                RunTrace trace = run(room, noise / 1000.0);
+                double straight = 1000 * trace.result().distanceRms().orElse(Double.NaN);
+                table.addRow(
+                        noise,
+                        room,
+                        straight,
+                        1000 * followError(trace),
+                        trace.result().coverage().orElse(Double.NaN),
+                        trace.result().collision().isPresent());
+                errors.add(new Vector2(noise, straight));
+            }
+        }
+        Chart chart = new Chart(
+                "Following in " + ROOMS + " random rooms",
+                Axis.linear("standard deviation of the noise (mm)", 0, 10),
+                Axis.covering(
+                        "distance error on straight walls, RMS (mm)",
+                        DoubleStream.concat(DoubleStream.of(0), errors.stream().mapToDouble(Vector2::y))),
+                List.of(
+                        new Series.Line("half of the noise", List.of(Vector2.ZERO, new Vector2(10, 5)), 1),
+                        new Series.Points("runs", errors, 0)));
+        folder.writeCsv("noise-rooms", table);
+        folder.writeSvg("noise-rooms", FigureCanvas.drawChart(chart, 480, 360));
+    }
+
+    private static RunTrace run(long seed, double noise) {
+        RandomRoom room = RandomRoom.ofSeed(seed);
+        return RunTrace.simulate(SetupVariations.withNoise(BASE, noise)
+                .withWorld(room.world())
+                .withStart(room.start())
+                .withSeed(seed)
+                .withDuration(SECONDS));
+    }
+
+    /** Returns the root mean square distance error over all of FOLLOW with a wall in sight, metres. */
+    private static double followError(RunTrace trace) {
+        double wanted = ((WallFollowing) trace.setup().controller()).distance();
+        return Sample.of(IntStream.range(0, trace.states().size())
+                        .filter(tick -> trace.states().get(tick).equals("FOLLOW"))
+                        .mapToDouble(tick -> trace.distances().get(tick) - wanted))
+                .rms();
+    }
+}

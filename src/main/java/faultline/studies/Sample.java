@@ -1,0 +1,73 @@
+package faultline.studies;
+
+import java.util.Arrays;
+import java.util.stream.DoubleStream;
+
+/** The values of a sample in ascending order; values that are not finite are left out. */
+final class Sample {
+
+    private final double[] sorted;
+
+    private Sample(double[] sorted) {
+        this.sorted = sorted;
+    }
+
+    static Sample of(DoubleStream values) {
+        double[] sorted = values.filter(Double::isFinite).toArray();
+        Arrays.sort(sorted);
+        return new Sample(sorted);
+    }
+
+    int size() {
+        return sorted.length;
+    }
+
+    /** Returns a quantile, linearly interpolated; not a number if the sample is empty. */
+    double quantile(double share) {
+        if (sorted.length == 0) {
+            return Double.NaN;
+        }
+        double position = share * (sorted.length - 1);
+        int below = (int) position;
+        int above = Math.min(below + 1, sorted.length - 1);
+        return sorted[below] + (position - below) * (sorted[above] - sorted[below]);
+    }
+
+    double median() {
+        return quantile(0.5);
+    }
+
+    double min() {
+        return quantile(0);
+    }
+
+    double max() {
+        return quantile(1);
+    }
+
+    /** Returns the root mean square; not a number if the sample is empty. */
+    double rms() {
+        return Math.sqrt(DoubleStream.of(sorted).map(x -> x * x).average().orElse(Double.NaN));
+    }
+
+    /** Returns the number of values whose magnitude exceeds a limit. */
+    int countBeyond(double limit) {
+        return (int) DoubleStream.of(sorted).filter(x -> Math.abs(x) > limit).count();
+    }
+
+    /**
+     * Returns the 95 % interval of a probability by Wilson's score method.
+     *
+     * @param hits the number of hits
+     * @param trials the number of trials, positive
+     * @return its lower and its upper end, in [0, 1]
+     */
+    static double[] wilson(int hits, int trials) {
+        double z = 1.959964;
+        double share = (double) hits / trials;
+        double scale = 1 / (1 + z * z / trials);
+        double middle = scale * (share + z * z / (2 * trials));
+        double half = scale * z * Math.sqrt(share * (1 - share) / trials + z * z / (4.0 * trials * trials));
+        return new double[] {Math.max(0, middle - half), Math.min(1, middle + half)};
+    }
+}
