@@ -53,6 +53,7 @@ final class LayerRules {
             "gui.dialog",
             "gui.window",
             "gui",
+            "studies.figure",
             "studies",
             "app");
 

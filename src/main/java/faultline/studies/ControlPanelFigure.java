@@ -1,5 +1,7 @@
 package faultline.studies;
 
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureFolder;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.gui.action.UiAction;

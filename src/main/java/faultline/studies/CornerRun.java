@@ -1,5 +1,6 @@
 package faultline.studies;
 
+import faultline.studies.figure.Sample;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Degrees;

@@ -1,5 +1,7 @@
 package faultline.studies;
 
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureFolder;
 import faultline.paint.surface.SvgTheme;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;

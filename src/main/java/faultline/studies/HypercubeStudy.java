@@ -1,5 +1,9 @@
 package faultline.studies;
 
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.CsvTable;
 import faultline.control.TimingRule;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;

@@ -1,5 +1,9 @@
 package faultline.studies;
 
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.Sample;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.CsvTable;
 import faultline.control.Controller;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.Decision;

@@ -1,5 +1,10 @@
 package faultline.studies;
 
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.Sample;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.CsvTable;
 import faultline.campaign.RandomRoom;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.engine.SimulationSetup;

@@ -1,5 +1,8 @@
 package faultline.studies;
 
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.CsvTable;
 import faultline.control.Telemetry;
 import faultline.control.TimingRule;
 import faultline.engine.ControllerMode;

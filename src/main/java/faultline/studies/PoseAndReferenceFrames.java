@@ -1,5 +1,8 @@
 package faultline.studies;
 
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.FigureCanvas;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.paint.scene.PlanView;

@@ -1,5 +1,8 @@
 package faultline.studies;
 
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.FigureCanvas;
 import faultline.control.FollowerState;
 import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;

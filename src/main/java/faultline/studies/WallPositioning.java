@@ -1,5 +1,10 @@
 package faultline.studies;
 
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureNumbers;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.CsvTable;
 import faultline.geometry.Angles;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;

@@ -136,7 +136,7 @@ class ResultsTextTest {
 
     @Test
     void theCorners() {
-        assertSaid("%s at 45 degrees, %s at 35. (The starts", corner(45, TWO), corner(35, TWO));
+        assertSaid("%s at 45 degrees, %s at 35. (A few starts", corner(45, TWO), corner(35, TWO));
         assertSaid("The front-right sensor makes that %s.", corner(45, FRONT_RIGHT));
         assertSaid("%s without it at 135 degrees, %s with it", corner(135, TWO), corner(135, FRONT_LEFT));
         ResultsTable table = ResultsTable.of("fig6-angles");

@@ -1,4 +1,4 @@
-package faultline.studies;
+package faultline.studies.figure;
 
 import faultline.io.AtomicFile;
 import faultline.paint.surface.SvgSurface;
@@ -16,25 +16,25 @@ import javax.imageio.ImageIO;
  * @param path an existing folder
  * @param appearance of the pictures
  */
-record FigureFolder(Path path, SvgTheme appearance) {
+public record FigureFolder(Path path, SvgTheme appearance) {
 
     /** Returns the folder at a path, which is created if necessary. */
-    static FigureFolder create(Path path, SvgTheme appearance) throws IOException {
+    public static FigureFolder create(Path path, SvgTheme appearance) throws IOException {
         return new FigureFolder(Files.createDirectories(path), appearance);
     }
 
     /** Writes a picture. */
-    void writeSvg(String name, SvgSurface surface) throws IOException {
+    public void writeSvg(String name, SvgSurface surface) throws IOException {
         write(name + ".svg", surface.toSvg(appearance));
     }
 
     /** Writes a table. */
-    void writeCsv(String name, CsvTable table) throws IOException {
+    public void writeCsv(String name, CsvTable table) throws IOException {
         write(name + ".csv", table.toCsv());
     }
 
     /** Writes a bitmap. Its letters depend on the fonts of the machine, so these files may differ between machines. */
-    void writePng(String name, BufferedImage image) throws IOException {
+    public void writePng(String name, BufferedImage image) throws IOException {
         try (AtomicFile file = AtomicFile.create(path.resolve(name + ".png"))) {
             ImageIO.write(image, "png", file.stream());
             file.commit();

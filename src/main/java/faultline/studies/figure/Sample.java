@@ -1,10 +1,10 @@
-package faultline.studies;
+package faultline.studies.figure;
 
 import java.util.Arrays;
 import java.util.stream.DoubleStream;
 
 /** The values of a sample in ascending order; values that are not finite are left out. */
-final class Sample {
+public final class Sample {
 
     private final double[] sorted;
 
@@ -12,18 +12,18 @@ final class Sample {
         this.sorted = sorted;
     }
 
-    static Sample of(DoubleStream values) {
+    public static Sample of(DoubleStream values) {
         double[] sorted = values.filter(Double::isFinite).toArray();
         Arrays.sort(sorted);
         return new Sample(sorted);
     }
 
-    int size() {
+    public int size() {
         return sorted.length;
     }
 
     /** Returns a quantile, linearly interpolated; not a number if the sample is empty. */
-    double quantile(double share) {
+    public double quantile(double share) {
         if (sorted.length == 0) {
             return Double.NaN;
         }
@@ -33,25 +33,25 @@ final class Sample {
         return sorted[below] + (position - below) * (sorted[above] - sorted[below]);
     }
 
-    double median() {
+    public double median() {
         return quantile(0.5);
     }
 
-    double min() {
+    public double min() {
         return quantile(0);
     }
 
-    double max() {
+    public double max() {
         return quantile(1);
     }
 
     /** Returns the root mean square; not a number if the sample is empty. */
-    double rms() {
+    public double rms() {
         return Math.sqrt(DoubleStream.of(sorted).map(x -> x * x).average().orElse(Double.NaN));
     }
 
     /** Returns the number of values whose magnitude exceeds a limit. */
-    int countBeyond(double limit) {
+    public int countBeyond(double limit) {
         return (int) DoubleStream.of(sorted).filter(x -> Math.abs(x) > limit).count();
     }
 
@@ -62,7 +62,7 @@ final class Sample {
      * @param trials the number of trials, positive
      * @return its lower and its upper end, in [0, 1]
      */
-    static double[] wilson(int hits, int trials) {
+    public static double[] wilson(int hits, int trials) {
         double z = 1.959964;
         double share = (double) hits / trials;
         double scale = 1 / (1 + z * z / trials);

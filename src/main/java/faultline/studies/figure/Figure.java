@@ -1,9 +1,9 @@
-package faultline.studies;
+package faultline.studies.figure;
 
 import java.io.IOException;
 
 /** A figure or study, which writes its own files. */
-interface Figure {
+public interface Figure {
 
     /**
      * Writes the files.

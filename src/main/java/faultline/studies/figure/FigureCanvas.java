@@ -1,4 +1,4 @@
-package faultline.studies;
+package faultline.studies.figure;
 
 import faultline.geometry.Vector2;
 import faultline.paint.chart.Chart;
@@ -15,47 +15,47 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 
 /** A picture for a figure, with the sizes and styles that all figures share. */
-final class FigureCanvas {
+public final class FigureCanvas {
 
-    static final ChartStyle THEME = ChartStyle.LIGHT;
-    static final Color FOREGROUND = THEME.palette().text();
-    static final TextStyle TEXT_STYLE = TextStyle.plain(12, FOREGROUND);
-    static final TextStyle SMALL_TEXT = TextStyle.plain(11, FOREGROUND);
-    static final LineStyle THIN_LINE = LineStyle.solid(FOREGROUND, 1);
-    static final LineStyle PATH_LINE = LineStyle.solid(THEME.series().get(0), 1.8);
+    public static final ChartStyle THEME = ChartStyle.LIGHT;
+    public static final Color FOREGROUND = THEME.palette().text();
+    public static final TextStyle TEXT_STYLE = TextStyle.plain(12, FOREGROUND);
+    public static final TextStyle SMALL_TEXT = TextStyle.plain(11, FOREGROUND);
+    public static final LineStyle THIN_LINE = LineStyle.solid(FOREGROUND, 1);
+    public static final LineStyle PATH_LINE = LineStyle.solid(THEME.series().get(0), 1.8);
 
     private final SvgSurface surface;
 
-    FigureCanvas(int width, int height) {
+    public FigureCanvas(int width, int height) {
         surface = new SvgSurface(width, height, THEME.palette().canvas());
     }
 
-    SvgSurface surface() {
+    public SvgSurface surface() {
         return surface;
     }
 
     /** Adds a view of a part of the world in an area. */
-    PlanView addPlan(PixelRectangle area, Rectangle2D bounds) {
+    public PlanView addPlan(PixelRectangle area, Rectangle2D bounds) {
         return new PlanView(surface, area, bounds, THEME);
     }
 
-    void addChart(Chart chart, PixelRectangle area) {
+    public void addChart(Chart chart, PixelRectangle area) {
         ChartPainter.paint(surface, chart, area, THEME);
     }
 
-    void addText(String text, double x, double y, TextStyle style) {
+    public void addText(String text, double x, double y, TextStyle style) {
         surface.drawText(text, new Vector2(x, y), style);
     }
 
     /** Adds lines of text, one below the other, centred on a middle. */
-    void addLines(List<String> lines, double middle, double y) {
+    public void addLines(List<String> lines, double middle, double y) {
         for (int i = 0; i < lines.size(); i++) {
             addText(lines.get(i), middle, y + 15 * i, SMALL_TEXT.withAnchor(Anchor.MIDDLE));
         }
     }
 
     /** Draws a chart on a picture of its own. */
-    static SvgSurface drawChart(Chart chart, int width, int height) {
+    public static SvgSurface drawChart(Chart chart, int width, int height) {
         FigureCanvas canvas = new FigureCanvas(width, height);
         canvas.addChart(chart, new PixelRectangle(0, 4, width, height - 8));
         return canvas.surface;

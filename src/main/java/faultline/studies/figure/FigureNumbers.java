@@ -1,14 +1,14 @@
-package faultline.studies;
+package faultline.studies.figure;
 
 import java.util.Locale;
 
 /** Formats numbers for figures. */
-final class FigureNumbers {
+public final class FigureNumbers {
 
     private FigureNumbers() {}
 
     /** Returns a number with some decimals and a true minus sign. */
-    static String format(double value, int decimals) {
+    public static String format(double value, int decimals) {
         String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
         boolean zero = text.chars().allMatch(c -> "-0.".indexOf(c) >= 0);
         return (zero ? text.replace("-", "") : text).replace('-', '\u2212');

@@ -1,4 +1,4 @@
-package faultline.studies;
+package faultline.studies.figure;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -6,18 +6,18 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** The table of the numbers in a figure. */
-final class CsvTable {
+public final class CsvTable {
 
     private static final MathContext DIGITS = new MathContext(7);
 
     private final List<String> lines = new ArrayList<>();
 
-    CsvTable(String... columns) {
+    public CsvTable(String... columns) {
         lines.add(String.join(",", columns));
     }
 
     /** Adds a row of texts and numbers; numbers have seven digits, those that are not finite stay empty. */
-    void addRow(Object... cells) {
+    public void addRow(Object... cells) {
         List<String> texts = new ArrayList<>();
         for (Object cell : cells) {
             texts.add(cell instanceof Double number ? format(number) : cell.toString());
@@ -35,7 +35,7 @@ final class CsvTable {
                 : rounded.stripTrailingZeros().toPlainString();
     }
 
-    String toCsv() {
+    public String toCsv() {
         return String.join("\n", lines) + "\n";
     }
 }
