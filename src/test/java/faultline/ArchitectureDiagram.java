@@ -17,7 +17,7 @@ final class ArchitectureDiagram {
     private static final int ROW_HEIGHT = 46;
     private static final int BOX_HEIGHT = 26;
     private static final int TOP = 56;
-    static final int WIDTH = 1160;
+    static final int WIDTH = 1280;
 
     /** A group of packages that is drawn in one colour. */
     private record Group(String style, String label, List<String> prefixes) {}
