@@ -63,13 +63,13 @@ class DialogAccessRobotTest {
 
     @ParameterizedTest
     @CsvSource({
-        "guide, Guide",
-        "shortcuts, Keys and mouse",
+        "guide, User guide",
+        "shortcuts, Keyboard and mouse",
         "about, About Faultline",
-        "open, Open a scenario",
-        "saveAs, Save the scenario",
-        "saveJournal, Save the journal",
-        "exportPng, Export a picture",
+        "open, Open scenario",
+        "saveAs, Save scenario",
+        "saveJournal, Save journal",
+        "exportPng, Export image",
         "examples, Examples"
     })
     void aDialogOfAnActionIsNamedReachedAndClosedByKeys(String action, String title) {

@@ -75,7 +75,7 @@ class JournalRobotTest {
         runOnEdt(() -> driver.window().open(journal));
         driver.waitForTitle("session.xml (replay)");
         driver.waitForFrame("it is at its beginning", frame -> frame.snapshot().tick() == 0);
-        driver.robot().waitFor("the window says so", () -> driver.statusNote().startsWith("A saved run"));
+        driver.robot().waitFor("the window says so", () -> driver.statusNote().startsWith("Saved run"));
         for (int i = 0; i < 12; i++) {
             driver.choose("faster");
         }

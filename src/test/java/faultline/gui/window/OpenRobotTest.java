@@ -192,7 +192,7 @@ class OpenRobotTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"examples, Examples", "guide, Guide"})
+    @CsvSource({"examples, Examples", "guide, User guide"})
     void askedForAgainWhatIsOpenComesToTheFront(String action, String title) {
         driver.choose(action);
         JDialog open = driver.dialog(title);

@@ -155,7 +155,7 @@ class RecoveryRobotTest {
         List<Obstacle> mine = driver.frame().snapshot().obstacles();
         rewrite(4711);
         JDialog dialog = driver.dialog("File changed");
-        assertTrue(WindowDriver.text(dialog).contains("gives up your unsaved changes"), WindowDriver.text(dialog));
+        assertTrue(WindowDriver.text(dialog).contains("discards your unsaved changes"), WindowDriver.text(dialog));
         assertEquals(
                 "Keep my version",
                 callOnEdt(() -> dialog.getRootPane().getDefaultButton().getText()));
