@@ -112,7 +112,8 @@ class AlignmentTest {
                     new WorldSpec(30, 30, true, 0, List.of()),
                     robot,
                     new Pose(15, 28, Math.PI / 2 + angle),
-                    new ControllerSpec.WallFollowing(distance, side, period, timingRule),
+                    // The six states alone: cones of up to 60 degrees are beyond what the diagnosis was made for.
+                    new ControllerSpec.WallFollowing(distance, side, period, timingRule, false),
                     List.of(),
                     DT,
                     1,

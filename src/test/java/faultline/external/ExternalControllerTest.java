@@ -16,6 +16,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -32,6 +34,10 @@ class ExternalControllerTest {
 
     private static final String READY = "{\"type\":\"ready\",\"protocol\":1,\"name\":\"child\"}";
     private static final double PATIENCE = 0.5;
+
+    /** A window manager, for one, may be a child of the process that runs the tests. */
+    private final Set<ProcessHandle> runningBefore =
+            ProcessHandle.current().descendants().collect(Collectors.toSet());
 
     private final List<String> errors = Collections.synchronizedList(new ArrayList<>());
 
@@ -149,9 +155,11 @@ class ExternalControllerTest {
         assertTrue(e.getMessage().startsWith("the controller \"no-such-program --x\" cannot be started: "));
     }
 
-    private static List<String> childrenStillRunning() {
+    /** Returns the descendants of this process that a test has started and that still run. */
+    private List<String> childrenStillRunning() {
         return ProcessHandle.current()
                 .descendants()
+                .filter(child -> !runningBefore.contains(child))
                 .filter(ProcessHandle::isAlive)
                 .map(child -> child.info().commandLine().orElse("?"))
                 .toList();
