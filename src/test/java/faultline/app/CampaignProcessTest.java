@@ -98,11 +98,12 @@ class CampaignProcessTest {
         assumeTrue(Files.isExecutable(Path.of("/bin/kill")), "there is no /bin/kill here");
         Process process = startCampaign("interrupted");
         waitForBytes("interrupted", 10_000, process);
-        new ProcessBuilder("/bin/kill", "-INT", Long.toString(process.pid()))
+        // Not SIGINT, which the children of a shell's background job ignore.
+        new ProcessBuilder("/bin/kill", "-TERM", Long.toString(process.pid()))
                 .start()
                 .waitFor();
         assertTrue(process.waitFor(60, TimeUnit.SECONDS));
-        assertEquals(130, process.exitValue());
+        assertEquals(143, process.exitValue());
         String table = Files.readString(folder.resolve("interrupted/runs.csv"));
         assertTrue(table.endsWith("\n"));
         assertTrue(table.lines().count() > 20 && table.lines().count() <= RUNS);

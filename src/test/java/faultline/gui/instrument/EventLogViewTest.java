@@ -66,6 +66,7 @@ class EventLogViewTest {
         runOnEdt(() -> view.setFrame(SampleRuns.frame(2000)));
         runOnEdt(() -> lay(view));
         runOnEdt(() -> view.setFrame(SampleRuns.frame(3000)));
+        runOnEdt(() -> lay(view));
         int row = callOnEdt(view.table()::getRowHeight);
         int top = callOnEdt(() -> view.table().getVisibleRect().y);
         assertTrue(top > 0, "it is scrolled");
