@@ -35,6 +35,9 @@ final class RunCommand {
                     ? runExternally(scenario, options, outputs)
                     : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
             outputs.finish(scenario, result.ticks());
+            if (options.truth()) {
+                output.println("truth: given to the controller");
+            }
             return printResult(scenario, result);
         }
     }

@@ -95,6 +95,10 @@ record RunOptions(
                 throw new UsageException(option + " needs --controller COMMAND");
             }
         }
+        if (controller.isPresent() && journal.isPresent()) {
+            throw new UsageException("--journal is not possible with --controller: a journal does not hold the"
+                    + " decisions of a controller outside of the program");
+        }
         if (controller.isPresent()
                 && given.value("--threads").filter("controller"::equals).isPresent()) {
             throw new UsageException(

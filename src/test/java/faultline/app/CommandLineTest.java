@@ -181,6 +181,7 @@ class CommandLineTest {
             check --all a.xml               | there is no option "--all" here, allowed is none
             run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --image, --journal, --controller, --patience, --truth; did you mean "--seed"?
             run a.xml -x                    | there is no option "-x" here, allowed is --until, --seed, --threads, --trace, --image, --journal, --controller, --patience, --truth
+            run a.xml --controller x --journal b.xml | --journal is not possible with --controller: a journal does not hold the decisions of a controller outside of the program
             run a.xml --seed                | --seed needs a value
             run a.xml --seed 1 --seed 2     | --seed is there twice
             run a.xml --seed 1.5            | --seed is "1.5", allowed is a whole number from -9223372036854775808 to 9223372036854775807
@@ -209,6 +210,15 @@ class CommandLineTest {
     @CsvSource({"run none.xml", "none.xml", "check none.xml"})
     void aFileThatIsNotThereIsExitCodeTwoAndOneLine(String arguments) {
         assertEquals(new CommandResult(2, "", "none.xml: there is no such file\n"), command(arguments.split(" ")));
+    }
+
+    @Test
+    void aControllerThatIsGivenTheTruthIsNamedInTheSummary() {
+        String child = "sh -c 'read hello; echo \"{\\\"type\\\":\\\"ready\\\",\\\"protocol\\\":1}\"; read line;"
+                + " case $line in *truth*) echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":0,"
+                + "\\\"left_v\\\":1,\\\"right_v\\\":1}\";; esac'";
+        CommandResult run = command("run", COLLIDING_SCENARIO, "--until", "0.01", "--truth", "--controller", child);
+        assertEquals("given to the controller", run.value("truth"), run.err);
     }
 
     @Test
