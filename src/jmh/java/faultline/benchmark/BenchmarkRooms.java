@@ -15,9 +15,9 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * Rooms of any number of wall segments at one density, the same on every run: an enclosing wall, rotated
- * rectangles, one to a square metre, and a robot that drives a circle in a clearing in the middle, with the eight
- * standard sensors at 0.8 m and 30 degrees.
+ * Rooms of any number of wall segments at one density, the same on every run: an enclosing wall, rotated rectangles,
+ * one to a square metre, and a robot that drives a circle in a clearing in the middle, with the eight standard sensors
+ * at 0.8 m and 30 degrees.
  */
 final class BenchmarkRooms {
 

@@ -1,10 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.Sample;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.FigureCanvas;
-import faultline.studies.figure.CsvTable;
 import faultline.control.TimingRule;
 import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
@@ -12,6 +7,11 @@ import faultline.paint.chart.Axis;
 import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
 import faultline.robot.RobotSpec;
+import faultline.studies.figure.CsvTable;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.Sample;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;

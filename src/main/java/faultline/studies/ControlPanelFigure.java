@@ -1,7 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureFolder;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.gui.action.UiAction;
@@ -9,6 +7,8 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.SvgTheme;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureFolder;
 import faultline.world.Snapshot;
 import java.awt.Dimension;
 import java.awt.EventQueue;

@@ -1,14 +1,14 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.Sample;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.FigureCanvas;
-import faultline.studies.figure.CsvTable;
 import faultline.geometry.Vector2;
 import faultline.paint.chart.Axis;
 import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
+import faultline.studies.figure.CsvTable;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.Sample;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;

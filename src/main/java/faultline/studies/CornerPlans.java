@@ -1,9 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureNumbers;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.FigureCanvas;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
@@ -13,6 +9,10 @@ import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.TextStyle.Anchor;
 import faultline.sensor.SensorSpec;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.FigureNumbers;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.util.List;

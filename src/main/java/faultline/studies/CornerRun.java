@@ -1,11 +1,11 @@
 package faultline.studies;
 
-import faultline.studies.figure.Sample;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Degrees;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
+import faultline.studies.figure.Sample;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;

@@ -1,9 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureNumbers;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.FigureCanvas;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.paint.scene.PlanView;
@@ -14,6 +10,10 @@ import faultline.robot.DifferentialDrive;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.FigureNumbers;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.util.ArrayList;

@@ -1,12 +1,12 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureNumbers;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.FigureCanvas;
 import faultline.geometry.Vector2;
 import faultline.paint.scene.PlanView;
 import faultline.paint.surface.PixelRectangle;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.FigureNumbers;
 import faultline.world.Collision;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;

@@ -1,8 +1,8 @@
 package faultline.studies;
 
+import faultline.paint.surface.SvgTheme;
 import faultline.studies.figure.Figure;
 import faultline.studies.figure.FigureFolder;
-import faultline.paint.surface.SvgTheme;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.io.UncheckedIOException;

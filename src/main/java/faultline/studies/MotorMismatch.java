@@ -1,9 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.Sample;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.CsvTable;
 import faultline.control.Controller;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.Decision;
@@ -16,6 +12,10 @@ import faultline.engine.SimulationSetup;
 import faultline.geometry.Angles;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.studies.figure.CsvTable;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.Sample;
 import faultline.world.World;
 import java.io.IOException;
 import java.util.List;

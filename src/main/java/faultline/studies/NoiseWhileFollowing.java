@@ -1,9 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.FigureCanvas;
-import faultline.studies.figure.CsvTable;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
@@ -12,6 +8,10 @@ import faultline.geometry.Vector2;
 import faultline.paint.chart.Axis;
 import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
+import faultline.studies.figure.CsvTable;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.FigureFolder;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,8 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.CsvTable;
 import faultline.control.Telemetry;
 import faultline.control.TimingRule;
 import faultline.engine.ControllerMode;
@@ -10,6 +7,9 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.sensor.FaultKind;
 import faultline.sensor.SensorSpec;
+import faultline.studies.figure.CsvTable;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureFolder;
 import faultline.world.Command;
 import java.io.IOException;
 import java.util.List;

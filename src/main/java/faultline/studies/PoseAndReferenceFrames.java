@@ -1,8 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.FigureCanvas;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.paint.scene.PlanView;
@@ -10,6 +7,9 @@ import faultline.paint.surface.DashPattern;
 import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;
 import faultline.robot.RobotSpec;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.FigureFolder;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.util.List;

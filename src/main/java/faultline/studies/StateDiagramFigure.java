@@ -1,8 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.FigureCanvas;
 import faultline.control.FollowerState;
 import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
@@ -13,6 +10,9 @@ import faultline.paint.surface.PixelRectangle;
 import faultline.paint.surface.Shapes;
 import faultline.paint.surface.SvgSurface;
 import faultline.paint.surface.TextStyle.Anchor;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.FigureFolder;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.io.IOException;

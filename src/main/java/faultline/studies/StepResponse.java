@@ -1,10 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureNumbers;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.FigureCanvas;
-import faultline.studies.figure.CsvTable;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.PdGains;
 import faultline.engine.SimulationSetup;
@@ -15,6 +10,11 @@ import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
 import faultline.paint.surface.PixelRectangle;
 import faultline.robot.RobotSpec;
+import faultline.studies.figure.CsvTable;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.FigureNumbers;
 import faultline.world.Command;
 import java.io.IOException;
 import java.util.ArrayList;

@@ -1,10 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureNumbers;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.FigureCanvas;
-import faultline.studies.figure.CsvTable;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.HeadlessRun;
@@ -17,6 +12,11 @@ import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
+import faultline.studies.figure.CsvTable;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.FigureNumbers;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.io.IOException;

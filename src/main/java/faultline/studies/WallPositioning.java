@@ -1,10 +1,5 @@
 package faultline.studies;
 
-import faultline.studies.figure.Figure;
-import faultline.studies.figure.FigureNumbers;
-import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.FigureCanvas;
-import faultline.studies.figure.CsvTable;
 import faultline.geometry.Angles;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
@@ -19,6 +14,11 @@ import faultline.paint.surface.TextStyle.Anchor;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioRun;
 import faultline.sensor.SensorSpec;
+import faultline.studies.figure.CsvTable;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureCanvas;
+import faultline.studies.figure.FigureFolder;
+import faultline.studies.figure.FigureNumbers;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.util.ArrayList;

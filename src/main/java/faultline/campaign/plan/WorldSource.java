@@ -1,10 +1,10 @@
 package faultline.campaign.plan;
 
+import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioContent;
 import faultline.scenario.xml.ScenarioFiles;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
-import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.XmlParser;
 import java.io.IOException;
 

@@ -2,8 +2,8 @@ package faultline.gui.dialog;
 
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.text.Messages;
-import faultline.gui.theme.TextSize;
 import faultline.gui.theme.ScreenFit;
+import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;

@@ -2,8 +2,8 @@ package faultline.gui.gallery;
 
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
-import faultline.gui.theme.Theme;
 import faultline.gui.theme.ScreenFit;
+import faultline.gui.theme.Theme;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;

@@ -22,13 +22,13 @@ import java.awt.KeyboardFocusManager;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.LongConsumer;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.SwingUtilities;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 /**
  * The contents of the window below its menu bar: tool bar, canvas, instruments, control panel and status bar. Needs no

@@ -1,7 +1,7 @@
 package faultline.scenario.xml;
 
-import faultline.io.Message;
 import faultline.io.DidYouMean;
+import faultline.io.Message;
 import faultline.io.MessageText;
 import java.util.Collection;
 import java.util.stream.Collectors;

@@ -1,8 +1,8 @@
 package faultline.scenario.xml;
 
 import faultline.control.ControllerSpec;
-import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.engine.metrics.Expectation;
 import faultline.geometry.Vector2;
 import faultline.io.DecimalText;

@@ -8,8 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.engine.session.SessionFrame;
 import faultline.engine.SimulationSetup;
+import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.scenario.Scenario;

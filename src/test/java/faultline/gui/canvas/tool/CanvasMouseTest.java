@@ -17,7 +17,6 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.Point;
 import java.awt.event.InputEvent;
-import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.ArrayList;
