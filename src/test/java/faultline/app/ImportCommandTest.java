@@ -1,0 +1,68 @@
+package faultline.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.scenario.Scenario;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class ImportCommandTest {
+
+    @TempDir
+    private Path folder;
+
+    private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+    private final ByteArrayOutputStream err = new ByteArrayOutputStream();
+
+    private int importMap(String... arguments) throws Exception {
+        StringBuilder image = new StringBuilder("P2 40 40 255\n");
+        for (int i = 0; i < 1600; i++) {
+            image.append(i % 40 == 3 ? "0 " : "255 ");
+        }
+        Path map = Files.writeString(folder.resolve("map.pgm"), image);
+        List<String> all = new ArrayList<>(List.of("import", map.toString()));
+        all.addAll(List.of(arguments));
+        return new CommandLine(new CommandOutput(new PrintStream(out, true), new PrintStream(err, true)))
+                .run(all.toArray(new String[0]));
+    }
+
+    @Test
+    void anImageBecomesAScenarioThatCanBeRun() throws Exception {
+        Path file = folder.resolve("room.xml");
+        assertEquals(
+                0, importMap("--out", file.toString(), "--resolution", "0.05", "--start", "1,1,90"), err::toString);
+        Scenario scenario = Scenario.load(file);
+        assertEquals(2.0, scenario.setup().world().width());
+        assertEquals(1.0, scenario.setup().start().x());
+        assertTrue(out.toString(StandardCharsets.UTF_8).contains("solid_cells: 40\nrings: 1\nsegments: 4\n"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            --resolution 0.05                    | import needs --out FILE, the scenario file to write
+            --out x.xml                          | an image needs --resolution M, the side of a pixel in metres
+            --out x.xml --resolution 0           | --resolution is "0", allowed is a number of metres above 0
+            --out x.xml --resolution 1 --unknown no | --unknown is "no", allowed is free or wall
+            --out x.xml --resolution 1 --min-cells -1 | --min-cells is "-1", allowed is a whole number of cells
+            --out x.xml --resolution 1 --smooth -1 | --smooth is "-1", allowed is a number of cells, 0 or more
+            --out x.xml --resolution 1 --start 1,2 | --start is "1,2", allowed is x,y,heading in metres and degrees
+            """)
+    void badUsageIsReported(String arguments, String sentence) throws Exception {
+        assertEquals(2, importMap(arguments.split(" ")));
+        assertEquals(
+                "faultline: " + sentence + " (faultline --help tells more)\n", err.toString(StandardCharsets.UTF_8));
+    }
+}
