@@ -4,14 +4,20 @@ package faultline.control;
  * What a controller's diagnosis thinks of one sensor.
  *
  * @param sensor its id
+ * @param trust whether it is used
  * @param finding why it is not trusted, {@link SensorFinding#NONE} if it is
  * @param evidence against it, in [0, 1] in steps of a tenth: 0 for none, 1 for enough to stop trusting it
- * @param sinceTick the tick at which the finding was made
+ * @param sinceTick the tick at which the trust changed last
  */
-public record SensorHealth(String sensor, SensorFinding finding, double evidence, long sinceTick) {
+public record SensorHealth(String sensor, SensorTrust trust, SensorFinding finding, double evidence, long sinceTick) {
 
-    /** Returns whether the sensor is trusted. */
+    /** Returns the health of a sensor that nothing is known against. */
+    public static SensorHealth trusted(String sensor) {
+        return new SensorHealth(sensor, SensorTrust.TRUSTED, SensorFinding.NONE, 0, 0);
+    }
+
+    /** Returns whether the sensor is used: it is trusted, or suspected only. */
     public boolean isTrusted() {
-        return finding == SensorFinding.NONE;
+        return trust != SensorTrust.DISTRUSTED;
     }
 }

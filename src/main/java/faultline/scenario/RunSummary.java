@@ -1,11 +1,17 @@
 package faultline.scenario;
 
+import faultline.control.SensorHealth;
+import faultline.control.SensorTrust;
 import faultline.engine.metrics.RunResult;
+import faultline.engine.recording.RunEvent;
 import faultline.io.DecimalText;
 import faultline.world.Collision;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 
 /** A run's result as {@code key: value} lines, one value a line, the same in every language. */
 public final class RunSummary {
@@ -31,7 +37,10 @@ public final class RunSummary {
                 "coverage: " + formatOptional(result.coverage(), "%.4f"),
                 "distance_rms_m: " + formatOptional(result.distanceRms(), "%.6f"),
                 "trajectory_hash: " + formatHash(result),
-                "seed: " + result.seed());
+                "seed: " + result.seed(),
+                "rung: " + (result.rung().isEmpty() ? "none" : result.rung()),
+                "rung_changes: " + changes(result, RunSummary::formatRung),
+                "health_changes: " + changes(result, RunSummary::formatHealth));
     }
 
     /**
@@ -51,6 +60,34 @@ public final class RunSummary {
                 collision.point().x(),
                 collision.point().y(),
                 collision.time());
+    }
+
+    private static String changes(RunResult result, Function<RunEvent, Optional<String>> format) {
+        String changes = result.diagnosisEvents().stream()
+                .map(format)
+                .flatMap(Optional::stream)
+                .collect(Collectors.joining(", "));
+        return changes.isEmpty() ? "none" : changes;
+    }
+
+    private static Optional<String> formatRung(RunEvent event) {
+        return event instanceof RunEvent.RungChanged change
+                ? Optional.of(change.to() + " at " + DecimalText.format(change.time()))
+                : Optional.empty();
+    }
+
+    /** Formats an event if a sensor is not trusted any more or is trusted again; suspicions are left out. */
+    private static Optional<String> formatHealth(RunEvent event) {
+        if (!(event instanceof RunEvent.HealthChanged change)) {
+            return Optional.empty();
+        }
+        SensorHealth health = change.health();
+        boolean wasTrusted = change.from() != SensorTrust.DISTRUSTED;
+        if (health.isTrusted() == wasTrusted) {
+            return Optional.empty();
+        }
+        String verdict = health.isTrusted() ? "trusted" : health.finding().name();
+        return Optional.of(health.sensor() + " " + verdict + " at " + DecimalText.format(change.time()));
     }
 
     private static String formatOptional(OptionalDouble value, String format) {

@@ -67,6 +67,9 @@ class CommandLineTest {
                         "distance_rms_m",
                         "trajectory_hash",
                         "seed",
+                        "rung",
+                        "rung_changes",
+                        "health_changes",
                         "expectations"),
                 run.out.lines().map(line -> line.split(": ")[0]).toList());
         assertEquals("2000", run.value("ticks"));

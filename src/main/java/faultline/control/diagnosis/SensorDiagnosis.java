@@ -5,7 +5,6 @@ import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
@@ -61,8 +60,7 @@ public final class SensorDiagnosis {
     private double[] penance = {};
     private double[] confirmations = {};
     private boolean[] wasDistrusted = {};
-    private long[] foundAt = {};
-    private List<SensorHealth> health = List.of();
+    private HealthReport report;
     private long tick;
     private int[] standoff = {};
     private double[] blindness = {};
@@ -142,14 +140,11 @@ public final class SensorDiagnosis {
         Arrays.fill(penance, FIRST_PENANCE);
         confirmations = new double[n];
         standoff = new int[n];
-        foundAt = new long[n];
         wasDistrusted = new boolean[n];
         blindness = new double[n];
         Arrays.fill(blindness, -1);
         trusted = (1 << n) - 1;
-        health = newRobot.sensors().stream()
-                .map(sensor -> new SensorHealth(sensor.id(), SensorFinding.NONE, 0, 0))
-                .toList();
+        report = new HealthReport(newRobot);
     }
 
     private int moment() {
@@ -306,7 +301,6 @@ public final class SensorDiagnosis {
         if (isTrusted(sensor)) {
             trusted &= ~(1 << sensor);
             findings[sensor] = finding;
-            foundAt[sensor] = tick;
             if (wasDistrusted[sensor]) {
                 penance[sensor] = Math.min(MAX_PENANCE, 2 * penance[sensor]);
             }
@@ -320,7 +314,6 @@ public final class SensorDiagnosis {
     private void trust(int sensor) {
         trusted |= 1 << sensor;
         findings[sensor] = SensorFinding.NONE;
-        foundAt[sensor] = tick;
         since[sensor] = time;
     }
 
@@ -370,17 +363,11 @@ public final class SensorDiagnosis {
 
     /** Returns the findings and evidence for all sensors, the same list as long as nothing has changed. */
     public List<SensorHealth> health() {
-        return health;
+        return report == null ? List.of() : report.all();
     }
 
     private void refreshHealth(int sensor) {
-        double evidence = Math.min(10, Math.floor(10 * against(sensor) / THRESHOLD)) / 10;
-        SensorHealth now = health.get(sensor);
-        if (now.finding() != findings[sensor] || now.evidence() != evidence) {
-            List<SensorHealth> fresh = new ArrayList<>(health);
-            fresh.set(sensor, new SensorHealth(now.sensor(), findings[sensor], evidence, foundAt[sensor]));
-            health = List.copyOf(fresh);
-        }
+        report.update(sensor, findings[sensor], against(sensor) / THRESHOLD, tick);
     }
 
     /**

@@ -8,6 +8,8 @@ import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
+import faultline.engine.recording.DiagnosisRecorder;
+import faultline.engine.recording.RunEvent;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -70,6 +72,8 @@ public final class HeadlessRun {
         Set<String> states = new LinkedHashSet<>();
         List<TickObserver> all = new ArrayList<>(observers);
         all.add(wall);
+        List<RunEvent> diagnosis = new ArrayList<>();
+        all.add(new DiagnosisRecorder(diagnosis::add));
         all.add(simulation -> states.add(simulation.telemetry().state()));
         long start = System.nanoTime();
         List<String> refused = new ArrayList<>();
@@ -85,7 +89,7 @@ public final class HeadlessRun {
                 }
             }
             double seconds = (System.nanoTime() - start) / NANOS_PER_SECOND;
-            return result(simulation, wall, states, refused, seconds);
+            return result(simulation, wall, states, refused, diagnosis, seconds);
         }
     }
 
@@ -94,6 +98,7 @@ public final class HeadlessRun {
             WallFollowingMetrics wall,
             Set<String> states,
             List<String> refused,
+            List<RunEvent> diagnosis,
             double seconds) {
         return new RunResult(
                 simulation.ticks(),
@@ -107,6 +112,8 @@ public final class HeadlessRun {
                 simulation.trajectoryHash(),
                 simulation.setup().seed(),
                 refused,
+                simulation.telemetry().rung(),
+                diagnosis,
                 simulation.snapshot());
     }
 }

@@ -1,5 +1,6 @@
 package faultline.engine.metrics;
 
+import faultline.engine.recording.RunEvent;
 import faultline.world.Collision;
 import faultline.world.Snapshot;
 import java.util.List;
@@ -20,6 +21,8 @@ import java.util.OptionalDouble;
  * @param trajectoryHash of all ticks
  * @param seed that the run used
  * @param refusals what the timeline asked for and the world refused, one sentence each, in order
+ * @param rung the name of the rung that drove last; empty for a controller without a diagnosis
+ * @param diagnosisEvents the changes of the sensors' health and of the rung, in order
  * @param finalSnapshot the world at the end
  */
 public record RunResult(
@@ -34,10 +37,13 @@ public record RunResult(
         long trajectoryHash,
         long seed,
         List<String> refusals,
+        String rung,
+        List<RunEvent> diagnosisEvents,
         Snapshot finalSnapshot) {
 
     public RunResult {
         visitedStates = List.copyOf(visitedStates);
         refusals = List.copyOf(refusals);
+        diagnosisEvents = List.copyOf(diagnosisEvents);
     }
 }

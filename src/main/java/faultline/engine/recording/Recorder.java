@@ -20,6 +20,7 @@ public final class Recorder implements TickObserver, CommandListener {
     private final float[] values;
     private final TraceRecorder trace;
     private final EventRecorder events = new EventRecorder();
+    private final DiagnosisRecorder diagnosis = new DiagnosisRecorder(events::add);
     private final StateTallyRecorder states = new StateTallyRecorder();
     private final KeyframeRecorder keyframes = new KeyframeRecorder();
     private final HashTraceRecorder hashes = new HashTraceRecorder();
@@ -48,6 +49,7 @@ public final class Recorder implements TickObserver, CommandListener {
 
     @Override
     public void observe(Simulation simulation) {
+        diagnosis.observe(simulation);
         recordState(simulation);
         recordCollision(simulation);
         recordMotion(simulation);

@@ -1,5 +1,7 @@
 package faultline.engine.recording;
 
+import faultline.control.SensorHealth;
+import faultline.control.SensorTrust;
 import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Refusal;
@@ -42,6 +44,26 @@ public sealed interface RunEvent {
      * @param tP the duration of the turn back, t_p of eq. (4), seconds
      */
     record AlignmentTimed(long tick, double time, double f3, double f4, double tP) implements RunEvent {}
+
+    /**
+     * The controller's diagnosis trusts a sensor more or less than before.
+     *
+     * @param tick the first in which the controller acted by it
+     * @param time of that tick, seconds
+     * @param from how far it was trusted before
+     * @param health what the diagnosis thinks of the sensor now
+     */
+    record HealthChanged(long tick, double time, SensorTrust from, SensorHealth health) implements RunEvent {}
+
+    /**
+     * Another rung of the controller's ladder of strategies drives.
+     *
+     * @param tick the first in which it drives
+     * @param time of that tick, seconds
+     * @param from the name of the rung before
+     * @param to the name of the rung that drives now
+     */
+    record RungChanged(long tick, double time, String from, String to) implements RunEvent {}
 
     /**
      * A command was carried out: one of the timeline, or one from outside.

@@ -1,6 +1,7 @@
 package faultline.gui.instrument;
 
 import faultline.engine.recording.RunEvent;
+import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
@@ -23,15 +24,23 @@ final class EventText {
         if (event instanceof RunEvent.AlignmentTimed) {
             return Messages.get("event.timing");
         }
+        if (event instanceof RunEvent.HealthChanged) {
+            return Messages.get("event.health");
+        }
+        if (event instanceof RunEvent.RungChanged) {
+            return Messages.get("event.rung");
+        }
         return Messages.get(
                 event instanceof RunEvent.StateChanged
                         ? "event.transition"
                         : event instanceof RunEvent.CommandRefused ? "event.refused" : "event.collision");
     }
 
-    /** Returns whether an event is a sensor fault or a collision. */
+    /** Returns whether an event is a sensor fault, a sensor that is not trusted any more, or a collision. */
     static boolean isFailure(RunEvent event) {
         return event instanceof RunEvent.Collided
+                || event instanceof RunEvent.HealthChanged change
+                        && !change.health().isTrusted()
                 || event instanceof RunEvent.CommandExecuted done && done.command() instanceof Command.InjectFault;
     }
 
@@ -62,6 +71,12 @@ final class EventText {
                     format("%.3f", timing.f4()),
                     format("%.3f", timing.f4() - timing.f3()),
                     format("%.3f", timing.tP()));
+        }
+        if (event instanceof RunEvent.HealthChanged change) {
+            return HealthText.change(change.from(), change.health());
+        }
+        if (event instanceof RunEvent.RungChanged change) {
+            return Messages.get("event.rung.changed", HealthText.rung(change.from()), HealthText.rung(change.to()));
         }
         return event instanceof RunEvent.Collided collided ? collision(collided) : Messages.get("event.diverged");
     }

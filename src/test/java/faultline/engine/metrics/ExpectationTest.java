@@ -34,7 +34,20 @@ class ExpectationTest {
                 List.of(),
                 collision.stream().toList());
         return new RunResult(
-                100, 1, 50, "FOLLOW", List.of("SEARCH", "FOLLOW"), collision, coverage, rms, 1, 1, List.of(), last);
+                100,
+                1,
+                50,
+                "FOLLOW",
+                List.of("SEARCH", "FOLLOW"),
+                collision,
+                coverage,
+                rms,
+                1,
+                1,
+                List.of(),
+                "",
+                List.of(),
+                last);
     }
 
     private static Expectation expectation(

@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.SensorFinding;
+import faultline.control.SensorHealth;
+import faultline.control.SensorTrust;
 import faultline.engine.ControllerMode;
 import faultline.engine.Frame;
 import faultline.engine.Simulation;
@@ -146,7 +149,7 @@ class RecorderTest {
         try (Session session = Session.start(room)) {
             List<RunEvent> commands = events(runTo(session, 300)).stream()
                     .filter(event ->
-                            !(event instanceof RunEvent.StateChanged || event instanceof RunEvent.AlignmentTimed))
+                            event instanceof RunEvent.CommandExecuted || event instanceof RunEvent.CommandRefused)
                     .toList();
             assertEquals(
                     List.of(
@@ -157,6 +160,37 @@ class RecorderTest {
                                     200, 2, UNKNOWN, new Refusal(Refusal.Reason.UNKNOWN_SENSOR, "nose"))),
                     commands);
         }
+    }
+
+    @Test
+    void healthAndRungsAreLoggedWhenTheyChange() {
+        List<SimulationSetup.TimedCommand> timeline = List.of(
+                new SimulationSetup.TimedCommand(5, new Command.SwitchSensor("left", false)),
+                new SimulationSetup.TimedCommand(9, new Command.SwitchSensor("left", true)));
+        try (Session session = Session.start(setup(timeline))) {
+            List<RunEvent> events = events(runTo(session, TICKS)).stream()
+                    .filter(event -> event instanceof RunEvent.RungChanged
+                            || event instanceof RunEvent.HealthChanged change
+                                    && (change.from() == SensorTrust.DISTRUSTED
+                                            || change.health().trust() == SensorTrust.DISTRUSTED))
+                    .toList();
+            SensorHealth off =
+                    new SensorHealth("left", SensorTrust.DISTRUSTED, SensorFinding.OFF, evidence(events.get(0)), 500);
+            assertEquals(new RunEvent.HealthChanged(501, 5.01, SensorTrust.TRUSTED, off), events.get(0));
+            assertEquals(new RunEvent.RungChanged(501, 5.01, "ALL", "THREE"), events.get(1));
+            RunEvent.HealthChanged again = (RunEvent.HealthChanged) events.get(2);
+            assertEquals(
+                    List.of("left", SensorTrust.TRUSTED),
+                    List.of(again.health().sensor(), again.health().trust()));
+            assertTrue(again.time() > 12 && again.time() < 40, "a while after it answers again: " + again.time());
+            assertEquals(new RunEvent.RungChanged(again.tick(), again.time(), "THREE", "ALL"), events.get(3));
+            assertEquals(4, events.size());
+            assertTrue(session.journal().join().entries().isEmpty(), "what a diagnosis finds is no command");
+        }
+    }
+
+    private static double evidence(RunEvent event) {
+        return ((RunEvent.HealthChanged) event).health().evidence();
     }
 
     @Test

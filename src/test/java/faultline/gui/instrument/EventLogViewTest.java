@@ -54,7 +54,12 @@ class EventLogViewTest {
         runOnEdt(() -> view.setFrame(SampleRuns.frame(2000)));
         assertTrue(rows().size() > before);
         runOnEdt(() -> view.setFrame(SampleRuns.frame(100)));
-        assertEquals(List.of("0.000 Command rear turned off"), rows());
+        assertEquals(
+                List.of(
+                        "0.000 Command rear turned off",
+                        "0.010 Health rear is not trusted: it gives no answer",
+                        "0.010 Rung All sensors → Left and front"),
+                rows());
     }
 
     @Test

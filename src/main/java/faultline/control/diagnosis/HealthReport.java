@@ -1,0 +1,59 @@
+package faultline.control.diagnosis;
+
+import faultline.control.SensorFinding;
+import faultline.control.SensorHealth;
+import faultline.control.SensorTrust;
+import faultline.robot.RobotSpec;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The health of all sensors as it is shown: a list that is replaced only when something in it changes. */
+final class HealthReport {
+
+    /** A sensor with this much evidence against it is suspected. */
+    private static final double SUSPICIOUS = 0.5;
+
+    /** A suspected sensor with no more evidence than this is trusted again. */
+    private static final double HARMLESS = 0.2;
+
+    private List<SensorHealth> health;
+
+    HealthReport(RobotSpec robot) {
+        health = robot.sensors().stream()
+                .map(sensor -> SensorHealth.trusted(sensor.id()))
+                .toList();
+    }
+
+    /**
+     * Reports a sensor.
+     *
+     * @param sensor its place in the robot's list
+     * @param finding against it
+     * @param share of the evidence that it takes to stop trusting it
+     * @param tick now
+     */
+    void update(int sensor, SensorFinding finding, double share, long tick) {
+        SensorHealth before = health.get(sensor);
+        double evidence = Math.min(10, Math.floor(10 * share)) / 10;
+        if (before.finding() != finding || before.evidence() != evidence) {
+            SensorTrust trust = trust(before.trust(), finding, evidence);
+            List<SensorHealth> fresh = new ArrayList<>(health);
+            long since = trust == before.trust() ? before.sinceTick() : tick;
+            fresh.set(sensor, new SensorHealth(before.sensor(), trust, finding, evidence, since));
+            health = List.copyOf(fresh);
+        }
+    }
+
+    private static SensorTrust trust(SensorTrust before, SensorFinding finding, double evidence) {
+        if (finding != SensorFinding.NONE) {
+            return SensorTrust.DISTRUSTED;
+        }
+        double limit = before == SensorTrust.SUSPECTED ? HARMLESS + 0.1 : SUSPICIOUS;
+        return evidence >= limit ? SensorTrust.SUSPECTED : SensorTrust.TRUSTED;
+    }
+
+    /** Returns the health of all sensors in the robot's order. */
+    List<SensorHealth> all() {
+        return health;
+    }
+}

@@ -1,0 +1,40 @@
+package faultline.gui.text;
+
+import faultline.control.SensorFinding;
+import faultline.control.SensorHealth;
+import faultline.control.SensorTrust;
+import java.util.Locale;
+
+/** What a diagnosis thinks of sensors, and the rungs of the ladder, in the user's language. */
+public final class HealthText {
+
+    private HealthText() {}
+
+    /** Returns the word for how far a sensor is trusted. */
+    public static String trust(SensorTrust trust) {
+        return Messages.get("trust." + trust);
+    }
+
+    /** Returns the reason why a sensor is not trusted; empty if there is none. */
+    public static String reason(SensorFinding finding) {
+        return finding == SensorFinding.NONE ? "" : Messages.get("finding." + finding);
+    }
+
+    /** Returns the name of a rung, or the controller's own name for it if it is none of the ladder. */
+    public static String rung(String rung) {
+        String key = "rung." + rung;
+        return Messages.contains(key) ? Messages.get(key) : rung;
+    }
+
+    /** Describes a change of a sensor's health in a sentence. */
+    public static String change(SensorTrust from, SensorHealth health) {
+        return switch (health.trust()) {
+            case DISTRUSTED -> Messages.get("health.distrusted", health.sensor(), reason(health.finding()));
+            case SUSPECTED ->
+                Messages.get(
+                        "health.suspected", health.sensor(), String.format(Locale.ROOT, "%.1f", health.evidence()));
+            case TRUSTED ->
+                Messages.get(from == SensorTrust.SUSPECTED ? "health.cleared" : "health.trusted", health.sensor());
+        };
+    }
+}
