@@ -4,7 +4,7 @@ package faultline.control;
  * The six states of the wall follower. The paper's Fig. 8 survives as a caption only; this reading of it is decision
  * 0002.
  */
-public enum FollowerState {
+public enum FollowerState implements ControllerState {
     /** Drive on until a wall is seen. */
     SEARCH,
     /** Spin right until the left sensor comes to the wall: frame F3. */

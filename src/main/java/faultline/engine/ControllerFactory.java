@@ -2,6 +2,7 @@ package faultline.engine;
 
 import faultline.control.Controller;
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.PeriodicController;
@@ -30,18 +31,17 @@ public final class ControllerFactory {
         return observation -> constant;
     }
 
-    /** Returns the names of all states of a controller as in {@link Telemetry#state()}, the initial state first. */
-    public static List<String> states(ControllerSpec spec) {
+    /** Returns all states of a controller, the initial state first. */
+    public static List<ControllerState> states(ControllerSpec spec) {
         if (spec instanceof ControllerSpec.WallFollowing wall) {
-            Stream<String> stop = wall.diagnosis() ? Stream.of(FaultTolerantFollower.STOP) : Stream.empty();
-            return Stream.concat(Arrays.stream(FollowerState.values()).map(Enum::name), stop)
-                    .toList();
+            Stream<ControllerState> stop = wall.diagnosis() ? Stream.of(FaultTolerantFollower.STOP) : Stream.empty();
+            return Stream.concat(Arrays.stream(FollowerState.values()), stop).toList();
         }
-        return List.of(spec instanceof ControllerSpec.Drive ? "DRIVE" : "NONE");
+        return List.of(ControllerState.of(spec instanceof ControllerSpec.Drive ? "DRIVE" : "NONE"));
     }
 
-    /** Returns the name of the state that a controller starts in. */
-    public static String initialState(ControllerSpec spec) {
+    /** Returns the state that a controller starts in. */
+    public static ControllerState initialState(ControllerSpec spec) {
         return states(spec).get(0);
     }
 }

@@ -60,7 +60,7 @@ public final class BuiltInChild {
                     send(new JsonWriter()
                             .member("type", "ready")
                             .member("protocol", Messages.PROTOCOL)
-                            .member("name", ControllerFactory.initialState(spec)));
+                            .member("name", ControllerFactory.initialState(spec).name()));
                 } else if (type.equals("observe")) {
                     Observation observation = new Observation(message.whole("tick"), dt, robot, readings(message));
                     send(answer(controller.decide(observation), observation.tick()));
@@ -86,7 +86,7 @@ public final class BuiltInChild {
                 .member("tick", tick)
                 .member("left_v", decision.leftVolts())
                 .member("right_v", decision.rightVolts())
-                .member("state", decision.telemetry().state())
+                .member("state", decision.telemetry().state().name())
                 .member("why", decision.telemetry().condition());
     }
 

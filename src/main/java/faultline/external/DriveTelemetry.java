@@ -1,5 +1,6 @@
 package faultline.external;
 
+import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.Telemetry;
 
@@ -10,20 +11,26 @@ final class DriveTelemetry {
 
     /** Begins in a state of a given name. */
     DriveTelemetry(String initialState) {
-        telemetry = Telemetry.ofState(initialState);
+        telemetry = Telemetry.ofState(ControllerState.of(initialState));
     }
 
     /** Returns the decision of a drive message; a message without a state keeps the last one. */
     Decision decide(DriveMessage drive, long tick) {
-        if (!drive.state().isEmpty() && !drive.state().equals(telemetry.state())) {
-            telemetry = enter(drive.state(), drive.why(), tick);
+        if (!drive.state().isEmpty() && !drive.state().equals(telemetry.state().name())) {
+            telemetry = enter(ControllerState.of(drive.state()), drive.why(), tick);
         }
         return new Decision(drive.leftVolts(), drive.rightVolts(), telemetry);
     }
 
-    private Telemetry enter(String state, String why, long tick) {
-        double none = Double.NaN;
+    private Telemetry enter(ControllerState state, String why, long tick) {
         int transitions = telemetry.transitions() + 1;
-        return new Telemetry(state, why, tick, transitions, none, none, none, none, none, none, none);
+        return new Telemetry(
+                state,
+                why,
+                tick,
+                transitions,
+                Telemetry.WallControl.NONE,
+                Telemetry.EdgeTimes.NONE,
+                Telemetry.Diagnosis.NONE);
     }
 }

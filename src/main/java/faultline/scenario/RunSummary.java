@@ -1,5 +1,6 @@
 package faultline.scenario;
 
+import faultline.control.ControllerState;
 import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
 import faultline.engine.metrics.RunResult;
@@ -30,7 +31,10 @@ public final class RunSummary {
                 "simulated_s: " + DecimalText.format(result.simulatedSeconds()),
                 "real_time_factor: " + String.format(Locale.ROOT, "%.1f", result.realTimeFactor()),
                 "state: " + result.finalState(),
-                "states: " + String.join(" ", result.visitedStates()),
+                "states: "
+                        + result.visitedStates().stream()
+                                .map(ControllerState::name)
+                                .collect(Collectors.joining(" ")),
                 "collision: "
                         + result.collision().map(RunSummary::formatCollision).orElse("none"),
                 "collided_with: " + result.collision().map(Collision::obstacle).orElse("none"),

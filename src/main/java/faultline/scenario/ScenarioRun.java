@@ -1,5 +1,6 @@
 package faultline.scenario;
 
+import faultline.control.ControllerState;
 import faultline.engine.ControllerMode;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
@@ -93,7 +94,7 @@ public final class ScenarioRun {
      * @return in the order of their first appearance
      */
     public List<String> states() {
-        return result.visitedStates();
+        return result.visitedStates().stream().map(ControllerState::name).toList();
     }
 
     /**

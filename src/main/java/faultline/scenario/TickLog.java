@@ -17,7 +17,7 @@ final class TickLog implements TickObserver {
      * One tick.
      *
      * @param pose the robot's
-     * @param state the controller's
+     * @param state the name of the controller's
      * @param readings true and reported in turn, encoded as in {@link Reading}
      */
     private record Entry(Pose pose, String state, double[] readings) {}
@@ -35,7 +35,7 @@ final class TickLog implements TickObserver {
             readings[2 * i] = simulation.trueReading(i);
             readings[2 * i + 1] = simulation.reportedReading(i);
         }
-        entries.add(new Entry(simulation.pose(), simulation.telemetry().state(), readings));
+        entries.add(new Entry(simulation.pose(), simulation.telemetry().state().name(), readings));
     }
 
     Pose pose(int tick) {

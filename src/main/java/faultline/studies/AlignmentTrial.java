@@ -1,6 +1,7 @@
 package faultline.studies;
 
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.control.TimingRule;
@@ -119,19 +120,17 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
     Optional<TrialResult> run() {
         try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
             int handOvers = 0;
-            String before = "";
+            ControllerState before = FollowerState.SEARCH;
             while (simulation.time() < setup.duration()
                     && simulation.collision().isEmpty()) {
                 simulation.tick();
                 Telemetry now = simulation.telemetry();
-                if (now.state().equals(FollowerState.FOLLOW.name())
-                        && before.equals(FollowerState.ALIGN.name())
-                        && ++handOvers == handOver) {
+                if (now.state() == FollowerState.FOLLOW && before == FollowerState.ALIGN && ++handOvers == handOver) {
                     Pose pose = simulation.pose();
                     return Optional.of(new TrialResult(
                             Angles.normalize(pose.heading()),
                             pose.position(),
-                            now.tF4() - now.tF3(),
+                            now.edges().tF4() - now.edges().tF3(),
                             simulation.trueReading(setup.robot().indexOf("left"))));
                 }
                 before = now.state();

@@ -1,5 +1,6 @@
 package faultline.studies;
 
+import faultline.control.FollowerState;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
@@ -108,13 +109,13 @@ final class CornerPlans implements Figure {
 
     /** Returns the tick at which the second wall is met: the spin that ends in the second hand-over begins. */
     private static int secondWallTick(RunTrace trace) {
-        return trace.states().subList(0, trace.handOvers().get(1)).lastIndexOf("FOLLOW") + 1;
+        return trace.states().subList(0, trace.handOvers().get(1)).lastIndexOf(FollowerState.FOLLOW) + 1;
     }
 
     /** Returns the poses from shortly before the corner to a position along the second wall. */
     private static List<Pose> shownPoses(RunTrace trace) {
         int stop = secondWallTick(trace);
-        int from = trace.states().indexOf("FOLLOW");
+        int from = trace.states().indexOf(FollowerState.FOLLOW);
         while (trace.poses()
                         .get(from)
                         .position()

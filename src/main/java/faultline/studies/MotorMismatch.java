@@ -2,6 +2,7 @@ package faultline.studies;
 
 import faultline.control.Controller;
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
@@ -92,7 +93,7 @@ final class MotorMismatch implements Figure {
         World world = new World(setup.world(), real, setup.start(), setup.dt(), setup.seed());
         WallFollowing spec = (WallFollowing) setup.controller();
         Controller follower = new PeriodicController(new WallFollower(spec, variant.realClock), spec.period());
-        String before = "";
+        ControllerState before = FollowerState.SEARCH;
         double left = 0;
         double right = 0;
         while (world.tick() * setup.dt() < setup.duration() && world.collision().isEmpty()) {
@@ -102,8 +103,8 @@ final class MotorMismatch implements Figure {
                     follower.decide(new Observation(world.tick(), setup.dt(), setup.robot(), world.reportedReadings()));
             left = decision.leftVolts();
             right = decision.rightVolts();
-            String state = decision.telemetry().state();
-            if (state.equals(FollowerState.FOLLOW.name()) && before.equals(FollowerState.ALIGN.name())) {
+            ControllerState state = decision.telemetry().state();
+            if (state == FollowerState.FOLLOW && before == FollowerState.ALIGN) {
                 return OptionalDouble.of(
                         StrictMath.toDegrees(Angles.normalize(world.pose().heading())));
             }

@@ -2,6 +2,7 @@ package faultline.studies;
 
 import faultline.campaign.RandomRoom;
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.FollowerState;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Vector2;
 import faultline.paint.chart.Axis;
@@ -72,7 +73,7 @@ final class NoiseInRandomRooms implements Figure {
     private static double followError(RunTrace trace) {
         double wanted = ((WallFollowing) trace.setup().controller()).distance();
         return Sample.of(IntStream.range(0, trace.states().size())
-                        .filter(tick -> trace.states().get(tick).equals("FOLLOW"))
+                        .filter(tick -> trace.states().get(tick) == FollowerState.FOLLOW)
                         .mapToDouble(tick -> trace.distances().get(tick) - wanted))
                 .rms();
     }

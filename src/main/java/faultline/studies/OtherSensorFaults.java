@@ -1,5 +1,6 @@
 package faultline.studies;
 
+import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.control.TimingRule;
 import faultline.engine.ControllerMode;
@@ -72,7 +73,7 @@ final class OtherSensorFaults implements Figure {
 
     private static double alignmentStart(SimulationSetup setup) {
         RunTrace trace = RunTrace.simulate(setup.withDuration(10));
-        return trace.states().indexOf("TURN") * setup.dt();
+        return trace.states().indexOf(FollowerState.TURN) * setup.dt();
     }
 
     /** Returns the time between F3 and F4 when ALIGN hands over; empty if it never does. */
@@ -82,8 +83,8 @@ final class OtherSensorFaults implements Figure {
                     && simulation.collision().isEmpty()) {
                 simulation.tick();
                 Telemetry now = simulation.telemetry();
-                if (now.state().equals("FOLLOW")) {
-                    return OptionalDouble.of(now.tF4() - now.tF3());
+                if (now.state() == FollowerState.FOLLOW) {
+                    return OptionalDouble.of(now.edges().tF4() - now.edges().tF3());
                 }
             }
             return OptionalDouble.empty();

@@ -1,5 +1,7 @@
 package faultline.studies;
 
+import faultline.control.ControllerState;
+import faultline.control.FollowerState;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
@@ -21,11 +23,15 @@ import java.util.stream.IntStream;
  * @param result of the run
  */
 record RunTrace(
-        SimulationSetup setup, List<Pose> poses, List<String> states, List<Double> distances, RunResult result) {
+        SimulationSetup setup,
+        List<Pose> poses,
+        List<ControllerState> states,
+        List<Double> distances,
+        RunResult result) {
 
     static RunTrace simulate(SimulationSetup setup) {
         List<Pose> poses = new ArrayList<>();
-        List<String> states = new ArrayList<>();
+        List<ControllerState> states = new ArrayList<>();
         List<Double> distances = new ArrayList<>();
         int left = setup.robot().indexOf("left");
         RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of((Simulation simulation) -> {
@@ -43,8 +49,7 @@ record RunTrace(
     /** Returns the ticks at which ALIGN has handed over to FOLLOW. */
     List<Integer> handOvers() {
         return IntStream.range(1, states.size())
-                .filter(tick -> states.get(tick).equals("FOLLOW")
-                        && states.get(tick - 1).equals("ALIGN"))
+                .filter(tick -> states.get(tick) == FollowerState.FOLLOW && states.get(tick - 1) == FollowerState.ALIGN)
                 .boxed()
                 .toList();
     }

@@ -1,5 +1,7 @@
 package faultline.studies;
 
+import faultline.control.ControllerState;
+import faultline.control.FollowerState;
 import faultline.geometry.Angles;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
@@ -62,13 +64,13 @@ final class WallPositioning implements Figure {
                 .filter(tick -> run.reading("front", tick * dt).distance().isPresent())
                 .findFirst()
                 .orElseThrow();
-        List<String> states = trace.states();
+        List<ControllerState> states = trace.states();
         return List.of(
                 new KeyMoment("F1", "front sees the wall", sees),
-                new KeyMoment("F2", "spin begins", states.indexOf("TURN")),
-                new KeyMoment("F3", "left comes to the wall", states.indexOf("MEASURE") - 1),
-                new KeyMoment("F4", "left leaves the wall", states.indexOf("ALIGN") - 1),
-                new KeyMoment("P", "turned back", states.indexOf("FOLLOW")));
+                new KeyMoment("F2", "spin begins", states.indexOf(FollowerState.TURN)),
+                new KeyMoment("F3", "left comes to the wall", states.indexOf(FollowerState.MEASURE) - 1),
+                new KeyMoment("F4", "left leaves the wall", states.indexOf(FollowerState.ALIGN) - 1),
+                new KeyMoment("P", "turned back", states.indexOf(FollowerState.FOLLOW)));
     }
 
     private static void draw(FigureCanvas canvas, RunTrace trace, KeyMoment moment, double x) {

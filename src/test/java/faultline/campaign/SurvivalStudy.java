@@ -2,7 +2,9 @@ package faultline.campaign;
 
 import faultline.control.Controller;
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.ControllerState;
 import faultline.control.Decision;
+import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.PeriodicController;
 import faultline.control.Telemetry;
@@ -201,7 +203,7 @@ final class SurvivalStudy {
         int piece = -1;
         double end = 1e9;
         double lap = 0;
-        Decision next = new Decision(0, 0, Telemetry.ofState("SEARCH"));
+        Decision next = new Decision(0, 0, Telemetry.ofState(FollowerState.SEARCH));
         double delay = Double.NaN;
         int wrong = 0;
         int faulty = 0;
@@ -227,8 +229,8 @@ final class SurvivalStudy {
                 }
             }
             if (piece < 0 && time >= lastFault && (lastFault > 0 || !Double.isNaN(0))) {
-                String state = next.telemetry().state();
-                boolean atWall = at.length > 0 || state.equals("FOLLOW") || time > 40;
+                ControllerState state = next.telemetry().state();
+                boolean atWall = at.length > 0 || state == FollowerState.FOLLOW || time > 40;
                 if (atWall) {
                     piece = judge.pieceAt(world.pose().position());
                     lap = judge.length(piece) / 0.3 + 10;

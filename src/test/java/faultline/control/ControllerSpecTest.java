@@ -28,7 +28,11 @@ class ControllerSpecTest {
     @ParameterizedTest
     @ValueSource(doubles = {Double.NaN, Double.NEGATIVE_INFINITY})
     void voltagesMustBeFinite(double volts) {
-        assertThrows(IllegalArgumentException.class, () -> new Decision(volts, 0, Telemetry.ofState("TEST")));
-        assertThrows(IllegalArgumentException.class, () -> new Decision(0, volts, Telemetry.ofState("TEST")));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> new Decision(volts, 0, Telemetry.ofState(ControllerState.of("TEST"))));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> new Decision(0, volts, Telemetry.ofState(ControllerState.of("TEST"))));
     }
 }

@@ -18,7 +18,7 @@ class PeriodicControllerTest {
     private List<Double> decide(double period) {
         Controller inner = observation -> {
             decisionTicks.add(observation.tick());
-            return new Decision(observation.tick(), 0, Telemetry.ofState("TEST"));
+            return new Decision(observation.tick(), 0, Telemetry.ofState(ControllerState.of("TEST")));
         };
         PeriodicController periodic = new PeriodicController(inner, period);
         List<Double> volts = new ArrayList<>();

@@ -20,7 +20,14 @@ class TelemetryTest {
     @Test
     void theFirstMeetingPassesAllOfTurnMeasureAndAlign() {
         StraightWallFixture robot = start().runUntil(FollowerState.FOLLOW);
-        assertEquals(List.of("SEARCH", "TURN", "MEASURE", "ALIGN", "FOLLOW"), robot.states());
+        assertEquals(
+                List.of(
+                        FollowerState.SEARCH,
+                        FollowerState.TURN,
+                        FollowerState.MEASURE,
+                        FollowerState.ALIGN,
+                        FollowerState.FOLLOW),
+                robot.states());
         assertEquals(4, robot.telemetry().transitions());
     }
 
@@ -29,10 +36,14 @@ class TelemetryTest {
         Telemetry telemetry = start().runUntil(FollowerState.SEARCH).telemetry();
         assertEquals("", telemetry.condition());
         assertEquals(0, telemetry.transitions());
-        assertEquals(0.25, telemetry.wantedDistance());
-        assertEquals(Double.POSITIVE_INFINITY, telemetry.measuredDistance());
+        assertEquals(0.25, telemetry.wall().wantedDistance());
+        assertEquals(Double.POSITIVE_INFINITY, telemetry.wall().measuredDistance());
         for (double none : new double[] {
-            telemetry.proportional(), telemetry.derivative(), telemetry.tF3(), telemetry.tF4(), telemetry.tP()
+            telemetry.wall().proportional(),
+            telemetry.wall().derivative(),
+            telemetry.edges().tF3(),
+            telemetry.edges().tF4(),
+            telemetry.edges().tP()
         }) {
             assertTrue(Double.isNaN(none));
         }
@@ -52,15 +63,16 @@ class TelemetryTest {
 
     @Test
     void theFramesShowOnceTheWallHasBeenLeft() {
-        assertTrue(
-                Double.isNaN(start().runUntil(FollowerState.MEASURE).telemetry().tF4()));
-        assertTrue(start().runUntil(FollowerState.ALIGN).telemetry().tF4() > 0);
+        assertTrue(Double.isNaN(
+                start().runUntil(FollowerState.MEASURE).telemetry().edges().tF4()));
+        assertTrue(start().runUntil(FollowerState.ALIGN).telemetry().edges().tF4() > 0);
     }
 
     @Test
     void whileFollowingTheReadingAndBothTermsShow() {
         Telemetry telemetry = start().runUntil(FollowerState.FOLLOW).telemetry();
-        assertEquals(0.25, telemetry.measuredDistance(), 0.02);
-        assertTrue(Double.isFinite(telemetry.proportional()) && Double.isFinite(telemetry.derivative()));
+        assertEquals(0.25, telemetry.wall().measuredDistance(), 0.02);
+        assertTrue(Double.isFinite(telemetry.wall().proportional())
+                && Double.isFinite(telemetry.wall().derivative()));
     }
 }

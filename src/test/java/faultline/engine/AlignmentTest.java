@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.FollowerState;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.geometry.Angles;
@@ -83,7 +84,7 @@ class AlignmentTest {
             try (Simulation simulation = new Simulation(setup(), ControllerMode.DIRECT)) {
                 while (simulation.time() < MAX_SECONDS && simulation.collision().isEmpty()) {
                     simulation.tick();
-                    if (simulation.telemetry().state().equals("FOLLOW")) {
+                    if (simulation.telemetry().state() == FollowerState.FOLLOW) {
                         // The wall is the world's upper side: parallel to it with the wall on the left is heading 0, on
                         // the right pi.
                         return Optional.of(Angles.difference(

@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.ControllerState;
 import faultline.control.Decision;
+import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
 import faultline.robot.RobotSpec;
@@ -29,18 +31,21 @@ class ControllerFactoryTest {
 
     @Test
     void noneKeepsTheRobotInPlace() {
-        assertEquals(new Decision(0, 0, Telemetry.ofState("NONE")), first(new ControllerSpec.None()));
+        assertEquals(
+                new Decision(0, 0, Telemetry.ofState(ControllerState.of("NONE"))), first(new ControllerSpec.None()));
     }
 
     @Test
     void driveAppliesItsVoltages() {
-        assertEquals(new Decision(2, -3, Telemetry.ofState("DRIVE")), first(new ControllerSpec.Drive(2, -3)));
+        assertEquals(
+                new Decision(2, -3, Telemetry.ofState(ControllerState.of("DRIVE"))),
+                first(new ControllerSpec.Drive(2, -3)));
     }
 
     @Test
     void aWallFollowerStartsWithAStraightSearch() {
         Decision decision = first(WallFollowing.DEFAULT);
-        assertEquals("SEARCH", decision.telemetry().state());
+        assertEquals(FollowerState.SEARCH, decision.telemetry().state());
         assertEquals(3, decision.leftVolts(), 1e-12, "0.3 m/s at 0.1 m/s per volt");
         assertEquals(3, decision.rightVolts(), 1e-12);
     }

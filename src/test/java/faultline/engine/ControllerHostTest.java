@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import faultline.control.Controller;
+import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
@@ -26,7 +27,7 @@ class ControllerHostTest {
     @ParameterizedTest
     @EnumSource(ControllerMode.class)
     void theDecisionOnTheObservationComesBack(ControllerMode mode) {
-        Decision decision = new Decision(1, 2, Telemetry.ofState("TEST"));
+        Decision decision = new Decision(1, 2, Telemetry.ofState(ControllerState.of("TEST")));
         try (ControllerHost link = ControllerHost.create(observation -> decision, mode)) {
             submit(link);
             assertEquals(decision, link.await());
@@ -60,7 +61,7 @@ class ControllerHostTest {
             } catch (InterruptedException ended) {
                 Thread.currentThread().interrupt();
             }
-            return new Decision(0, 0, Telemetry.ofState("LATE"));
+            return new Decision(0, 0, Telemetry.ofState(ControllerState.of("LATE")));
         };
         try (ControllerHost link = new ThreadedHost(silent, 0.05)) {
             submit(link);
@@ -74,7 +75,7 @@ class ControllerHostTest {
         AtomicReference<Thread> thread = new AtomicReference<>();
         Controller nosy = observation -> {
             thread.set(Thread.currentThread());
-            return new Decision(0, 0, Telemetry.ofState("TEST"));
+            return new Decision(0, 0, Telemetry.ofState(ControllerState.of("TEST")));
         };
         try (ControllerHost link = ControllerHost.create(nosy, ControllerMode.OWN_THREAD)) {
             submit(link);

@@ -1,5 +1,6 @@
 package faultline.engine;
 
+import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
@@ -62,7 +63,7 @@ public final class SampleFrames {
                 obstacles,
                 contacts,
                 collision.stream().toList());
-        return new Frame(world, Telemetry.ofState("FOLLOW"), 0, 0, path, 0);
+        return new Frame(world, Telemetry.ofState(FollowerState.FOLLOW), 0, 0, path, 0);
     }
 
     private static RobotSpec robotWith(List<SensorSnapshot> sensors) {

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.RandomRoom;
+import faultline.control.ControllerState;
+import faultline.control.FollowerState;
 import faultline.control.TimingRule;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
@@ -28,7 +30,7 @@ class CorrectedClaimsTest {
             AlignmentTrial quiet = AlignmentTrial.standard(TimingRule.EQUAL_READINGS, variant)
                     .withSetup(WallScenes.endless(AlignmentTrial.BASE, 0.55 + 0.013 * variant, variant % 6));
             RunTrace reference = RunTrace.simulate(quiet.setup().withDuration(10));
-            int spin = reference.states().indexOf("TURN");
+            int spin = reference.states().indexOf(FollowerState.TURN);
             SensorSpec front = quiet.robot().sensor("front").orElseThrow();
             double dt = quiet.setup().dt();
             SimulationSetup disturbed = quiet.setup()
@@ -36,7 +38,7 @@ class CorrectedClaimsTest {
                             new TimedCommand(0, new Command.ConfigureSensor(front.withNoise(0.008))),
                             new TimedCommand((spin - 25) * dt, new Command.ConfigureSensor(front))));
             RunTrace noisy = RunTrace.simulate(disturbed.withDuration(10));
-            if (noisy.states().indexOf("TURN") == spin) {
+            if (noisy.states().indexOf(FollowerState.TURN) == spin) {
                 compared++;
                 assertEquals(reference.poses().get(spin), noisy.poses().get(spin));
                 assertEquals(
@@ -60,10 +62,10 @@ class CorrectedClaimsTest {
     }
 
     private static int corners(SimulationSetup setup) {
-        List<String> states = RunTrace.simulate(setup).states();
+        List<ControllerState> states = RunTrace.simulate(setup).states();
         AtomicInteger count = new AtomicInteger();
         for (int i = 1; i < states.size(); i++) {
-            if (states.get(i).equals("ROUND") && !states.get(i - 1).equals("ROUND")) {
+            if (states.get(i) == FollowerState.ROUND && states.get(i - 1) != FollowerState.ROUND) {
                 count.incrementAndGet();
             }
         }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.FollowerState;
 import faultline.control.TimingRule;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
@@ -144,7 +145,7 @@ class ResultsClaimsTest {
         for (int i = 0; i < TRIALS / 3; i++) {
             AlignmentTrial trial = trial(i % 2 == 0 ? TimingRule.RANGE : TimingRule.EQUAL_READINGS);
             double spin =
-                    RunTrace.simulate(trial.setup().withDuration(10)).states().indexOf("TURN")
+                    RunTrace.simulate(trial.setup().withDuration(10)).states().indexOf(FollowerState.TURN)
                             * trial.setup().dt();
             List<SensorSpec> others = trial.robot().sensors().stream()
                     .filter(sensor -> !sensor.id().equals("left"))

@@ -6,6 +6,7 @@ import static faultline.studies.CornerRun.SensorSelection.TWO;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.FollowerState;
 import faultline.geometry.Angles;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -114,7 +115,9 @@ class ResultsTextTest {
     void betweenF3AndF4TheRobotTurnsByOneAndTheSameAngleEveryTick() {
         RunTrace trace =
                 RunTrace.simulate(StudyScenarios.load("beside-a-wall.xml").setup());
-        for (int tick = trace.states().indexOf("MEASURE"); tick < trace.states().indexOf("ALIGN"); tick++) {
+        for (int tick = trace.states().indexOf(FollowerState.MEASURE);
+                tick < trace.states().indexOf(FollowerState.ALIGN);
+                tick++) {
             double turned = trace.poses().get(tick - 1).heading()
                     - trace.poses().get(tick).heading();
             assertEquals(0.600, StrictMath.toDegrees(Angles.normalize(turned)), 0.0005);

@@ -86,10 +86,8 @@ public final class ResultColumns {
                     "distance error on straight walls, root mean square",
                     (result, carry, diagnosis) -> fixed(result.distanceRms(), 6)),
             new Result(
-                    "final_state",
-                    "",
-                    "last state of the controller",
-                    (result, carry, diagnosis) -> result.finalState()),
+                    "final_state", "", "last state of the controller", (result, carry, diagnosis) -> result.finalState()
+                            .name()),
             new Result(
                     "final_rung",
                     "",

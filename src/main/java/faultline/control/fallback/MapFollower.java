@@ -1,5 +1,6 @@
 package faultline.control.fallback;
 
+import faultline.control.FollowerState;
 import faultline.control.diagnosis.DeadReckoning;
 import faultline.control.diagnosis.MountedCone;
 import faultline.control.diagnosis.SensorDiagnosis;
@@ -46,7 +47,7 @@ public final class MapFollower {
     private final LocalMap map = new LocalMap();
     private final Heading heading = new Heading(map);
     private RobotSpec robot;
-    private String state = "FOLLOW";
+    private FollowerState state = FollowerState.FOLLOW;
     private double wall;
     private double direction;
     private double sinceWall;
@@ -135,7 +136,7 @@ public final class MapFollower {
         }
         direction = open;
         checkKnown();
-        state = scanning ? "MEASURE" : "FOLLOW";
+        state = scanning ? FollowerState.MEASURE : FollowerState.FOLLOW;
     }
 
     /** No wall: straight on. */
@@ -150,7 +151,7 @@ public final class MapFollower {
             sinceWall = 0;
         }
         checkKnown();
-        state = scanning ? "MEASURE" : "SEARCH";
+        state = scanning ? FollowerState.MEASURE : FollowerState.SEARCH;
     }
 
     private void checkKnown() {
@@ -237,7 +238,7 @@ public final class MapFollower {
      *
      * @return FOLLOW, MEASURE while it turns to see more, SEARCH where it has no wall
      */
-    public String state() {
+    public FollowerState state() {
         return state;
     }
 }

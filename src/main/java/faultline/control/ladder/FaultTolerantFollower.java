@@ -2,7 +2,9 @@ package faultline.control.ladder;
 
 import faultline.control.Controller;
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.Decision;
+import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
 import faultline.control.WallSide;
@@ -19,15 +21,15 @@ import faultline.sensor.Reading;
  */
 public final class FaultTolerantFollower implements Controller {
 
-    /** The name of the state in which the robot has stopped because it cannot go on. */
-    public static final String STOP = "STOP";
+    /** The state in which the robot has stopped because it cannot go on. */
+    public static final ControllerState STOP = ControllerState.of("STOP");
 
     private final ControllerSpec.WallFollowing spec;
     private final SensorDiagnosis diagnosis;
     private final MapFollower mapFollower;
     private WallFollower sixStates;
     private Rung rung = Rung.ALL;
-    private Decision last = new Decision(0, 0, Telemetry.ofState("SEARCH"));
+    private Decision last = new Decision(0, 0, Telemetry.ofState(FollowerState.SEARCH));
     private long lastTick;
     private int earlierTransitions;
     private long sinceTick;
@@ -74,7 +76,7 @@ public final class FaultTolerantFollower implements Controller {
         rung = Rung.of(diagnosis);
         if (rung.strategy() != before) {
             if (rung.strategy() == Rung.Strategy.MAP) {
-                mapFollower.begin(!last.telemetry().state().equals("SEARCH"));
+                mapFollower.begin(last.telemetry().state() != FollowerState.SEARCH);
             } else if (rung.strategy() == Rung.Strategy.SIX_STATES) {
                 sixStates = new WallFollower(spec);
                 earlierTransitions = last.telemetry().transitions();
@@ -105,8 +107,14 @@ public final class FaultTolerantFollower implements Controller {
             transitions++;
         }
         sinceTick = transitions == before.transitions() ? sinceTick : lastTick;
-        Telemetry telemetry =
-                now.withDiagnosis(sinceTick, transitions - now.transitions(), rung.name(), diagnosis.health());
+        Telemetry telemetry = new Telemetry(
+                now.state(),
+                now.condition(),
+                sinceTick,
+                transitions,
+                now.wall(),
+                now.edges(),
+                new Telemetry.Diagnosis(rung.name(), diagnosis.health()));
         return new Decision(decision.leftVolts(), decision.rightVolts(), telemetry);
     }
 
@@ -124,7 +132,7 @@ public final class FaultTolerantFollower implements Controller {
         return new Observation(observation.tick(), observation.dt(), observation.robot(), kept);
     }
 
-    private Decision decision(RobotSpec robot, double v, double omega, String state) {
+    private Decision decision(RobotSpec robot, double v, double omega, ControllerState state) {
         MotorSpec motor = robot.motor();
         double half = omega * robot.track() / 2;
         double near = motor.voltageFor(v - half);

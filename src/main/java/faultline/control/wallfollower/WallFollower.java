@@ -132,16 +132,16 @@ public final class WallFollower implements Controller {
     private Telemetry telemetry() {
         EdgeTimer timing = alignment.edgeTimer();
         return new Telemetry(
-                state.name(),
+                state,
                 condition,
                 sinceTick,
                 transitions,
-                spec.distance(),
-                estimate.views().left().reading(),
-                steering.proportional(),
-                steering.derivative(),
-                timing.tF3(),
-                timing.tF4(),
-                timing.tP());
+                new Telemetry.WallControl(
+                        spec.distance(),
+                        estimate.views().left().reading(),
+                        steering.proportional(),
+                        steering.derivative()),
+                new Telemetry.EdgeTimes(timing.tF3(), timing.tF4(), timing.tP()),
+                Telemetry.Diagnosis.NONE);
     }
 }

@@ -102,7 +102,7 @@ public final class CarryOnMetrics implements TickObserver {
         if (collided || time < onset || circuit.size() == 0) {
             return;
         }
-        if (way < 0 && !simulation.telemetry().state().equals(FollowerState.SEARCH.name())) {
+        if (way < 0 && simulation.telemetry().state() != FollowerState.SEARCH) {
             startClock(centre);
         }
         if (way >= 0 && !(centre.distanceTo(last) < STEP)) {

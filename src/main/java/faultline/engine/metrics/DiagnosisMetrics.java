@@ -39,9 +39,9 @@ public final class DiagnosisMetrics implements TickObserver {
 
     @Override
     public void observe(Simulation simulation) {
-        Telemetry telemetry = simulation.telemetry();
-        rung = telemetry.rung();
-        List<SensorHealth> health = telemetry.health();
+        Telemetry.Diagnosis diagnosis = simulation.telemetry().diagnosis();
+        rung = diagnosis.rung();
+        List<SensorHealth> health = diagnosis.health();
         diagnosed |= !health.isEmpty();
         for (SensorHealth sensor : health) {
             if (!sensor.isTrusted()) {

@@ -1,5 +1,6 @@
 package faultline.engine.metrics;
 
+import faultline.control.ControllerState;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -17,8 +18,8 @@ public record Expectation(
         Optional<Boolean> collision,
         OptionalDouble minCoverage,
         OptionalDouble maxDistanceRms,
-        List<String> states,
-        Optional<String> finalState) {
+        List<ControllerState> states,
+        Optional<ControllerState> finalState) {
 
     /** Expects nothing. */
     public static final Expectation NONE = new Expectation(

@@ -1,10 +1,12 @@
 package faultline.engine.metrics;
 
+import faultline.control.ControllerState;
 import faultline.io.DecimalText;
 import faultline.world.Collision;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 
 /** Holds one run's result against expectations, and puts into words what was not held. */
 final class ExpectationChecker {
@@ -24,7 +26,10 @@ final class ExpectationChecker {
                 .filter(state -> !result.visitedStates().contains(state))
                 .forEach(state -> addUnmet(
                         "the state " + state,
-                        "it was never reached; passed: " + String.join(" ", result.visitedStates())));
+                        "it was never reached; passed: "
+                                + result.visitedStates().stream()
+                                        .map(ControllerState::name)
+                                        .collect(Collectors.joining(" "))));
         expect.finalState()
                 .filter(state -> !state.equals(result.finalState()))
                 .ifPresent(state -> addUnmet("the final state " + state, "it is " + result.finalState()));

@@ -1,6 +1,7 @@
 package faultline.engine.metrics;
 
 import faultline.control.Controller;
+import faultline.control.ControllerState;
 import faultline.engine.CommandListener;
 import faultline.engine.ControllerFactory;
 import faultline.engine.ControllerMode;
@@ -69,7 +70,7 @@ public final class HeadlessRun {
             List<TickObserver> observers,
             BooleanSupplier finished) {
         WallFollowingMetrics wall = new WallFollowingMetrics(setup);
-        Set<String> states = new LinkedHashSet<>();
+        Set<ControllerState> states = new LinkedHashSet<>();
         List<TickObserver> all = new ArrayList<>(observers);
         all.add(wall);
         List<RunEvent> diagnosis = new ArrayList<>();
@@ -96,7 +97,7 @@ public final class HeadlessRun {
     private static RunResult result(
             Simulation simulation,
             WallFollowingMetrics wall,
-            Set<String> states,
+            Set<ControllerState> states,
             List<String> refused,
             List<RunEvent> diagnosis,
             double seconds) {
@@ -112,7 +113,7 @@ public final class HeadlessRun {
                 simulation.trajectoryHash(),
                 simulation.setup().seed(),
                 refused,
-                simulation.telemetry().rung(),
+                simulation.telemetry().diagnosis().rung(),
                 diagnosis,
                 simulation.snapshot());
     }

@@ -1,5 +1,6 @@
 package faultline.engine.metrics;
 
+import faultline.control.ControllerState;
 import faultline.engine.recording.RunEvent;
 import faultline.world.Collision;
 import faultline.world.Snapshot;
@@ -29,8 +30,8 @@ public record RunResult(
         long ticks,
         double simulatedSeconds,
         double realTimeFactor,
-        String finalState,
-        List<String> visitedStates,
+        ControllerState finalState,
+        List<ControllerState> visitedStates,
         Optional<Collision> collision,
         OptionalDouble coverage,
         OptionalDouble distanceRms,

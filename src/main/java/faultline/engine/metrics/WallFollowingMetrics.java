@@ -1,6 +1,7 @@
 package faultline.engine.metrics;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
@@ -39,11 +40,11 @@ final class WallFollowingMetrics implements TickObserver {
             return;
         }
         Vector2 centre = simulation.pose().position();
-        String state = simulation.telemetry().state();
-        if (state.equals(FollowerState.FOLLOW.name()) || state.equals(FollowerState.ROUND.name())) {
+        ControllerState state = simulation.telemetry().state();
+        if (state == FollowerState.FOLLOW || state == FollowerState.ROUND) {
             coverage.visit(centre);
         }
-        if (state.equals(FollowerState.FOLLOW.name())) {
+        if (state == FollowerState.FOLLOW) {
             addError(walls.straightWallError(centre, distance, STRAIGHT_MARGIN));
         }
     }

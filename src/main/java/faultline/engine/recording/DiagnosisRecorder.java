@@ -30,7 +30,7 @@ public final class DiagnosisRecorder implements TickObserver {
 
     @Override
     public void observe(Simulation simulation) {
-        Telemetry now = simulation.telemetry();
+        Telemetry.Diagnosis now = simulation.telemetry().diagnosis();
         if (now.health() != health) {
             for (int i = 0; i < now.health().size(); i++) {
                 compare(i, now.health().get(i), simulation);

@@ -77,14 +77,19 @@ public final class Recorder implements TickObserver, CommandListener {
 
     /** Records the times of F3 and F4, which the controller measures by the angle turned since TURN began. */
     private void recordTiming(Simulation simulation, Telemetry now) {
-        if (now.state().equals(FollowerState.TURN.name())) {
+        if (now.state() == FollowerState.TURN) {
             turnStart = lastHeading;
-        } else if (now.state().equals(FollowerState.ALIGN.name()) && Double.isFinite(now.tP())) {
+        } else if (now.state() == FollowerState.ALIGN
+                && Double.isFinite(now.edges().tP())) {
             double clock =
                     Math.abs(lastHeading - turnStart) / simulation.robot().turnRate();
             double origin = simulation.time() - dt - clock;
             events.add(new RunEvent.AlignmentTimed(
-                    simulation.ticks(), simulation.time(), origin + now.tF3(), origin + now.tF4(), now.tP()));
+                    simulation.ticks(),
+                    simulation.time(),
+                    origin + now.edges().tF3(),
+                    origin + now.edges().tF4(),
+                    now.edges().tP()));
         }
     }
 
@@ -97,10 +102,10 @@ public final class Recorder implements TickObserver, CommandListener {
     }
 
     private void recordMotion(Simulation simulation) {
-        values[TraceChannels.WANTED_DISTANCE] = (float) lastTelemetry.wantedDistance();
-        values[TraceChannels.MEASURED_DISTANCE] = (float) lastTelemetry.measuredDistance();
-        values[TraceChannels.PROPORTIONAL] = (float) lastTelemetry.proportional();
-        values[TraceChannels.DERIVATIVE] = (float) lastTelemetry.derivative();
+        values[TraceChannels.WANTED_DISTANCE] = (float) lastTelemetry.wall().wantedDistance();
+        values[TraceChannels.MEASURED_DISTANCE] = (float) lastTelemetry.wall().measuredDistance();
+        values[TraceChannels.PROPORTIONAL] = (float) lastTelemetry.wall().proportional();
+        values[TraceChannels.DERIVATIVE] = (float) lastTelemetry.wall().derivative();
         values[TraceChannels.LEFT_VOLTS] = (float) simulation.leftVolts();
         values[TraceChannels.RIGHT_VOLTS] = (float) simulation.rightVolts();
         lastHeading = simulation.pose().heading();

@@ -1,5 +1,6 @@
 package faultline.engine.recording;
 
+import faultline.control.ControllerState;
 import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
 import faultline.world.Collision;
@@ -32,7 +33,8 @@ public sealed interface RunEvent {
      * @param to the state that it came to
      * @param condition the named condition of the arrow
      */
-    record StateChanged(long tick, double time, String from, String to, String condition) implements RunEvent {}
+    record StateChanged(long tick, double time, ControllerState from, ControllerState to, String condition)
+            implements RunEvent {}
 
     /**
      * The controller has timed the wall during an alignment turn.

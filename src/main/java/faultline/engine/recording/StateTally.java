@@ -1,5 +1,6 @@
 package faultline.engine.recording;
 
+import faultline.control.ControllerState;
 import java.util.List;
 import java.util.Optional;
 
@@ -22,11 +23,11 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
     /**
      * A state that the controller was in.
      *
-     * @param state its name
+     * @param state the state
      * @param ticks in all
      * @param visits how often it came there, the start included
      */
-    public record Dwell(String state, long ticks, long visits) {}
+    public record Dwell(ControllerState state, long ticks, long visits) {}
 
     /**
      * A way from a state to a state that the controller took.
@@ -35,15 +36,15 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
      * @param to the state that it came to
      * @param count how often
      */
-    public record TransitionCount(String from, String to, long count) {}
+    public record TransitionCount(ControllerState from, ControllerState to, long count) {}
 
     /**
      * The stay in a state.
      *
-     * @param state its name
+     * @param state the state
      * @return empty where the controller never was there
      */
-    public Optional<Dwell> dwell(String state) {
+    public Optional<Dwell> dwell(ControllerState state) {
         return states.stream().filter(stay -> stay.state().equals(state)).findFirst();
     }
 
@@ -54,7 +55,7 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
      * @param to the state reached
      * @return from 0
      */
-    public long transitionCount(String from, String to) {
+    public long transitionCount(ControllerState from, ControllerState to) {
         return transitions.stream()
                 .filter(way -> way.from().equals(from) && way.to().equals(to))
                 .mapToLong(TransitionCount::count)

@@ -1,5 +1,6 @@
 package faultline.engine.recording;
 
+import faultline.control.ControllerState;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -13,9 +14,9 @@ final class StateTallyRecorder {
         private long visits;
     }
 
-    private record TransitionKey(String from, String to) {}
+    private record TransitionKey(ControllerState from, ControllerState to) {}
 
-    private final Map<String, Counter> states = new LinkedHashMap<>();
+    private final Map<ControllerState, Counter> states = new LinkedHashMap<>();
     private final Map<TransitionKey, Counter> transitions = new LinkedHashMap<>();
     private Counter current = new Counter();
 
@@ -24,18 +25,18 @@ final class StateTallyRecorder {
      *
      * @param state in this state
      */
-    public void start(String state) {
+    public void start(ControllerState state) {
         current = states.computeIfAbsent(state, name -> new Counter());
         current.visits++;
     }
 
     /**
-     * The controller comes from one state to another, or the same anew.
+     * The controller comes from one state to another, or to the same state again.
      *
      * @param from the state left
      * @param to the state reached
      */
-    public void recordTransition(String from, String to) {
+    public void recordTransition(ControllerState from, ControllerState to) {
         transitions.computeIfAbsent(new TransitionKey(from, to), ends -> new Counter()).visits++;
         start(to);
     }

@@ -63,8 +63,7 @@ record AlignmentTrace(
                                 new PhaseTicks(transition.tick(), Math.min(align, follow), follow, follow < end));
                     }
                     align = leadsTo(transition, FollowerState.ALIGN) ? transition.tick() : align;
-                    follow = leadsTo(transition, FollowerState.FOLLOW)
-                                    && transition.from().equals(FollowerState.ALIGN.name())
+                    follow = leadsTo(transition, FollowerState.FOLLOW) && transition.from() == FollowerState.ALIGN
                             ? transition.tick()
                             : follow;
                 }
@@ -73,7 +72,7 @@ record AlignmentTrace(
         }
 
         private static boolean leadsTo(RunEvent.StateChanged transition, FollowerState state) {
-            return transition.to().equals(state.name());
+            return transition.to() == state;
         }
     }
 
@@ -97,7 +96,7 @@ record AlignmentTrace(
             samples.add(new Sample(
                     (headingAt(level, tick - 1) - start) / rate, level.min(TraceChannels.MEASURED_DISTANCE, tick)));
         }
-        Telemetry shown = frame.telemetry();
+        Telemetry.EdgeTimes shown = frame.telemetry().edges();
         double now = headingAt(level, ticks.follow() - 1);
         return new AlignmentTrace(
                 samples,

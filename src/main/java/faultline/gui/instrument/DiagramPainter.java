@@ -102,8 +102,8 @@ final class DiagramPainter {
 
     private static boolean isLast(Arrow arrow, Optional<RunEvent.StateChanged> last) {
         return last.isPresent()
-                && arrow.from().name().equals(last.get().from())
-                && arrow.to().name().equals(last.get().to());
+                && arrow.from() == last.get().from()
+                && arrow.to() == last.get().to();
     }
 
     private void paintArrow(Arrow arrow, boolean lit) {
@@ -112,7 +112,7 @@ final class DiagramPainter {
                 new GraphicsSurface(g),
                 LineStyle.solid(lit ? colours.accent() : colours.border(), lit ? 3 : 1.3),
                 lit ? ARROWHEAD_SIZE * 1.4 : ARROWHEAD_SIZE);
-        long count = tally.transitionCount(arrow.from().name(), arrow.to().name());
+        long count = tally.transitionCount(arrow.from(), arrow.to());
         if (count > 0) {
             drawCentred(
                     Long.toString(count),
@@ -124,7 +124,7 @@ final class DiagramPainter {
     }
 
     private void paintState(FollowerState state) {
-        boolean active = state.name().equals(frame.telemetry().state());
+        boolean active = state == frame.telemetry().state();
         Rectangle2D box = layout.box(state);
         g.setColor(active ? colours.accent() : colours.field());
         g.fill(Antialiasing.roundedRectangle(box.getX(), box.getY(), box.getWidth(), box.getHeight()));
@@ -133,7 +133,7 @@ final class DiagramPainter {
         g.draw(Antialiasing.roundedRectangle(box.getX(), box.getY(), box.getWidth(), box.getHeight()));
         double middle = box.getCenterY();
         drawFitted(
-                StateText.name(state.name()),
+                StateText.name(state),
                 new Vector2(box.getCenterX(), middle - 2),
                 box.getWidth() - 4,
                 active ? NAME_FONT.deriveFont(Font.BOLD) : NAME_FONT,
@@ -148,7 +148,7 @@ final class DiagramPainter {
 
     /** Returns the total duration and the number of visits of a state, or a dash if there are none. */
     private String visitText(FollowerState state) {
-        return tally.dwell(state.name())
+        return tally.dwell(state)
                 .map(interval -> String.format(Locale.ROOT, "%.1f s · %d×", interval.ticks() * dt, interval.visits()))
                 .orElse("–");
     }

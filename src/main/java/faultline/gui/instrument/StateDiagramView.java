@@ -17,7 +17,6 @@ import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
-import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 import javax.accessibility.AccessibleContext;
@@ -63,8 +62,7 @@ public final class StateDiagramView extends JComponent {
     }
 
     private static boolean isFollower(SessionFrame shown) {
-        return Arrays.stream(FollowerState.values())
-                .anyMatch(state -> state.name().equals(shown.telemetry().state()));
+        return shown.telemetry().state() instanceof FollowerState;
     }
 
     private double scale() {
@@ -124,14 +122,12 @@ public final class StateDiagramView extends JComponent {
     }
 
     private String arrowText(Arrow arrow) {
-        long count = frame.map(shown -> shown.recording()
-                        .stateTally()
-                        .transitionCount(arrow.from().name(), arrow.to().name()))
+        long count = frame.map(shown -> shown.recording().stateTally().transitionCount(arrow.from(), arrow.to()))
                 .orElse(0L);
         return Messages.get(
                 "diagram.arrow",
-                StateText.name(arrow.from().name()),
-                StateText.name(arrow.to().name()),
+                StateText.name(arrow.from()),
+                StateText.name(arrow.to()),
                 StateText.condition(arrow),
                 String.format(Locale.ROOT, "%d", count));
     }

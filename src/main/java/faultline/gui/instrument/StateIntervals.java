@@ -1,5 +1,6 @@
 package faultline.gui.instrument;
 
+import faultline.control.ControllerState;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
@@ -12,18 +13,18 @@ final class StateIntervals {
     /**
      * An interval during which the controller is in one state.
      *
-     * @param state the name of the state
+     * @param state the state
      * @param start the start, seconds
      * @param end the end, seconds
      */
-    record StateInterval(String state, double start, double end) {}
+    record StateInterval(ControllerState state, double start, double end) {}
 
     private StateIntervals() {}
 
     /** Returns the intervals that overlap a time span, in order. */
     static List<StateInterval> within(SessionFrame frame, TimeSpan span) {
         List<StateInterval> intervals = new ArrayList<>();
-        String state = frame.telemetry().state();
+        ControllerState state = frame.telemetry().state();
         double end = frame.snapshot().time();
         EventLog log = frame.recording().events();
         for (long i = log.endIndex() - 1; i >= log.firstIndex() && end > span.start(); i--) {

@@ -1,5 +1,6 @@
 package faultline.gui.text;
 
+import faultline.control.ControllerState;
 import faultline.control.wallfollower.StateDiagram;
 
 /** The names of controller states and transition conditions. */
@@ -8,9 +9,9 @@ public final class StateText {
     private StateText() {}
 
     /** Returns the name of a state in the user's language, or the controller's name for it if there is none. */
-    public static String name(String state) {
+    public static String name(ControllerState state) {
         String key = "state." + state;
-        return Messages.contains(key) ? Messages.get(key) : state;
+        return Messages.contains(key) ? Messages.get(key) : state.name();
     }
 
     /** Returns the condition of an arrow in the user's language. */
@@ -19,7 +20,7 @@ public final class StateText {
     }
 
     /** Returns the condition of a transition in the user's language, or the controller's own text if there is none. */
-    public static String condition(String from, String to, String condition) {
+    public static String condition(ControllerState from, ControllerState to, String condition) {
         String key = "arrow." + from + "." + to;
         return Messages.contains(key) ? Messages.get(key) : condition;
     }

@@ -40,9 +40,7 @@ final class StatusBar extends JPanel {
     private final StatusCell pace = cell("status.pace", "00000.00× real time");
     private final StatusCell state = cell(
             "status.state",
-            Stream.of(FollowerState.values())
-                    .map(state -> StateText.name(state.name()))
-                    .toArray(String[]::new));
+            Stream.of(FollowerState.values()).map(StateText::name).toArray(String[]::new));
     private final StatusCell pose = cell("status.pose", "x -00.000  y -00.000  θ -000.0°");
     private final StatusCell cursor = cell("status.cursor", "cursor -00.00, -00.00");
     private final StatusCell scale = cell("status.scale", "0000 px/m");

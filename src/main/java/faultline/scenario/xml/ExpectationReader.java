@@ -1,6 +1,7 @@
 package faultline.scenario.xml;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.engine.ControllerFactory;
 import faultline.engine.metrics.Expectation;
 import java.util.ArrayList;
@@ -20,7 +21,9 @@ final class ExpectationReader {
 
     ExpectationReader(Problems complaints, ControllerSpec controller) {
         this.problems = complaints;
-        this.knownStates = ControllerFactory.states(controller);
+        this.knownStates = ControllerFactory.states(controller).stream()
+                .map(ControllerState::name)
+                .toList();
     }
 
     Expectation read(XmlElement node) {
@@ -30,10 +33,10 @@ final class ExpectationReader {
                 fields.isPresent("collision") ? Optional.of(fields.flag("collision")) : Optional.empty();
         OptionalDouble coverage = optionalNumber(fields, "minCoverage", NumberRange.FRACTION);
         OptionalDouble distance = optionalNumber(fields, "maxDistanceRms", NumberRange.SIZE);
-        List<String> states = new ArrayList<>();
+        List<ControllerState> states = new ArrayList<>();
         fields.text("states").ifPresent(text -> states.addAll(readStates(fields, text)));
-        Optional<String> last = fields.text("finalState").map(String::strip);
-        last.ifPresent(state -> checkState(fields, "finalState", state));
+        Optional<ControllerState> last =
+                fields.text("finalState").map(name -> readState(fields, "finalState", name.strip()));
         fields.reportUnknownAndMissing();
         return new Expectation(collision, coverage, distance, states, last);
     }
@@ -42,16 +45,17 @@ final class ExpectationReader {
         return fields.isPresent(name) ? OptionalDouble.of(fields.number(name, range)) : OptionalDouble.empty();
     }
 
-    private List<String> readStates(AttributeReader fields, String text) {
-        List<String> states = Arrays.asList(text.strip().split("\\s+", MAX_STATES));
-        states.forEach(state -> checkState(fields, "states", state));
-        return states;
+    private List<ControllerState> readStates(AttributeReader fields, String text) {
+        return Arrays.stream(text.strip().split("\\s+", MAX_STATES))
+                .map(state -> readState(fields, "states", state))
+                .toList();
     }
 
-    private void checkState(AttributeReader fields, String name, String state) {
+    private ControllerState readState(AttributeReader fields, String name, String state) {
         if (!knownStates.contains(state)) {
             fields.report(
                     name, state, Allowed.withHint(Allowed.STATES.with(Allowed.names(knownStates)), state, knownStates));
         }
+        return ControllerState.of(state);
     }
 }

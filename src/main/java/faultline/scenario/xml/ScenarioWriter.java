@@ -1,11 +1,13 @@
 package faultline.scenario.xml;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.io.MessageException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.stream.Collectors;
 
 /** Writes a scenario as a file that reads back to an equal one. */
 final class ScenarioWriter {
@@ -83,9 +85,11 @@ final class ScenarioWriter {
         expect.minCoverage().ifPresent(value -> out.attribute("minCoverage", value));
         expect.maxDistanceRms().ifPresent(value -> out.attribute("maxDistanceRms", value));
         if (!expect.states().isEmpty()) {
-            out.attribute("states", String.join(" ", expect.states()));
+            out.attribute(
+                    "states",
+                    expect.states().stream().map(ControllerState::name).collect(Collectors.joining(" ")));
         }
-        expect.finalState().ifPresent(value -> out.attribute("finalState", value));
+        expect.finalState().ifPresent(value -> out.attribute("finalState", value.name()));
         out.endElement();
     }
 }

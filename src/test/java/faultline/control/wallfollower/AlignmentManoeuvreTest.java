@@ -66,8 +66,11 @@ class AlignmentManoeuvreTest {
     @Test
     void itTurnsBackForHalfOfTheTimeBetweenTheFrames() {
         Telemetry telemetry = runToFollow(TimingRule.RANGE, 0.05, 90).telemetry();
-        assertEquals((telemetry.tF4() - telemetry.tF3()) / 2, telemetry.tP(), 1e-12);
-        assertTrue(telemetry.tF3() > 0 && telemetry.tP() > 0);
+        assertEquals(
+                (telemetry.edges().tF4() - telemetry.edges().tF3()) / 2,
+                telemetry.edges().tP(),
+                1e-12);
+        assertTrue(telemetry.edges().tF3() > 0 && telemetry.edges().tP() > 0);
     }
 
     @ParameterizedTest

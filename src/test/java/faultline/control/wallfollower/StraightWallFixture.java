@@ -2,6 +2,7 @@ package faultline.control.wallfollower;
 
 import faultline.control.Controller;
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
@@ -26,12 +27,12 @@ public final class StraightWallFixture {
 
     private final RobotSpec robot;
     private final Controller controller;
-    private final List<String> states = new ArrayList<>();
+    private final List<ControllerState> states = new ArrayList<>();
     private Pose pose;
     private double left;
     private double right;
     private long tick;
-    private Telemetry telemetry = Telemetry.ofState("");
+    private Telemetry telemetry = Telemetry.ofState(ControllerState.of(""));
 
     /** Starts below the wall at a distance of the centre, heading so many degrees up from along it. */
     public StraightWallFixture(
@@ -43,7 +44,7 @@ public final class StraightWallFixture {
 
     /** Goes on until the follower is in a state, for a minute at most. */
     public StraightWallFixture runUntil(FollowerState state) {
-        for (long end = tick + 6000; tick < end && !telemetry.state().equals(state.name()); ) {
+        for (long end = tick + 6000; tick < end && telemetry.state() != state; ) {
             tick();
         }
         return this;
@@ -88,7 +89,7 @@ public final class StraightWallFixture {
     }
 
     /** The states passed so far. */
-    public List<String> states() {
+    public List<ControllerState> states() {
         return states;
     }
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
@@ -38,8 +39,8 @@ class WallFollowerTest {
         return follower.decide(Observations.observation(tick++, readings)).telemetry();
     }
 
-    private String decideFor(int ticks, Map<String, Double> readings) {
-        String state = "";
+    private ControllerState decideFor(int ticks, Map<String, Double> readings) {
+        ControllerState state = FollowerState.SEARCH;
         for (int i = 0; i < ticks; i++) {
             state = decide(readings).state();
         }
@@ -49,12 +50,10 @@ class WallFollowerTest {
     /** Turns past a wall whose left reading falls and rises again, turns back and follows it. */
     private void runToFollow() {
         decide(WALL_AHEAD);
-        for (int i = -50;
-                !decide(Map.of("left", 0.25 + 0.001 * Math.abs(i))).state().equals("ALIGN");
-                i++) {
+        for (int i = -50; decide(Map.of("left", 0.25 + 0.001 * Math.abs(i))).state() != FollowerState.ALIGN; i++) {
             assertTrue(i < 50, "the wall has not been left");
         }
-        assertEquals("FOLLOW", decideFor(200, WALL_BESIDE));
+        assertEquals(FollowerState.FOLLOW, decideFor(200, WALL_BESIDE));
     }
 
     // The table.
@@ -100,50 +99,54 @@ class WallFollowerTest {
 
     @Test
     void inTheOpenItSearchesStraightOn() {
-        assertEquals("SEARCH", decideFor(5000, NOTHING));
+        assertEquals(FollowerState.SEARCH, decideFor(5000, NOTHING));
     }
 
     @Test
     void whereTheLeftSensorNeverComesToTheWallItSearchesOn() {
-        assertEquals("TURN", decide(WALL_AHEAD).state());
-        assertEquals("TURN", decideFor(640, NOTHING), "after 384 degrees");
-        assertEquals("SEARCH", decideFor(60, NOTHING), "after 420 degrees");
+        assertEquals(FollowerState.TURN, decide(WALL_AHEAD).state());
+        assertEquals(FollowerState.TURN, decideFor(640, NOTHING), "after 384 degrees");
+        assertEquals(FollowerState.SEARCH, decideFor(60, NOTHING), "after 420 degrees");
     }
 
     @Test
     void whereTheLeftSensorNeverLeavesTheWallItSearchesOn() {
         decide(WALL_AHEAD);
         decide(NOTHING);
-        assertEquals("MEASURE", decide(WALL_BESIDE).state());
-        assertEquals("MEASURE", decideFor(640, WALL_BESIDE), "after 384 degrees");
-        Set<String> states = IntStream.range(0, 60)
+        assertEquals(FollowerState.MEASURE, decide(WALL_BESIDE).state());
+        assertEquals(FollowerState.MEASURE, decideFor(640, WALL_BESIDE), "after 384 degrees");
+        Set<ControllerState> states = IntStream.range(0, 60)
                 .mapToObj(i -> decide(WALL_BESIDE).state())
                 .collect(Collectors.toSet());
-        assertTrue(states.contains("SEARCH"), "after 420 degrees");
+        assertTrue(states.contains(FollowerState.SEARCH), "after 420 degrees");
     }
 
     @Test
     void whereAWallEndsAndNothingComesItSearchesOn() {
         runToFollow();
-        assertEquals("ROUND", decide(NOTHING).state());
+        assertEquals(FollowerState.ROUND, decide(NOTHING).state());
         assertEquals("wall ended", decide(NOTHING).condition());
-        assertEquals("ROUND", decideFor(600, NOTHING));
-        assertEquals("SEARCH", decideFor(100, NOTHING));
+        assertEquals(FollowerState.ROUND, decideFor(600, NOTHING));
+        assertEquals(FollowerState.SEARCH, decideFor(100, NOTHING));
     }
 
     @Test
     void aWallAheadComesBeforeAWallThatEnds() {
         runToFollow();
         Telemetry telemetry = decide(WALL_AHEAD);
-        assertEquals("TURN", telemetry.state());
+        assertEquals(FollowerState.TURN, telemetry.state());
         assertEquals("wall ahead", telemetry.condition());
     }
 
     @Test
     void aFarFrontCornerThatAWallComesNearToTurnsAsWell() {
         runToFollow();
-        assertEquals("FOLLOW", decide(Map.of("left", 0.25, "front-right", 0.5)).state());
-        assertEquals("TURN", decide(Map.of("left", 0.25, "front-right", 0.03)).state());
+        assertEquals(
+                FollowerState.FOLLOW,
+                decide(Map.of("left", 0.25, "front-right", 0.5)).state());
+        assertEquals(
+                FollowerState.TURN,
+                decide(Map.of("left", 0.25, "front-right", 0.03)).state());
     }
 
     @Test
@@ -193,7 +196,7 @@ class WallFollowerTest {
         RobotSpec blind = new RobotSpec(0.25, 0.2, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), List.of());
         for (int i = 0; i < 2000; i++) {
             assertEquals(
-                    "SEARCH",
+                    FollowerState.SEARCH,
                     follower.decide(Observations.observation(i, blind, NOTHING))
                             .telemetry()
                             .state());

@@ -2,6 +2,8 @@ package faultline.engine.metrics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.control.ControllerState;
+import faultline.control.FollowerState;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
@@ -37,8 +39,8 @@ class ExpectationTest {
                 100,
                 1,
                 50,
-                "FOLLOW",
-                List.of("SEARCH", "FOLLOW"),
+                FollowerState.FOLLOW,
+                List.of(FollowerState.SEARCH, FollowerState.FOLLOW),
                 collision,
                 coverage,
                 rms,
@@ -54,8 +56,8 @@ class ExpectationTest {
             Optional<Boolean> collision,
             OptionalDouble coverage,
             OptionalDouble rms,
-            List<String> states,
-            String last) {
+            List<ControllerState> states,
+            ControllerState last) {
         return new Expectation(collision, coverage, rms, states, Optional.of(last));
     }
 
@@ -65,8 +67,8 @@ class ExpectationTest {
                 Optional.of(false),
                 OptionalDouble.of(0.9),
                 OptionalDouble.of(0.005),
-                List.of("FOLLOW", "SEARCH"),
-                "FOLLOW");
+                List.of(FollowerState.FOLLOW, FollowerState.SEARCH),
+                FollowerState.FOLLOW);
         assertEquals(List.of(), all.unmet(result(Optional.empty(), OptionalDouble.of(0.9), OptionalDouble.of(0.005))));
         assertEquals(
                 List.of(),
@@ -79,8 +81,8 @@ class ExpectationTest {
                 Optional.of(false),
                 OptionalDouble.of(0.9),
                 OptionalDouble.of(0.005),
-                List.of("FOLLOW", "ROUND"),
-                "SEARCH");
+                List.of(FollowerState.FOLLOW, FollowerState.ROUND),
+                FollowerState.SEARCH);
         assertEquals(
                 List.of(
                         "expected no collision, but the robot struck desk at 3,1.5 after 12.25 s",
@@ -93,8 +95,8 @@ class ExpectationTest {
 
     @Test
     void whatCouldNotBeMeasuredIsUnmet() {
-        Expectation all =
-                expectation(Optional.of(true), OptionalDouble.of(0.9), OptionalDouble.of(0.005), List.of(), "FOLLOW");
+        Expectation all = expectation(
+                Optional.of(true), OptionalDouble.of(0.9), OptionalDouble.of(0.005), List.of(), FollowerState.FOLLOW);
         assertEquals(
                 List.of(
                         "expected a collision, but there was none",

@@ -3,6 +3,7 @@ package faultline.engine.metrics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.FollowerState;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.ControllerMode;
@@ -107,7 +108,7 @@ class HardRoomsTest {
                 Conditions.DEFAULT.withDuration(20).setupFor(CORNER_BETWEEN_CONES),
                 ControllerMode.DIRECT,
                 List.of(simulation -> {
-                    if (simulation.telemetry().state().equals("FOLLOW")) {
+                    if (simulation.telemetry().state() == FollowerState.FOLLOW) {
                         met.add(CORNER_BETWEEN_CONES.distance(simulation.pose().position()));
                     }
                 }));

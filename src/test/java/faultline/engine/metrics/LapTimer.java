@@ -1,5 +1,6 @@
 package faultline.engine.metrics;
 
+import faultline.control.FollowerState;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.geometry.Angles;
@@ -37,7 +38,7 @@ final class LapTimer implements TickObserver {
                 - simulation.telemetry().sinceTick() * simulation.setup().dt();
         if (simulation.time() > SETTLING_TIME
                 && steady > MIN_STRAIGHT_TIME
-                && simulation.telemetry().state().equals("FOLLOW")) {
+                && simulation.telemetry().state() == FollowerState.FOLLOW) {
             gate = simulation.pose();
             startTime = simulation.time();
         }

@@ -1,6 +1,7 @@
 package faultline.engine.metrics;
 
 import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.FollowerState;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
@@ -53,7 +54,7 @@ record WallFollowingRun(RunResult result, int searchCount, OptionalDouble lapTim
 
     static WallFollowingRun simulate(PolygonRoom room, Conditions manner) {
         LapTimer timer = new LapTimer();
-        StateEntryCounter searches = new StateEntryCounter("SEARCH");
+        StateEntryCounter searches = new StateEntryCounter(FollowerState.SEARCH);
         RunResult result = HeadlessRun.run(manner.setupFor(room), ControllerMode.DIRECT, List.of(timer, searches));
         double offset = manner.follower().distance() + manner.robot().width() / 2;
         return new WallFollowingRun(
@@ -95,17 +96,17 @@ record WallFollowingRun(RunResult result, int searchCount, OptionalDouble lapTim
     /** Counts how often a controller comes into a state. */
     private static final class StateEntryCounter implements TickObserver {
 
-        private final String state;
+        private final FollowerState state;
         private boolean inside;
         private int count;
 
-        StateEntryCounter(String state) {
+        StateEntryCounter(FollowerState state) {
             this.state = state;
         }
 
         @Override
         public void observe(Simulation simulation) {
-            boolean now = simulation.telemetry().state().equals(state);
+            boolean now = simulation.telemetry().state() == state;
             count += now && !inside ? 1 : 0;
             inside = now;
         }

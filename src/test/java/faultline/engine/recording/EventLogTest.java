@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.FollowerState;
 import org.junit.jupiter.api.Test;
 
 /** The event log: its order, its bound, and finding a moment in it. */
@@ -13,7 +14,7 @@ class EventLogTest {
 
     private EventLog logOf(int events) {
         for (int i = 0; i < events; i++) {
-            recorder.add(new RunEvent.StateChanged(10L * i, i, "A", "B", "go"));
+            recorder.add(new RunEvent.StateChanged(10L * i, i, FollowerState.SEARCH, FollowerState.TURN, "go"));
         }
         return recorder.view();
     }

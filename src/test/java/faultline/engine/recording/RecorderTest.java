@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
+import faultline.control.FollowerState;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
@@ -60,7 +62,7 @@ class RecorderTest {
     /** A moment of the direct run. */
     private record Moment(
             long tick,
-            String state,
+            ControllerState state,
             int transitions,
             double measuredDistance,
             double leftVolts,
@@ -77,7 +79,7 @@ class RecorderTest {
                         s.ticks(),
                         s.telemetry().state(),
                         s.telemetry().transitions(),
-                        s.telemetry().measuredDistance(),
+                        s.telemetry().wall().measuredDistance(),
                         s.leftVolts(),
                         s.trueReading(2),
                         s.reportedReading(2),
@@ -244,11 +246,12 @@ class RecorderTest {
                             .sum());
             List<Moment> moments = moments(room, (int) frame.snapshot().tick());
             long inFollow = moments.stream()
-                    .filter(moment -> moment.tick() > 0 && moment.state().equals("FOLLOW"))
+                    .filter(moment -> moment.tick() > 0 && moment.state() == FollowerState.FOLLOW)
                     .count();
-            assertEquals(inFollow, tally.dwell("FOLLOW").orElseThrow().ticks());
-            assertEquals(1, tally.transitionCount("SEARCH", "TURN"));
-            assertEquals(0, tally.transitionCount("FOLLOW", "ALIGN"));
+            assertEquals(
+                    inFollow, tally.dwell(FollowerState.FOLLOW).orElseThrow().ticks());
+            assertEquals(1, tally.transitionCount(FollowerState.SEARCH, FollowerState.TURN));
+            assertEquals(0, tally.transitionCount(FollowerState.FOLLOW, FollowerState.ALIGN));
         }
     }
 

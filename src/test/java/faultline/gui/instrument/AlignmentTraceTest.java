@@ -29,8 +29,7 @@ class AlignmentTraceTest {
     private static long arrival(SessionFrame frame, FollowerState state) {
         EventLog log = frame.recording().events();
         for (long i = log.endIndex() - 1; i >= 0; i--) {
-            if (log.get(i) instanceof RunEvent.StateChanged transition
-                    && transition.to().equals(state.name())) {
+            if (log.get(i) instanceof RunEvent.StateChanged transition && transition.to() == state) {
                 return transition.tick();
             }
         }
@@ -45,8 +44,8 @@ class AlignmentTraceTest {
     @Test
     void timesAreTheControllersAndTpIsHalfOfTd() {
         AlignmentTrace spin = AlignmentTrace.latest(FRAME).orElseThrow();
-        assertEquals(FRAME.telemetry().tF3(), spin.f3());
-        assertEquals(FRAME.telemetry().tF4(), spin.f4());
+        assertEquals(FRAME.telemetry().edges().tF3(), spin.f3());
+        assertEquals(FRAME.telemetry().edges().tF4(), spin.f4());
         assertEquals(spin.tD() / 2, spin.tP(), 1e-12);
     }
 

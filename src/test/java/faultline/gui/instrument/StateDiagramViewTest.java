@@ -51,7 +51,7 @@ class StateDiagramViewTest {
             SessionFrame frame = SampleRuns.frame(tick);
             BufferedImage picture = picture(frame);
             for (FollowerState state : FollowerState.values()) {
-                boolean holds = state.name().equals(frame.telemetry().state());
+                boolean holds = state == frame.telemetry().state();
                 assertEquals(
                         holds
                                 ? Theme.currentColours().accent().getRGB()
@@ -112,7 +112,7 @@ class StateDiagramViewTest {
             assertEquals(arrow.condition().replaceAll(" \\(F\\d\\)", ""), StateText.condition(arrow));
         }
         for (FollowerState state : FollowerState.values()) {
-            assertFalse(StateText.name(state.name()).equals(state.name()), state + " has no name for people");
+            assertFalse(StateText.name(state).equals(state.name()), state + " has no name for people");
         }
     }
 

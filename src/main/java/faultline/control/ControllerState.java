@@ -1,0 +1,38 @@
+package faultline.control;
+
+import java.util.Arrays;
+
+/** A state of a controller: one of the wall follower's six, or one that another controller names. */
+public sealed interface ControllerState permits FollowerState, ControllerState.Named {
+
+    /** Returns the name, such as FOLLOW. */
+    String name();
+
+    /** Returns the state of a name: the wall follower's if it has one of that name. */
+    static ControllerState of(String name) {
+        return Arrays.stream(FollowerState.values())
+                .filter(state -> state.name().equals(name))
+                .<ControllerState>map(state -> state)
+                .findFirst()
+                .orElseGet(() -> new Named(name));
+    }
+
+    /**
+     * A state that is not one of the wall follower's; {@link #of} makes it.
+     *
+     * @param name any text but a name of one of the wall follower's states
+     */
+    record Named(String name) implements ControllerState {
+
+        public Named {
+            if (Arrays.stream(FollowerState.values()).map(Enum::name).anyMatch(name::equals)) {
+                throw new IllegalArgumentException("the wall follower has a state of its own called " + name);
+            }
+        }
+
+        @Override
+        public String toString() {
+            return name;
+        }
+    }
+}
