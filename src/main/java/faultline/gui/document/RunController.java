@@ -91,6 +91,23 @@ public final class RunController implements WorkspaceListener {
         });
     }
 
+    /**
+     * Changes the edited scenario. If that changes its setup, the run is simulated again up to the present tick,
+     * asynchronously, with the commands that it was sent; a running one then resumes.
+     *
+     * @param change returns the new scenario; its tick must have the same length as before
+     */
+    public void change(UnaryOperator<Scenario> change) {
+        workspace.openDocument().ifPresent(now -> {
+            SimulationSetup before = now.document().edited().setup();
+            now.document().change(change);
+            workspace.fire(WorkspaceListener::titleChanged);
+            if (!now.document().edited().setup().equals(before)) {
+                navigator.resimulate();
+            }
+        });
+    }
+
     /** Returns the newest frame; empty before the first session. */
     public Optional<SessionFrame> frame() {
         return session().map(Session::frame);

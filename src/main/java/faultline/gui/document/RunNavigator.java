@@ -6,6 +6,7 @@ import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.ToLongFunction;
 
 /** Moves the run to other ticks: a new session replays the journal of the old one. Event dispatch thread only. */
 public final class RunNavigator implements WorkspaceListener {
@@ -17,6 +18,10 @@ public final class RunNavigator implements WorkspaceListener {
     private long furthestTick;
 
     private long replayEnd = NONE;
+    /** Whether the run is simulated again because its setup has been changed. */
+    private boolean resimulating;
+    /** Whether the run resumes after that. */
+    private boolean resuming;
 
     RunNavigator(Workspace workspace) {
         this.workspace = workspace;
@@ -29,28 +34,69 @@ public final class RunNavigator implements WorkspaceListener {
      * @param tick the tick, not negative
      */
     public void seek(long tick) {
+        endResimulation();
+        workspace.openDocument().ifPresent(now -> replay(now, past -> tick));
+    }
+
+    /** Simulates the run with its edited setup up to the present tick, asynchronously; a running one then resumes. */
+    void resimulate() {
         workspace.openDocument().ifPresent(now -> {
-            now.session().pause();
-            CompletableFuture<Journal> journal = now.session().fullJournal();
-            journal.thenAcceptAsync(past -> sessionLeft(now, past), EventQueue::invokeLater);
-            WorkspaceTask task =
-                    new WorkspaceTask(TaskKind.GO_TO, now.document().displayPath());
-            workspace.start(
-                    task,
-                    () -> new OpenDocument(now.document(), Session.replay(journal.join(), tick, reached -> {
-                        task.progress().setFraction((double) reached / tick);
-                        return true;
-                    })));
+            resuming |= now.session().status().running();
+            resimulating = true;
+            discardFuture();
+            replay(now, Journal::ticks);
         });
     }
 
-    private void sessionLeft(OpenDocument left, Journal journal) {
+    /** Pauses a run and replays it up to a tick. */
+    private void replay(OpenDocument now, ToLongFunction<Journal> end) {
+        now.session().pause();
+        CompletableFuture<Journal> past = now.session().journal();
+        CompletableFuture<Journal> whole = now.session()
+                .fullJournal()
+                .thenApplyAsync(journal -> documentJournal(now, journal), EventQueue::invokeLater);
+        WorkspaceTask task = new WorkspaceTask(TaskKind.GO_TO, now.document().displayPath());
+        workspace.start(task, () -> {
+            Journal journal = whole.join();
+            long tick = end.applyAsLong(past.join());
+            return new OpenDocument(now.document(), Session.replay(journal, tick, reached -> {
+                task.progress().setFraction((double) reached / tick);
+                return true;
+            }));
+        });
+    }
+
+    /** Returns the journal of a session with the edited setup of its document. */
+    private Journal documentJournal(OpenDocument left, Journal journal) {
         if (workspace
                 .openDocument()
                 .filter(now -> now.document() == left.document())
                 .isPresent()) {
             furthestTick = Math.max(furthestTick, journal.ticks());
         }
+        return left.document().journal(journal.ticks());
+    }
+
+    @Override
+    public void runRepositioned(long tick) {
+        boolean resume = resuming;
+        endResimulation();
+        if (resume) {
+            workspace.openDocument().ifPresent(now -> now.session().resume());
+        }
+    }
+
+    @Override
+    public void taskFinished() {
+        if (resimulating) {
+            runRepositioned(0);
+            workspace.fire(WorkspaceListener::setupChangeDeferred);
+        }
+    }
+
+    private void endResimulation() {
+        resimulating = false;
+        resuming = false;
     }
 
     /** Moves the run back by one tick, asynchronously, and pauses it there; does nothing while a task is active. */
@@ -69,6 +115,7 @@ public final class RunNavigator implements WorkspaceListener {
 
     @Override
     public void scenarioOpened() {
+        endResimulation();
         workspace.openDocument().map(now -> now.document().initial()).ifPresent(this::runStarted);
     }
 

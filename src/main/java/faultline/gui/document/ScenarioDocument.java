@@ -1,10 +1,12 @@
 package faultline.gui.document;
 
+import faultline.engine.Journal;
 import faultline.scenario.Scenario;
 import faultline.world.CommandResult;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 
 /**
  * A scenario that is being edited, its file, and what the file holds. It is edited by the results of commands, so it
@@ -12,8 +14,8 @@ import java.util.Optional;
  */
 final class ScenarioDocument {
 
-    private final Scenario initial;
-    private final SetupEditor editor;
+    private volatile Scenario initial;
+    private SetupEditor editor;
     private Path file;
     private Scenario saved;
     /** Null if commands have been executed since it was made. */
@@ -52,6 +54,22 @@ final class ScenarioDocument {
             edited = initial.withSetup(editor.setup());
         }
         return edited;
+    }
+
+    /**
+     * Changes the edited scenario. The commands on its timeline that were executed from outside become part of its
+     * setup; the other ones stay commands of the run.
+     */
+    void change(UnaryOperator<Scenario> change) {
+        Scenario base = initial.withSetup(initial.setup().withTimeline(editor.timeline()));
+        initial = change.apply(base);
+        editor = editor.rebased(initial.setup());
+        edited = null;
+    }
+
+    /** Returns the setup at the start of the run, and the commands executed since then or still ahead. */
+    Journal journal(long ticks) {
+        return new Journal(initial.setup(), editor.entries(), ticks);
     }
 
     /** Returns whether the file holds another scenario than the edited one, or none. */

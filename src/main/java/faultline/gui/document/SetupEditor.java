@@ -78,7 +78,7 @@ final class SetupEditor implements Command.Visitor<Boolean> {
     }
 
     /** Returns the timeline with the commands that belong to a time. Two of one tick that cancel out are left out. */
-    private List<SimulationSetup.TimedCommand> timeline() {
+    List<SimulationSetup.TimedCommand> timeline() {
         SetupEditor scratch = new SetupEditor(base);
         List<Journal.Entry> timed = new ArrayList<>();
         for (Journal.Entry entry : entries) {
@@ -95,8 +95,26 @@ final class SetupEditor implements Command.Visitor<Boolean> {
             }
         }
         List<SimulationSetup.TimedCommand> result = new ArrayList<>(base.timeline());
-        timed.forEach(entry -> result.add(new SimulationSetup.TimedCommand(entry.tick() * base.dt(), entry.command())));
+        timed.forEach(
+                entry -> result.add(new SimulationSetup.TimedCommand(base.timeOf(entry.tick()), entry.command())));
         return result;
+    }
+
+    /** Returns an editor of another setup with the executed commands that do not belong to the timeline. */
+    SetupEditor rebased(SimulationSetup newBase) {
+        SetupEditor result = new SetupEditor(newBase);
+        for (int i = 0; i < entries.size(); i++) {
+            if (entries.get(i).command().accept(result)) {
+                result.entries.add(entries.get(i));
+                result.position += i < position ? 1 : 0;
+            }
+        }
+        return result;
+    }
+
+    /** Returns the executed commands, including those that a moved run has still ahead. */
+    List<Journal.Entry> entries() {
+        return List.copyOf(entries);
     }
 
     private static boolean cancels(Command command, Command earlier) {

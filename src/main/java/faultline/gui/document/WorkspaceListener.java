@@ -18,6 +18,9 @@ public interface WorkspaceListener {
      */
     default void runRepositioned(long tick) {}
 
+    /** The user has cancelled the simulation of a changed setup: it takes effect when the run is moved or restarted. */
+    default void setupChangeDeferred() {}
+
     /** A new session has started. */
     default void sessionStarted() {}
 

@@ -1,7 +1,7 @@
 package faultline.gui.edit;
 
 /** An entry of the undo history. */
-sealed interface Edit permits CommandEdit, StartPoseEdit {
+sealed interface Edit permits CommandEdit, SetupEdit {
 
     /** Returns the name that menus show. */
     String name();

@@ -23,7 +23,7 @@ final class EditHistory {
     void add(Edit edit) {
         List<CommandEdit> ahead = editsAhead();
         edits.subList(cursor, edits.size()).clear();
-        if (!(last() instanceof CommandEdit last && edit instanceof CommandEdit newer && last.merge(newer))) {
+        if (!isMerged(edit)) {
             edits.add(edit);
         }
         if (last() instanceof CommandEdit last && last.isNoOp()) {
@@ -32,6 +32,16 @@ final class EditHistory {
         edits.subList(0, Math.max(0, edits.size() - MAX_EDITS)).clear();
         cursor = edits.size();
         edits.addAll(ahead);
+    }
+
+    private boolean isMerged(Edit edit) {
+        if (last() instanceof SetupEdit last
+                && edit instanceof SetupEdit newer
+                && last.gestureId() == newer.gestureId()) {
+            edits.set(edits.size() - 1, last.mergedWith(newer));
+            return true;
+        }
+        return last() instanceof CommandEdit last && edit instanceof CommandEdit newer && last.merge(newer);
     }
 
     private Edit last() {

@@ -1,6 +1,5 @@
 package faultline.gui.edit;
 
-import faultline.geometry.Pose;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import java.awt.EventQueue;
@@ -20,6 +19,9 @@ public final class UndoController {
 
     /** The longest pause between repeated commands about the same target that form one edit, milliseconds. */
     private static final long REPEAT_MILLIS = 1000;
+
+    /** The kind of the targets of setup edits. */
+    private static final String SETUP = "setup";
 
     private final BiConsumer<List<Command>, Consumer<List<CommandResult>>> channel;
     private final Runnable onStateChange;
@@ -79,7 +81,7 @@ public final class UndoController {
     public void send(List<Command> commands) {
         assert EventQueue.isDispatchThread();
         if (!commands.isEmpty()) {
-            int id = gestureIdOf(commands);
+            int id = gestureIdOf(commands.stream().map(EditTarget::of).toList());
             submit(commands, results -> recordEdit(id, results));
         }
     }
@@ -95,9 +97,8 @@ public final class UndoController {
         });
     }
 
-    /** Returns the id of a new gesture, unless one is active or the commands repeat the last ones. */
-    private int gestureIdOf(List<Command> commands) {
-        List<EditTarget> targets = commands.stream().map(EditTarget::of).toList();
+    /** Returns the id of a new gesture, unless one is active or the targets repeat the last ones. */
+    private int gestureIdOf(List<EditTarget> targets) {
         long now = clock.getAsLong();
         boolean repeated = targets.equals(lastTargets)
                 && now - lastMillis <= REPEAT_MILLIS
@@ -137,10 +138,18 @@ public final class UndoController {
         return results.stream().anyMatch(result -> result.refusal().isEmpty());
     }
 
-    /** Records a start pose that is set by restarting the run with {@code restarter}. */
-    public void addStartPoseEdit(Pose before, Pose after, Consumer<Pose> restarter) {
-        runRestarted();
-        history.add(new StartPoseEdit(before, after, restarter));
+    /**
+     * Records a change of the setup that has been made. Changes with equal targets in quick succession form one edit.
+     *
+     * @param name the name that menus show
+     * @param target what is changed
+     * @param undoAction restores the old setup
+     * @param redoAction sets the new setup again
+     */
+    public void addSetupEdit(String name, Object target, Runnable undoAction, Runnable redoAction) {
+        assert EventQueue.isDispatchThread();
+        int id = gestureIdOf(List.of(new EditTarget(SETUP, target, true)));
+        history.add(new SetupEdit(name, id, undoAction, redoAction));
         onStateChange.run();
     }
 
@@ -151,8 +160,8 @@ public final class UndoController {
             history.markUndone(edit, false);
             if (edit instanceof CommandEdit command) {
                 submit(command.undoCommands(), results -> undoOrRedoExecuted(command, false, results));
-            } else if (edit instanceof StartPoseEdit start) {
-                start.restarter().accept(start.before());
+            } else if (edit instanceof SetupEdit setup) {
+                setup.undoAction().run();
             }
             onStateChange.run();
         });
@@ -165,8 +174,8 @@ public final class UndoController {
             history.markDone(edit);
             if (edit instanceof CommandEdit command) {
                 submit(command.redoCommands(), results -> undoOrRedoExecuted(command, true, results));
-            } else if (edit instanceof StartPoseEdit start) {
-                start.restarter().accept(start.after());
+            } else if (edit instanceof SetupEdit setup) {
+                setup.redoAction().run();
             }
             onStateChange.run();
         });
@@ -192,7 +201,10 @@ public final class UndoController {
 
     /** Follows the run to another tick; later edits can be redone, and are redone when the run comes to them. */
     public void runRepositioned(long tick) {
-        endEdit();
+        // A change of the setup repositions the run itself, and the next one may continue it.
+        if (!lastTargets.stream().allMatch(target -> target.kind().equals(SETUP))) {
+            endEdit();
+        }
         if (timeline.moveTo(tick)) {
             onStateChange.run();
         }

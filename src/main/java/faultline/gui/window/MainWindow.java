@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.geometry.Pose;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;
 import faultline.gui.action.EditActions;
@@ -167,7 +168,13 @@ public final class MainWindow extends JFrame {
             Menus.createCanvasPopup(actionRegistry, target).show(canvas, at.x, at.y);
         });
         canvas.tools().addStartListener(pose -> workspace.scenario().ifPresent(open -> {
-            undoController.addStartPoseEdit(open.setup().start(), pose, runController::restartAt);
+            Pose before = open.setup().start();
+            undoController.runRestarted();
+            undoController.addSetupEdit(
+                    Messages.get("edit.start"),
+                    pose,
+                    () -> runController.restartAt(before),
+                    () -> runController.restartAt(pose));
             runController.restartAt(pose);
         }));
     }
@@ -298,6 +305,11 @@ public final class MainWindow extends JFrame {
         @Override
         public void runRepositioned(long tick) {
             undoController.runRepositioned(tick);
+        }
+
+        @Override
+        public void setupChangeDeferred() {
+            showNote(Messages.get("edit.deferred"));
         }
 
         @Override

@@ -1,0 +1,239 @@
+package faultline.gui.document;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Pose;
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.gui.edit.UndoController;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Changes of the setup while a run stands at tick 60: the run is simulated again. */
+@ExtendWith(EdtChecker.class)
+class SetupChangeTest {
+
+    private static final Command FAULT = new Command.InjectFault("left", new Fault.Stuck(0.13));
+    private static final Command SWITCH = new Command.SwitchSensor("front", false);
+    private static final int TICKS = 60;
+
+    @TempDir
+    private Path folder;
+
+    private final List<String> deferred = new ArrayList<>();
+    private Workspace workspace;
+    private RunController run;
+    private DocumentStore documentStore;
+    private UndoController edits;
+    private SimulationSetup original;
+
+    @BeforeEach
+    void runAWhile() {
+        runOnEdt(() -> {
+            workspace = new Workspace();
+            run = new RunController(workspace);
+            documentStore = new DocumentStore(workspace);
+            edits = new UndoController(run::send, () -> {});
+            workspace.addListener(new Forwarder());
+            documentStore.open(Path.of("scenarios/office.xml"));
+        });
+        Await.until("the scenario", () -> run.frame().isPresent());
+        original = callOnEdt(() -> workspace.scenario().orElseThrow().setup());
+        stepTo(TICKS);
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    @Test
+    void aFaultInThePastIsSimulatedUpToThePresentTick() {
+        long before = hash();
+        setTimeline(List.of(new TimedCommand(0.2, FAULT)));
+        assertEquals(TICKS, tick());
+        assertEquals(hashOf(original.withTimeline(List.of(new TimedCommand(0.2, FAULT)))), hash());
+        assertNotEquals(before, hash());
+        setTimeline(original.timeline());
+        assertEquals(before, hash());
+    }
+
+    @Test
+    void aFaultInTheFutureActsWhenTheRunComesToIt() {
+        setTimeline(List.of(new TimedCommand(0.63, FAULT)));
+        stepTo(62);
+        assertEquals(List.of(), faultsOfLeft());
+        stepTo(63);
+        assertEquals(List.of(new Fault.Stuck(0.13)), faultsOfLeft());
+    }
+
+    @Test
+    void aRunningRunGoesOn() {
+        runOnEdt(run::toggleRunning);
+        Await.until("the run", () -> run.status().orElseThrow().running());
+        setTimeline(List.of(new TimedCommand(0.2, FAULT)));
+        Await.until("the run to go on", () -> run.status().orElseThrow().running());
+        long tick = tick();
+        Await.until("more ticks", () -> run.frame().orElseThrow().snapshot().tick() > tick);
+    }
+
+    @Test
+    void whatWasInjectedByHandCanBeMovedAndWhatWasMovedStaysMoved() throws ScenarioException {
+        runOnEdt(
+                () -> edits.send(List.of(FAULT, SWITCH, new Command.MoveObstacle("copier", new Pose(3.3, 0.35, 0.5)))));
+        Await.until("the edit", () -> edits.undoName().isPresent());
+        stepTo(70);
+        List<TimedCommand> timeline = timeline();
+        assertEquals(2, timeline.size() - original.timeline().size());
+        List<TimedCommand> later = timeline.stream()
+                .map(timed -> new TimedCommand(timed.time() + 0.05, timed.command()))
+                .toList();
+        setTimeline(later);
+        assertEquals(later, timeline());
+        assertEquals(List.of(new Fault.Stuck(0.13)), faultsOfLeft());
+        assertEquals(new Pose(3.3, 0.35, 0.5), callOnEdt(() -> run.frame().orElseThrow().snapshot().obstacles().stream()
+                .filter(obstacle -> obstacle.id().equals("copier"))
+                .findFirst()
+                .orElseThrow()
+                .pose()));
+        assertSaved(later);
+    }
+
+    private void assertSaved(List<TimedCommand> timeline) throws ScenarioException {
+        assertTrue(callOnEdt(workspace::isChanged));
+        Path file = folder.resolve("saved.xml");
+        runOnEdt(() -> documentStore.save(file, () -> {}));
+        Await.until("the save", () -> !workspace.isChanged());
+        assertEquals(timeline, Scenario.load(file).setup().timeline());
+    }
+
+    @Test
+    void undoAndRedoSimulateTheRunAgainAndQuickChangesOfOneThingAreOneEdit() {
+        long before = hash();
+        List<TimedCommand> first = List.of(new TimedCommand(0.2, FAULT));
+        List<TimedCommand> second = List.of(new TimedCommand(0.3, FAULT));
+        edit(original.timeline(), first);
+        edit(first, second);
+        long after = hash();
+        runOnEdt(edits::undo);
+        waitForRun();
+        assertEquals(before, hash());
+        assertFalse(callOnEdt(workspace::isChanged));
+        runOnEdt(edits::redo);
+        waitForRun();
+        assertEquals(after, hash());
+        assertEquals(second, timeline());
+    }
+
+    private void edit(List<TimedCommand> from, List<TimedCommand> to) {
+        runOnEdt(() -> edits.addSetupEdit("Move", "one", () -> send(from), () -> send(to)));
+        setTimeline(to);
+    }
+
+    @Test
+    void aChangeThatIsCancelledTakesEffectWhenTheRunIsMoved() {
+        List<TimedCommand> wanted = List.of(new TimedCommand(0.2, FAULT));
+        runOnEdt(() -> {
+            send(wanted);
+            workspace.cancelTask();
+        });
+        assertEquals(List.of("deferred"), deferred);
+        assertEquals(List.of(), faultsOfLeft());
+        runOnEdt(() -> run.navigator().seek(40));
+        waitForRun();
+        assertEquals(List.of(new Fault.Stuck(0.13)), faultsOfLeft());
+    }
+
+    @Test
+    void anotherNameNeedsNoRun() {
+        runOnEdt(() -> run.change(old -> new Scenario("Mine", "", false, old.setup(), old.expectation())));
+        assertTrue(callOnEdt(() -> workspace.task().isEmpty() && workspace.isChanged()));
+        assertEquals("Mine", callOnEdt(() -> workspace.scenario().orElseThrow().name()));
+    }
+
+    private void send(List<TimedCommand> timeline) {
+        run.change(old -> old.withSetup(old.setup().withTimeline(timeline)));
+    }
+
+    private void setTimeline(List<TimedCommand> timeline) {
+        runOnEdt(() -> send(timeline));
+        waitForRun();
+    }
+
+    private void waitForRun() {
+        Await.until("the run", () -> workspace.task().isEmpty());
+    }
+
+    private void stepTo(long tick) {
+        for (long now = tick(); now < tick; now++) {
+            runOnEdt(run::step);
+        }
+        Await.until("tick " + tick, () -> run.frame().orElseThrow().snapshot().tick() == tick);
+    }
+
+    private long tick() {
+        return callOnEdt(() -> run.frame().orElseThrow().snapshot().tick());
+    }
+
+    private long hash() {
+        return callOnEdt(() -> run.frame().orElseThrow().frame().trajectoryHash());
+    }
+
+    private static long hashOf(SimulationSetup setup) {
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            for (int i = 0; i < TICKS; i++) {
+                simulation.tick();
+            }
+            return simulation.trajectoryHash();
+        }
+    }
+
+    private List<TimedCommand> timeline() {
+        return callOnEdt(() -> workspace.scenario().orElseThrow().setup().timeline());
+    }
+
+    private List<Fault> faultsOfLeft() {
+        return callOnEdt(() -> run.frame().orElseThrow().snapshot().sensors().stream()
+                .filter(sensor -> sensor.spec().id().equals("left"))
+                .findFirst()
+                .orElseThrow()
+                .faults());
+    }
+
+    /** Forwards events to the undo controller, as the window does. */
+    private final class Forwarder implements WorkspaceListener {
+        @Override
+        public void runRepositioned(long tick) {
+            edits.runRepositioned(tick);
+        }
+
+        @Override
+        public void setupChangeDeferred() {
+            deferred.add("deferred");
+        }
+
+        @Override
+        public void taskFailed(TaskKind task, Path file, Throwable failure) {
+            throw new AssertionError(failure);
+        }
+    }
+}
