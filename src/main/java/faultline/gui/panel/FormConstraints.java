@@ -1,17 +1,32 @@
 package faultline.gui.panel;
 
+import faultline.gui.text.Messages;
 import java.awt.GridBagConstraints;
 import java.awt.Insets;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
 
 /** Constraints for the cells of a form. */
-final class FormConstraints {
+public final class FormConstraints {
 
     private static final int GAP = 6;
 
     private FormConstraints() {}
 
+    /**
+     * Returns the label of a field.
+     *
+     * @param key the key of its text
+     * @param field the field
+     */
+    public static JLabel label(String key, JComponent field) {
+        JLabel label = new JLabel(Messages.get(key));
+        label.setLabelFor(field);
+        return label;
+    }
+
     /** Returns a cell as wide as its component; texts and fields share a baseline. */
-    static GridBagConstraints cell(int column, int row) {
+    public static GridBagConstraints cell(int column, int row) {
         GridBagConstraints constraints = new GridBagConstraints();
         constraints.gridx = column;
         constraints.gridy = row;
@@ -21,7 +36,7 @@ final class FormConstraints {
     }
 
     /** Returns a cell that fills the remaining width. */
-    static GridBagConstraints fillCell(int column, int row) {
+    public static GridBagConstraints fillCell(int column, int row) {
         GridBagConstraints constraints = cell(column, row);
         constraints.weightx = 1;
         constraints.fill = GridBagConstraints.HORIZONTAL;
@@ -29,21 +44,21 @@ final class FormConstraints {
     }
 
     /** Returns a cell that spans the remaining columns. */
-    static GridBagConstraints fillRow(int column, int row) {
+    public static GridBagConstraints fillRow(int column, int row) {
         GridBagConstraints constraints = fillCell(column, row);
         constraints.gridwidth = GridBagConstraints.REMAINDER;
         return constraints;
     }
 
     /** Returns a cell for a component without a baseline, centred in its row. */
-    static GridBagConstraints centredCell(int column, int row) {
+    public static GridBagConstraints centredCell(int column, int row) {
         GridBagConstraints constraints = cell(column, row);
         constraints.anchor = GridBagConstraints.CENTER;
         return constraints;
     }
 
     /** Returns a cell for a component without a baseline, at the start of its column and centred in its row. */
-    static GridBagConstraints leadingCell(int column, int row) {
+    public static GridBagConstraints leadingCell(int column, int row) {
         GridBagConstraints constraints = cell(column, row);
         constraints.anchor = GridBagConstraints.LINE_START;
         return constraints;

@@ -296,6 +296,7 @@ class MainPanelTest {
                 && !(label.getParent() instanceof CellRendererPane);
         return (text || part instanceof AbstractButton || part instanceof JSpinner || part instanceof JSlider)
                 && part.isVisible()
+                && part.getParent().isVisible()
                 && part.getPreferredSize().width > 0
                 && !(part.getParent() instanceof Box.Filler);
     }
