@@ -40,7 +40,7 @@ final class CheckCommand {
             }
             return ExitCode.SUCCESS;
         } catch (ScenarioException e) {
-            output.printError(e.getMessage());
+            output.printError(e);
             return ExitCode.BAD_INPUT;
         }
     }

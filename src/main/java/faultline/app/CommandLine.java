@@ -6,8 +6,11 @@ import faultline.io.MessageText;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -60,18 +63,38 @@ final class CommandLine {
         } catch (UsageException e) {
             return reportError(ExitCode.BAD_INPUT, "faultline: " + e.getMessage() + " (faultline --help tells more)");
         } catch (ScenarioException e) {
-            return reportError(ExitCode.BAD_INPUT, e.getMessage());
+            output.printError(e);
+            return ExitCode.BAD_INPUT;
         } catch (UncheckedIOException e) {
-            return reportError(
-                    ExitCode.BAD_INPUT,
-                    "faultline: an output cannot be written: " + e.getCause().getMessage());
+            return reportError(ExitCode.BAD_INPUT, "faultline: " + describe(e.getCause()));
         } catch (IOException e) {
-            return reportError(ExitCode.BAD_INPUT, "faultline: " + e.getMessage());
+            return reportError(ExitCode.BAD_INPUT, "faultline: " + describe(e));
         } catch (RunFailedException e) {
             return reportError(ExitCode.RUN_FAILED, "faultline: the run broke: " + e.getMessage());
         } catch (RuntimeException | Error e) {
             return reportError(ExitCode.RUN_FAILED, "faultline: the program failed, which is its own fault: " + e);
         }
+    }
+
+    /** Returns a sentence; the messages of the file system are often the name of a file alone. */
+    private static String describe(IOException e) {
+        if (e instanceof FileSystemException file && file.getFile() != null) {
+            return file.getFile() + ": " + reason(file);
+        }
+        return e.getMessage();
+    }
+
+    private static String reason(FileSystemException e) {
+        if (e instanceof NoSuchFileException) {
+            return "there is no such file";
+        }
+        if (e instanceof AccessDeniedException) {
+            return "access is denied";
+        }
+        if (e instanceof FileAlreadyExistsException) {
+            return "this is a file, allowed is a folder";
+        }
+        return e.getReason() == null ? "the file cannot be used" : e.getReason();
     }
 
     private int reportError(int code, String line) {
@@ -103,8 +126,8 @@ final class CommandLine {
                 && (argument.endsWith(".xml") || java.nio.file.Files.exists(Arguments.parsePath(argument)));
     }
 
-    private int println(String... lines) {
-        Arrays.stream(lines).forEach(output::println);
+    private int println(String text) {
+        text.lines().forEach(output::println);
         return ExitCode.SUCCESS;
     }
 }

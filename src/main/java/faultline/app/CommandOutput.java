@@ -1,5 +1,7 @@
 package faultline.app;
 
+import faultline.io.MessageText;
+import faultline.scenario.xml.ScenarioException;
 import java.io.PrintStream;
 import java.util.List;
 
@@ -11,16 +13,23 @@ import java.util.List;
  */
 record CommandOutput(PrintStream out, PrintStream err) {
 
+    /** Prints a line; control characters in it, which may come from the name of a file, are replaced by blanks. */
     void println(String line) {
-        out.println(line);
+        out.println(MessageText.oneLine(line));
     }
 
     void println(List<String> lines) {
         lines.forEach(this::println);
     }
 
+    /** Prints a line; control characters in it are replaced by blanks. */
     void printError(String line) {
-        err.println(line);
+        err.println(MessageText.oneLine(line));
+    }
+
+    /** Prints one line for each problem. */
+    void printError(ScenarioException exception) {
+        exception.problems().forEach(problem -> printError(problem.toString()));
     }
 
     /** Flushes both streams and returns whether everything was written; false if a pipe is closed or a disk is full. */

@@ -1,7 +1,9 @@
 package faultline.app;
 
 import faultline.campaign.report.CampaignReport;
+import faultline.campaign.run.CampaignFolder;
 import faultline.io.AtomicFile;
+import faultline.io.FileTarget;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -25,12 +27,13 @@ final class ReportCommand {
         }
         Path target = sorted.fileOption("--out")
                 .orElseThrow(() -> new UsageException("report needs --out FILE.html, the page that it writes"));
-        CampaignReport report =
-                new CampaignReport(Arguments.parsePath(sorted.files().get(0)));
-        try (AtomicFile out = AtomicFile.create(target)) {
-            out.stream().write(report.html().getBytes(StandardCharsets.UTF_8));
-            out.commit();
+        Path folder = Arguments.parsePath(sorted.files().get(0));
+        CampaignReport report = new CampaignReport(folder);
+        if (FileTarget.findConflict(new CampaignFolder(folder).files(), List.of(target))
+                .isPresent()) {
+            throw new UsageException("--out is a file of the campaign itself, allowed is another file");
         }
+        AtomicFile.write(target, report.html().getBytes(StandardCharsets.UTF_8));
         output.println("report: " + target);
         output.println("runs: " + report.runCount());
         return ExitCode.SUCCESS;

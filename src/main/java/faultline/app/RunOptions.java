@@ -5,6 +5,7 @@ import faultline.engine.SimulationSetup;
 import faultline.external.ExternalController;
 import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
+import faultline.io.FileTarget;
 import faultline.io.MessageText;
 import faultline.scenario.Scenario;
 import java.math.BigDecimal;
@@ -13,6 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import java.util.stream.Stream;
 
 /**
  * The options of {@code run}.
@@ -126,12 +128,9 @@ record RunOptions(
     }
 
     private void checkFilesDiffer() throws UsageException {
-        List<Path> all = java.util.stream.Stream.of(Optional.of(file), trace, image, journal)
-                .flatMap(Optional::stream)
-                .map(path -> path.toAbsolutePath().normalize())
-                .filter(path -> !path.startsWith("/dev"))
-                .toList();
-        if (all.stream().distinct().count() < all.size()) {
+        List<Path> outputs =
+                Stream.of(trace, image, journal).flatMap(Optional::stream).toList();
+        if (FileTarget.findConflict(List.of(file), outputs).isPresent()) {
             throw new UsageException("one file is named twice, allowed is another one for each output");
         }
     }

@@ -7,6 +7,7 @@ import faultline.engine.TickObserver;
 import faultline.engine.metrics.TraceWriter;
 import faultline.io.AtomicFile;
 import faultline.paint.export.FrameRenderer;
+import faultline.paint.export.PngImage;
 import faultline.paint.surface.Palette;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
@@ -20,7 +21,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import javax.imageio.ImageIO;
 
 /**
  * The output files of a run. All files are opened before the run, so that one that cannot be written is reported at
@@ -83,7 +83,7 @@ final class RunOutputs implements AutoCloseable {
             traceWriter.get().flush();
         }
         if (image.isPresent()) {
-            ImageIO.write(renderImage(lastFrame.orElseThrow()), "png", image.get().stream());
+            PngImage.write(renderImage(lastFrame.orElseThrow()), image.get().stream());
         }
         if (journal.isPresent()) {
             Scenario replay = JournalScenario.create(scenario, new Journal(scenario.setup(), List.of(), ticks));
@@ -103,8 +103,16 @@ final class RunOutputs implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
+        IOException failure = null;
         for (AtomicFile file : openFiles) {
-            file.close();
+            try {
+                file.close();
+            } catch (IOException e) {
+                failure = e;
+            }
+        }
+        if (failure != null) {
+            throw failure;
         }
     }
 }

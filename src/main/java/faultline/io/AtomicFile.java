@@ -3,34 +3,34 @@ package faultline.io;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
 import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.util.concurrent.atomic.AtomicLong;
+import java.nio.file.attribute.BasicFileAttributes;
 
 /**
- * A file that is there whole or not at all: written under another name in the same folder, and moved into place by
- * {@link #commit()}. One that is closed without that leaves no trace. A device such as {@code /dev/stdout} is written
- * directly.
+ * A file that is there whole or not at all: written under a random name in the same folder, forced to the disk, and
+ * moved into place by {@link #commit()}. One that is closed without that leaves no trace, nor does one that is open
+ * when the process is ended by a signal. A device or a pipe, such as {@code /dev/stdout}, is written directly.
+ *
+ * <p>While it is written, only its owner may read it; in its place it has the permissions of the file that it replaces.
  */
 public final class AtomicFile implements AutoCloseable {
 
-    /**
-     * The same file may be written twice at once, as by two saves in quick succession: each has its own place until its
-     * commit.
-     */
-    private static final AtomicLong SEQUENCE = new AtomicLong();
-
     private final Path target;
-    private final Path temporaryFile;
-    private final OutputStream stream;
+    private final TemporaryFile temporary;
+    private final FailureReportingStream stream;
     private boolean committed;
 
-    private AtomicFile(Path target, Path written, OutputStream stream) {
+    private AtomicFile(Path target, TemporaryFile temporary, FailureReportingStream stream) {
         this.target = target;
-        this.temporaryFile = written;
+        this.temporary = temporary;
         this.stream = stream;
     }
 
@@ -43,28 +43,47 @@ public final class AtomicFile implements AutoCloseable {
      */
     public static AtomicFile create(Path file) throws IOException {
         if (Files.isDirectory(file)) {
-            throw new MessageException(file.toString(), WriteProblem.IS_FOLDER.with(), null);
+            throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.IS_FOLDER.with(), null);
         }
         try {
-            Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
-            if (Files.exists(target) && !Files.isRegularFile(target)) {
-                return new AtomicFile(target, target, Files.newOutputStream(target));
+            if (FileTarget.isStream(file)) {
+                return new AtomicFile(file, null, new FailureReportingStream(file, FileTarget.openStream(file)));
             }
-            if (Files.exists(target) && !Files.isWritable(target)) {
-                throw new MessageException(file.toString(), WriteProblem.READ_ONLY.with(), null);
+            Path target = FileTarget.resolve(file);
+            if (exists(target) && !Files.isWritable(target)) {
+                throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.READ_ONLY.with(), null);
             }
-            return createTemporary(target);
-        } catch (java.nio.file.FileSystemException e) {
-            throw new MessageException(file.toString(), WriteProblem.CANNOT_WRITE.with(), e);
+            TemporaryFile temporary = TemporaryFile.create(target);
+            FileChannel channel = FileChannel.open(temporary.path(), StandardOpenOption.WRITE);
+            OutputStream stream = new BufferedOutputStream(Channels.newOutputStream(channel));
+            return new AtomicFile(target, temporary, new FailureReportingStream(file, stream));
+        } catch (FileSystemException e) {
+            throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.CANNOT_WRITE.with(), e);
         }
     }
 
-    private static AtomicFile createTemporary(Path target) throws IOException {
-        Path written = target.resolveSibling("." + target.getFileName() + "."
-                + ProcessHandle.current().pid() + "-" + SEQUENCE.incrementAndGet() + ".tmp");
-        OutputStream stream = Files.newOutputStream(
-                written, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING, StandardOpenOption.WRITE);
-        return new AtomicFile(target, written, new BufferedOutputStream(stream));
+    /** Unlike {@link Files#exists}, throws an exception if there could be no such file, as one with too long a name. */
+    private static boolean exists(Path file) throws IOException {
+        try {
+            Files.readAttributes(file, BasicFileAttributes.class);
+            return true;
+        } catch (NoSuchFileException e) {
+            return false;
+        }
+    }
+
+    /**
+     * Writes a whole file.
+     *
+     * @param file where it is to be; an existing file is replaced
+     * @param bytes the content
+     * @throws IOException if it cannot be written there, in one sentence
+     */
+    public static void write(Path file, byte[] bytes) throws IOException {
+        try (AtomicFile out = create(file)) {
+            out.stream().write(bytes);
+            out.commit();
+        }
     }
 
     /**
@@ -82,26 +101,41 @@ public final class AtomicFile implements AutoCloseable {
      * @throws IOException if it cannot be
      */
     public void commit() throws IOException {
-        stream.close();
-        if (!temporaryFile.equals(target)) {
+        stream.flush();
+        if (temporary == null) {
+            stream.close();
+            committed = true;
+            return;
+        }
+        try {
+            temporary.force();
+            stream.close();
+            temporary.applyPermissions();
             moveToTarget();
+        } catch (FileSystemException e) {
+            throw stream.problem(e);
         }
         committed = true;
+        temporary.forget();
+        TemporaryFile.forceFolder(target.getParent());
     }
 
     private void moveToTarget() throws IOException {
         try {
-            Files.move(temporaryFile, target, StandardCopyOption.ATOMIC_MOVE);
+            Files.move(temporary.path(), target, StandardCopyOption.ATOMIC_MOVE);
         } catch (AtomicMoveNotSupportedException e) {
-            Files.move(temporaryFile, target, StandardCopyOption.REPLACE_EXISTING);
+            Files.move(temporary.path(), target, StandardCopyOption.REPLACE_EXISTING);
         }
     }
 
     @Override
     public void close() throws IOException {
-        if (!committed && !temporaryFile.equals(target)) {
-            stream.close();
-            Files.deleteIfExists(temporaryFile);
+        if (committed) {
+            return;
+        }
+        stream.abandon();
+        if (temporary != null) {
+            temporary.delete();
         }
     }
 }

@@ -127,7 +127,7 @@ public final class JsonWriter {
             char c = value.charAt(i);
             if (c == '"' || c == '\\') {
                 text.append('\\').append(c);
-            } else if (c < ' ' || Character.isSurrogate(c) || c == 0x2028 || c == 0x2029) {
+            } else if (MessageText.isControl(c)) {
                 text.append("\\u");
                 for (int shift = 12; shift >= 0; shift -= 4) {
                     text.append(Character.forDigit(c >> shift & 0xf, 16));

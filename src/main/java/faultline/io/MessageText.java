@@ -20,12 +20,27 @@ public final class MessageText {
         return oneLine(text.length() > MAX_EXCERPT_LENGTH ? text.substring(0, MAX_EXCERPT_LENGTH) + "..." : text);
     }
 
-    /** Returns a text with every control character replaced by a blank. */
+    /**
+     * Returns a text with a blank in place of every character that could change how the rest is shown: control
+     * characters, line separators and the controls of bidirectional text.
+     */
     public static String oneLine(String text) {
         return text.codePoints()
-                .map(c -> Character.isISOControl(c) || c == 0x2028 || c == 0x2029 ? ' ' : c)
+                .map(c -> isControl(c) ? ' ' : c)
                 .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
                 .toString();
+    }
+
+    static boolean isControl(int c) {
+        return Character.isISOControl(c)
+                || c == 0x2028
+                || c == 0x2029
+                || c == 0x061C
+                || c == 0x200E
+                || c == 0x200F
+                || c >= 0x202A && c <= 0x202E
+                || c >= 0x2066 && c <= 0x2069
+                || c >= Character.MIN_SURROGATE && c <= Character.MAX_SURROGATE;
     }
 
     /** Returns the name of an enum constant in camel case, such as {@code tooDeep} for {@code TOO_DEEP}. */

@@ -2,15 +2,21 @@ package faultline.io;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class AtomicFileTest {
 
@@ -77,5 +83,113 @@ class AtomicFileTest {
         assertEquals(
                 folder + ": this is a folder, allowed is a file",
                 assertThrows(IOException.class, () -> AtomicFile.create(folder)).getMessage());
+    }
+
+    private static String mode(Path file) throws IOException {
+        return PosixFilePermissions.toString(Files.getPosixFilePermissions(file));
+    }
+
+    @Test
+    void theNewFileHasThePermissionsOfTheOldOne() throws IOException {
+        Path file = Files.writeString(folder.resolve("a.txt"), "old");
+        for (String permissions : List.of("rw-------", "rw-r-----", "rwxrwxrwx")) {
+            Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(permissions));
+            write(file, "new", true);
+            assertEquals(permissions, mode(file));
+        }
+    }
+
+    @Test
+    void aFileThatWasNotThereHasThePermissionsOfAnyNewFile() throws IOException {
+        Path usual = Files.createFile(folder.resolve("usual"));
+        write(folder.resolve("a.txt"), "new", true);
+        assertEquals(mode(usual), mode(folder.resolve("a.txt")));
+    }
+
+    @Test
+    void whileItIsWrittenOnlyItsOwnerMayReadIt() throws IOException {
+        try (AtomicFile out = AtomicFile.create(folder.resolve("a.txt"))) {
+            assertEquals(List.of("rw-------"), List.of(mode(files().get(0))));
+            out.commit();
+        }
+    }
+
+    @Test
+    void aLongNameIsWrittenAndATooLongOneIsReportedAtOnce() throws IOException {
+        Path file = folder.resolve("x".repeat(250) + ".csv");
+        write(file, "new", true);
+        assertEquals(List.of(file), files());
+        Path tooLong = folder.resolve("x".repeat(300));
+        assertEquals(
+                tooLong + ": the file cannot be written there",
+                assertThrows(IOException.class, () -> AtomicFile.create(tooLong))
+                        .getMessage());
+    }
+
+    @Test
+    void aLinkToAFileThatIsNotThereYetStaysALink() throws IOException {
+        Path link = Files.createSymbolicLink(folder.resolve("link.txt"), Path.of("a.txt"));
+        write(link, "new", true);
+        assertEquals("new", Files.readString(folder.resolve("a.txt")));
+        assertTrue(Files.isSymbolicLink(link));
+    }
+
+    @Test
+    void linksInALoopAreReported() throws IOException {
+        Path one = Files.createSymbolicLink(folder.resolve("one"), Path.of("two"));
+        Files.createSymbolicLink(folder.resolve("two"), Path.of("one"));
+        assertEquals(
+                one + ": the file cannot be written there",
+                assertThrows(IOException.class, () -> AtomicFile.create(one)).getMessage());
+    }
+
+    @Test
+    void aFullDiskIsOneSentenceWithTheNameOfTheFile() throws IOException {
+        Path full = Path.of("/dev/full");
+        assumeTrue(Files.exists(full));
+        try (AtomicFile out = AtomicFile.create(full)) {
+            out.stream().write(1);
+            assertEquals(
+                    "/dev/full: the file cannot be written completely, because the disk is full",
+                    assertThrows(IOException.class, out::commit).getMessage());
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "a.txt, a.txt",
+        "a.txt, ./a.txt",
+        "a.txt, sub/../a.txt",
+        "a.txt, link.txt",
+        "a.txt, hard.txt",
+        "a.txt, linked/a.txt",
+        "new.txt, linked/new.txt",
+        "new.txt, dangling.txt",
+        "link.txt, hard.txt"
+    })
+    void twoPathsOfOneFileAreInConflict(String one, String other) throws IOException {
+        prepareLinks();
+        Path output = folder.resolve(other);
+        assertEquals(Optional.of(output), FileTarget.findConflict(List.of(folder.resolve(one)), List.of(output)));
+        assertEquals(Optional.of(output), FileTarget.findConflict(List.of(), List.of(folder.resolve(one), output)));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"a.txt, b.txt", "new.txt, other.txt", "a.txt, sub/a.txt", "/dev/null, /dev/null"})
+    void otherPathsAreNot(String one, String other) throws IOException {
+        prepareLinks();
+        assertEquals(
+                Optional.empty(),
+                FileTarget.findConflict(List.of(), List.of(folder.resolve(one), folder.resolve(other))));
+    }
+
+    private void prepareLinks() throws IOException {
+        Files.createDirectory(folder.resolve("sub"));
+        Path file = Files.writeString(folder.resolve("a.txt"), "old");
+        Files.writeString(folder.resolve("b.txt"), "old");
+        Files.createSymbolicLink(folder.resolve("link.txt"), Path.of("a.txt"));
+        Files.createLink(folder.resolve("hard.txt"), file);
+        Files.createSymbolicLink(folder.resolve("linked"), folder);
+        Files.createSymbolicLink(folder.resolve("dangling.txt"), Path.of("new.txt"));
     }
 }

@@ -8,7 +8,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -83,6 +85,16 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
 
     private static String copyName(int number) {
         return "scenario-" + number + ".xml";
+    }
+
+    /** Returns the paths that the plan and the scenarios were read from. */
+    public List<Path> paths() {
+        Path file = Path.of(name).toAbsolutePath();
+        List<Path> paths = new ArrayList<>(List.of(file));
+        for (String scenario : scenarios.keySet()) {
+            paths.add(file.resolveSibling(scenario));
+        }
+        return paths;
     }
 
     /** Returns the bytes of all files by the names that a copy gives them, the plan first. */

@@ -3,6 +3,7 @@ package faultline.campaign.run;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlanFiles;
 import faultline.io.AtomicFile;
+import faultline.io.FileTarget;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
@@ -12,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -55,6 +57,37 @@ public final class CampaignFolder {
      */
     public CampaignPlan readPlan() throws ScenarioException {
         return PlanFiles.readCopy(plan());
+    }
+
+    /** Returns the files of this campaign that exist, but for those that it is only locked by. */
+    public List<Path> files() throws IOException {
+        List<Path> files = new ArrayList<>(tables());
+        for (Path inside : List.of(plan(), replays())) {
+            if (Files.isDirectory(inside)) {
+                try (Stream<Path> listed = Files.list(inside)) {
+                    listed.forEach(files::add);
+                }
+            }
+        }
+        return files;
+    }
+
+    private List<Path> tables() {
+        return List.of(runs(), timing(), manifest());
+    }
+
+    /**
+     * Checks that writing the tables destroys no other file.
+     *
+     * @param inputs the files that the campaign is made from
+     * @throws IOException if a table is an input or another table, by a link
+     */
+    void checkTables(List<Path> inputs) throws IOException {
+        Optional<Path> conflict = FileTarget.findConflict(inputs, tables());
+        if (conflict.isPresent()) {
+            throw new IOException(
+                    conflict.get() + ": this is another file of the campaign too, allowed is a file of its own");
+        }
     }
 
     /** Returns the text of the manifest, empty if there is none. */
@@ -106,6 +139,7 @@ public final class CampaignFolder {
         if (earlier.isEmpty() && Files.exists(runs())) {
             throw new IOException(folder + ": there is a runs.csv without its campaign.json");
         }
+        checkTables(plan.files().paths());
         if (earlier.isEmpty()) {
             write(plan, text);
         }
@@ -115,30 +149,22 @@ public final class CampaignFolder {
     private void write(CampaignPlan plan, String manifest) throws IOException {
         removeTemporaryFiles(folder);
         Files.createDirectories(plan());
-        for (Map.Entry<String, byte[]> file : plan.files().copies().entrySet()) {
-            writeFile(plan().resolve(file.getKey()), file.getValue());
+        List<Path> copies = plan.files().copies().keySet().stream()
+                .map(name -> plan().resolve(name))
+                .toList();
+        Optional<Path> conflict = FileTarget.findConflict(plan.files().paths(), copies);
+        if (conflict.isPresent()) {
+            throw new IOException(conflict.get() + ": the plan is made of this file, allowed is another folder");
         }
-        writeFile(manifest(), manifest.getBytes(StandardCharsets.UTF_8));
+        for (Map.Entry<String, byte[]> file : plan.files().copies().entrySet()) {
+            AtomicFile.write(plan().resolve(file.getKey()), file.getValue());
+        }
+        AtomicFile.write(manifest(), manifest.getBytes(StandardCharsets.UTF_8));
     }
 
     /** Writes the copy of the plan and the manifest of a whole campaign. */
     void writeMerged(CampaignPlan plan) throws IOException {
         write(plan, CampaignManifest.text(plan, Shard.ALL));
-    }
-
-    /** Writes a file whole or not at all, and forces it to the disk. */
-    static void writeFile(Path file, byte[] bytes) throws IOException {
-        try (AtomicFile out = AtomicFile.create(file)) {
-            out.stream().write(bytes);
-            out.commit();
-        }
-        force(file);
-    }
-
-    static void force(Path file) throws IOException {
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
-            channel.force(true);
-        }
     }
 
     /** Removes what a killed process left half written. */

@@ -77,6 +77,11 @@ public final class CampaignMerge {
             if (out.readManifest().isPresent()) {
                 throw new IOException(out + ": there is a campaign already, allowed is another folder");
             }
+            List<Path> inputs = new ArrayList<>();
+            for (Part part : parts) {
+                inputs.addAll(part.folder.files());
+            }
+            out.checkTables(inputs);
             long broken = concatenate(out.runs(), CampaignFolder::runs, true);
             concatenate(out.timing(), CampaignFolder::timing, false);
             new WorstRuns(plan, out).writeReplays();
@@ -98,7 +103,6 @@ public final class CampaignMerge {
             }
             out.commit();
         }
-        CampaignFolder.force(target);
         return broken;
     }
 

@@ -71,17 +71,10 @@ public final class RecoveryStore {
     /** Saves unsaved edits of a file, null for a scenario without a file. */
     void save(Path origin, Scenario scenario) throws IOException {
         Files.createDirectories(folder);
-        write(
+        AtomicFile.write(
                 folder.resolve(process + ORIGIN_SUFFIX),
                 (origin == null ? "" : origin.toAbsolutePath().toString()).getBytes(StandardCharsets.UTF_8));
-        write(ownFile(), scenario.toBytes());
-    }
-
-    private static void write(Path file, byte[] bytes) throws IOException {
-        try (AtomicFile out = AtomicFile.create(file)) {
-            out.stream().write(bytes);
-            out.commit();
-        }
+        AtomicFile.write(ownFile(), scenario.toBytes());
     }
 
     /** Saves the edits of another process as those of this one. */

@@ -8,6 +8,10 @@ import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
+import faultline.io.FileTarget;
+import faultline.io.MessageException;
+import faultline.io.WriteProblem;
+import faultline.paint.export.PngImage;
 import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Palette;
 import java.awt.Component;
@@ -19,7 +23,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
-import javax.imageio.ImageIO;
 import javax.swing.JOptionPane;
 
 /**
@@ -87,7 +90,7 @@ public final class ExportController implements WorkspaceListener {
     }
 
     private void exportPng(RenderRequest request) {
-        write("exportPng", ".png", (out, progress) -> ImageIO.write(request.toImage(RESOLUTION_SCALE), "png", out));
+        write("exportPng", ".png", (out, progress) -> PngImage.write(request.toImage(RESOLUTION_SCALE), out));
     }
 
     private void exportSvg(RenderRequest request) {
@@ -133,9 +136,14 @@ public final class ExportController implements WorkspaceListener {
     }
 
     private void write(String action, String extension, FileExport export) {
-        fileSelector
-                .apply(action, extension)
-                .ifPresent(file -> new ExportTask(parent, export, file, onWritten, this::showError).start());
+        fileSelector.apply(action, extension).ifPresent(file -> {
+            if (FileTarget.findConflict(workspace.file().stream().toList(), List.of(file))
+                    .isPresent()) {
+                showError(new MessageException(file.toString(), WriteProblem.OWN_INPUT.with(), null));
+            } else {
+                new ExportTask(parent, export, file, onWritten, this::showError).start();
+            }
+        });
     }
 
     private void showError(Throwable failure) {

@@ -16,6 +16,7 @@ import javax.imageio.metadata.IIOInvalidTreeException;
 import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
  * Writes an animated GIF that repeats for ever. After the first picture only the area that has changed is written.
@@ -45,7 +46,7 @@ public final class AnimatedGifWriter implements AutoCloseable {
     public AnimatedGifWriter(OutputStream out, Palette palette, int delay) throws IOException {
         this.palette = palette;
         this.delay = delay;
-        stream = ImageIO.createImageOutputStream(out);
+        stream = new MemoryCacheImageOutputStream(out);
         writer.setOutput(stream);
         writer.prepareWriteSequence(null);
     }
@@ -66,6 +67,7 @@ public final class AnimatedGifWriter implements AutoCloseable {
                 .orElse(new Rectangle(few.getWidth(), few.getHeight()));
         IIOMetadata details = frameMetadata(few, part);
         writer.writeToSequence(new IIOImage(copyArea(few, part), null, details), null);
+        stream.flushBefore(stream.getStreamPosition());
         previousFrame = Optional.of(few);
     }
 

@@ -19,6 +19,6 @@ public record Problem(String file, SourceLocation location, Message message) {
      */
     @Override
     public String toString() {
-        return MessageText.oneLine(file) + location + ": " + message;
+        return MessageText.oneLine(file + location + ": " + message);
     }
 }

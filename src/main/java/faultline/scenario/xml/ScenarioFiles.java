@@ -99,10 +99,7 @@ public final class ScenarioFiles {
      */
     public static void write(ScenarioContent content, Path file, XmlComments comments) throws IOException {
         byte[] bytes = ScenarioWriter.toBytes(content, comments);
-        try (AtomicFile out = AtomicFile.create(file)) {
-            out.stream().write(bytes);
-            out.commit();
-        }
+        AtomicFile.write(file, bytes);
     }
 
     /**

@@ -1,6 +1,8 @@
 package faultline.studies.figure;
 
 import faultline.io.AtomicFile;
+import faultline.io.FileTarget;
+import faultline.paint.export.PngImage;
 import faultline.paint.surface.SvgSurface;
 import faultline.paint.surface.SvgTheme;
 import java.awt.image.BufferedImage;
@@ -8,7 +10,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import javax.imageio.ImageIO;
 
 /**
  * The target of figures.
@@ -35,16 +36,23 @@ public record FigureFolder(Path path, SvgTheme appearance) {
 
     /** Writes a bitmap. Its letters depend on the fonts of the machine, so these files may differ between machines. */
     public void writePng(String name, BufferedImage image) throws IOException {
-        try (AtomicFile file = AtomicFile.create(path.resolve(name + ".png"))) {
-            ImageIO.write(image, "png", file.stream());
+        try (AtomicFile file = AtomicFile.create(target(name + ".png"))) {
+            PngImage.write(image, file.stream());
             file.commit();
         }
     }
 
     private void write(String name, String text) throws IOException {
-        try (AtomicFile file = AtomicFile.create(path.resolve(name))) {
-            file.stream().write(text.getBytes(StandardCharsets.UTF_8));
-            file.commit();
+        AtomicFile.write(target(name), text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Returns the path of a file, which must not be a link to another file of the folder. */
+    private Path target(String name) throws IOException {
+        Path target = path.resolve(name);
+        if (Files.isSymbolicLink(target)
+                && path.toRealPath().equals(FileTarget.resolve(target).getParent())) {
+            throw new IOException(target + ": this is a link to another file of the folder, allowed is a file");
         }
+        return target;
     }
 }

@@ -1,0 +1,130 @@
+package faultline.io;
+
+import java.io.BufferedOutputStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.FileSystemLoopException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** Tells which file a path names, whatever links and spellings lead to it. Safe on any thread; the calls block. */
+public final class FileTarget {
+
+    private static final int MAX_LINKS = 40;
+
+    private FileTarget() {}
+
+    /**
+     * Returns the first output that is the same file as an input or as an output before it, be it by a link, a hard
+     * link or another spelling. Devices and pipes are not compared.
+     *
+     * @param inputs files that are read
+     * @param outputs files that are to be written, which need not exist
+     */
+    public static Optional<Path> findConflict(Collection<Path> inputs, Collection<Path> outputs) {
+        Set<Object> seen = new HashSet<>();
+        inputs.forEach(input -> seen.add(identity(input)));
+        return outputs.stream()
+                .filter(output -> !seen.add(identity(output)) && !isDevice(output))
+                .findFirst();
+    }
+
+    /** Returns an object that is equal for two paths if they name the same file. */
+    private static Object identity(Path file) {
+        try {
+            if (Files.exists(file)) {
+                Object key =
+                        Files.readAttributes(file, BasicFileAttributes.class).fileKey();
+                return key == null ? file.toRealPath() : key;
+            }
+            return resolve(file);
+        } catch (IOException e) {
+            return file.toAbsolutePath().normalize();
+        }
+    }
+
+    /**
+     * Returns the file that a path names, without links and detours. The file need not exist, nor the file that a link
+     * points to.
+     *
+     * @throws IOException if the links form a loop
+     */
+    public static Path resolve(Path file) throws IOException {
+        List<Path> chain = followLinks(file);
+        Path last = chain.get(chain.size() - 1);
+        if (Files.exists(last)) {
+            return last.toRealPath();
+        }
+        Path parent = last.getParent();
+        return parent != null && Files.exists(parent)
+                ? parent.toRealPath().resolve(last.getFileName()).normalize()
+                : last.normalize();
+    }
+
+    /** Returns a path, and each path that it and its successors point to if they are links. */
+    private static List<Path> followLinks(Path file) throws IOException {
+        List<Path> chain = new ArrayList<>();
+        Path next = file.toAbsolutePath();
+        chain.add(next);
+        while (Files.isSymbolicLink(next)) {
+            if (chain.size() > MAX_LINKS) {
+                throw new FileSystemLoopException(file.toString());
+            }
+            next = next.resolveSibling(Files.readSymbolicLink(next));
+            chain.add(next);
+        }
+        return chain;
+    }
+
+    private static boolean isDevice(Path file) {
+        return Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
+    }
+
+    /**
+     * Returns whether a path names something that is written to as it is: a device, a pipe, or a file that the process
+     * has inherited, such as {@code /dev/stdout}.
+     */
+    static boolean isStream(Path file) throws IOException {
+        return isDevice(file)
+                || Files.isRegularFile(file)
+                        && followLinks(file).stream()
+                                .map(Path::normalize)
+                                .anyMatch(link -> link.startsWith("/proc") || link.startsWith("/dev/fd"));
+    }
+
+    /** Opens a stream; see {@link #isStream}. What is already in it stays. */
+    static OutputStream openStream(Path file) throws IOException {
+        String own = "/dev/fd/%d|/proc/(self|" + ProcessHandle.current().pid() + ")/fd/%1$d";
+        for (Path link : followLinks(file)) {
+            String path = link.normalize().toString();
+            if (path.matches(String.format(own, 1))) {
+                return standardStream(FileDescriptor.out);
+            }
+            if (path.matches(String.format(own, 2))) {
+                return standardStream(FileDescriptor.err);
+            }
+        }
+        return new BufferedOutputStream(Files.newOutputStream(
+                file, Files.isRegularFile(file) ? StandardOpenOption.APPEND : StandardOpenOption.WRITE));
+    }
+
+    /** Returns a stream that can be closed without closing the one of the process. */
+    private static OutputStream standardStream(FileDescriptor descriptor) {
+        return new BufferedOutputStream(new FileOutputStream(descriptor)) {
+            @Override
+            public void close() throws IOException {
+                flush();
+            }
+        };
+    }
+}

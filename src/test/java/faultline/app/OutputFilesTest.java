@@ -1,0 +1,188 @@
+package faultline.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.SamplePlan;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Commands whose outputs would destroy an input or each other, and outputs that cannot be completed. */
+class OutputFilesTest {
+
+    private static final Path SCENARIO = Path.of("scenarios/struck-by-a-visitor.xml");
+
+    @TempDir
+    private Path folder;
+
+    /** Runs a command that must be refused, and returns its message. */
+    private static String refusal(Object... arguments) {
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        PrintStream out = new PrintStream(new ByteArrayOutputStream(), true, StandardCharsets.UTF_8);
+        String[] texts = Stream.of(arguments).map(Object::toString).toArray(String[]::new);
+        int code =
+                new CommandLine(new CommandOutput(out, new PrintStream(err, true, StandardCharsets.UTF_8))).run(texts);
+        String message = err.toString(StandardCharsets.UTF_8);
+        assertEquals(2, code, message);
+        assertEquals(1, message.lines().count(), message);
+        return message;
+    }
+
+    private Path scenario() throws IOException {
+        return Files.copy(SCENARIO, folder.resolve("a.xml"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--trace", "--image", "--journal"})
+    void anOutputThatIsTheScenarioByALinkIsRefused(String option) throws IOException {
+        Path file = scenario();
+        Path link = Files.createSymbolicLink(folder.resolve("link"), Path.of("a.xml"));
+        Path hard = Files.createLink(folder.resolve("hard"), file);
+        for (Path output : List.of(link, hard)) {
+            assertTrue(refusal("run", file, "--until", "1", option, output).contains("one file is named twice"));
+        }
+        assertEquals(Files.readString(SCENARIO), Files.readString(file));
+    }
+
+    @Test
+    void twoOutputsThatAreOneFileByALinkAreRefused() throws IOException {
+        Path link = Files.createSymbolicLink(folder.resolve("link"), Path.of("new.csv"));
+        String message = refusal("run", SCENARIO, "--trace", folder.resolve("new.csv"), "--journal", link);
+        assertTrue(message.contains("one file is named twice"), message);
+    }
+
+    @Test
+    void anImportThatWouldReplaceItsMapIsRefused() throws IOException {
+        Path map = folder.resolve("map.png");
+        ImageIO.write(new BufferedImage(9, 9, BufferedImage.TYPE_BYTE_GRAY), "png", map.toFile());
+        byte[] before = Files.readAllBytes(map);
+        Path link = Files.createSymbolicLink(folder.resolve("out.xml"), map);
+        refusal("import", map, "--resolution", "0.1", "--out", link);
+        Path yaml = Files.writeString(
+                folder.resolve("map.yaml"),
+                "image: map.png\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 1\noccupied_thresh: 0.65\n"
+                        + "free_thresh: 0.2\n");
+        assertTrue(refusal("import", yaml, "--out", link).contains("--out is the map itself"));
+        assertEquals(before.length, Files.size(map));
+    }
+
+    private Path campaign() throws IOException {
+        Files.writeString(folder.resolve("room.xml"), SamplePlan.ROOM);
+        return Files.writeString(
+                folder.resolve("plan.xml"),
+                SamplePlan.text("", "<worlds><scenario file=\"room.xml\"/></worlds><seeds count=\"2\"/>"));
+    }
+
+    @Test
+    void aCampaignThatWouldReplaceItsPlanIsRefused() throws IOException {
+        Path plan = campaign();
+        Path out = Files.createDirectory(folder.resolve("out"));
+        Files.createSymbolicLink(out.resolve("runs.csv"), folder.resolve("room.xml"));
+        String message = refusal("campaign", plan, "--out", out, "--resume");
+        assertTrue(message.contains("runs.csv"), message);
+        assertEquals(SamplePlan.ROOM, Files.readString(folder.resolve("room.xml")));
+        Files.delete(out.resolve("runs.csv"));
+        Files.createSymbolicLink(out.resolve("runs.csv"), Path.of("timing.csv"));
+        assertTrue(refusal("campaign", plan, "--out", out).contains("timing.csv"));
+    }
+
+    @Test
+    void aReportOrAMergeThatWouldReplaceATableIsRefused() throws IOException {
+        Path part = folder.resolve("part");
+        PrintStream none = new PrintStream(new ByteArrayOutputStream());
+        String[] arguments = {"campaign", campaign().toString(), "--out", part.toString(), "--jobs", "1"};
+        assertEquals(0, new CommandLine(new CommandOutput(none, none)).run(arguments));
+        String table = Files.readString(part.resolve("runs.csv"));
+        assertTrue(refusal("report", part, "--out", part.resolve("plan/../runs.csv"))
+                .contains("--out is a file of the campaign itself"));
+        Path merged = Files.createDirectory(folder.resolve("merged"));
+        Files.createSymbolicLink(merged.resolve("timing.csv"), part.resolve("runs.csv"));
+        refusal("merge", part, "--out", merged);
+        assertEquals(table, Files.readString(part.resolve("runs.csv")));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--trace", "--image", "--journal"})
+    void aFullDiskIsOneSentenceWithTheNameOfTheFile(String option) {
+        assumeTrue(Files.exists(Path.of("/dev/full")));
+        assertEquals(
+                "faultline: /dev/full: the file cannot be written completely, because the disk is full\n",
+                refusal("run", SCENARIO, option, "/dev/full"));
+    }
+
+    @Test
+    void hostileNamesDoNotReachTheTerminalAsTheyAre() {
+        String message = refusal("run", folder.resolve("a\u001b[31m\n\u202eb\u009b.xml"));
+        assertTrue(message.endsWith("a [31m  b .xml: there is no such file\n"), message);
+    }
+
+    private Process start(List<String> arguments, Path output) throws Exception {
+        Path classes = Path.of(CampaignPlan.class
+                .getProtectionDomain()
+                .getCodeSource()
+                .getLocation()
+                .toURI());
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                classes.toString(),
+                "faultline.app.Main"));
+        command.addAll(arguments);
+        return new ProcessBuilder(command).redirectOutput(output.toFile()).start();
+    }
+
+    @Test
+    void aTraceOnStandardOutputIsWrittenToItAndDoesNotReplaceIt() throws Exception {
+        assumeTrue(Files.exists(Path.of("/dev/stdout")));
+        Path output = Files.writeString(folder.resolve("out.txt"), "");
+        Object inode = Files.getAttribute(output, "unix:ino");
+        Process process =
+                start(List.of("run", SCENARIO.toString(), "--until", "8.95", "--trace", "/dev/stdout"), output);
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS));
+        assertEquals(inode, Files.getAttribute(output, "unix:ino"));
+        List<String> lines = Files.readAllLines(output);
+        assertTrue(lines.get(0).startsWith("tick,t,x,y"), lines.get(0));
+        assertTrue(lines.get(1).startsWith("0,0.0,"), lines.get(1));
+        assertTrue(lines.contains("ticks: 895"), "the summary follows the trace");
+    }
+
+    @Test
+    void aRunThatIsTerminatedLeavesTheOldFilesAndNothingElse() throws Exception {
+        Path trace = Files.writeString(folder.resolve("trace.csv"), "old");
+        Path output = folder.resolve("out.txt");
+        Process process = start(
+                List.of("run", "scenarios/office.xml", "--until", "10000000", "--trace", trace.toString()), output);
+        while (largest() < 100_000 && process.isAlive()) {
+            Thread.sleep(5);
+        }
+        process.destroy();
+        assertTrue(process.waitFor(60, TimeUnit.SECONDS));
+        assertEquals(143, process.exitValue());
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(List.of(output, trace), files.sorted().toList());
+        }
+        assertEquals("old", Files.readString(trace));
+    }
+
+    private long largest() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.mapToLong(file -> file.toFile().length()).max().orElse(0);
+        }
+    }
+}
