@@ -36,6 +36,7 @@ final class HelpText {
               --resume                     go on with what is in DIR, if anything is
             faultline merge DIR... --out DIR put the parts of a campaign together
             faultline report DIR --out FILE.html make a page of a campaign, with intervals and differences
+              --table FILE.csv             write the numbers of its cells as well
             faultline figures --out DIR    make the paper's figures and the studies behind its claims
               --theme light|dark|adaptive  their colours; adaptive follows the reader's screen (default: adaptive)
             faultline --startup-time [FILE] open the window, print how long that took, and close it

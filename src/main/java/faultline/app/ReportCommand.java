@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /** {@code report}: makes an HTML page of a campaign. */
 final class ReportCommand {
@@ -20,21 +21,26 @@ final class ReportCommand {
     }
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
-        Arguments sorted = new Arguments(arguments, List.of("--out"));
+        Arguments sorted = new Arguments(arguments, List.of("--out", "--table"));
         if (sorted.files().size() != 1) {
             throw new UsageException("report takes the folder of one campaign, not "
                     + (sorted.files().isEmpty() ? "none" : sorted.files().size()));
         }
         Path target = sorted.fileOption("--out")
                 .orElseThrow(() -> new UsageException("report needs --out FILE.html, the page that it writes"));
+        Optional<Path> table = sorted.fileOption("--table");
+        List<Path> targets = table.map(file -> List.of(target, file)).orElse(List.of(target));
         Path folder = Arguments.parsePath(sorted.files().get(0));
         CampaignReport report = new CampaignReport(folder);
-        if (FileTarget.findConflict(new CampaignFolder(folder).files(), List.of(target))
-                .isPresent()) {
-            throw new UsageException("--out is a file of the campaign itself, allowed is another file");
+        if (FileTarget.findConflict(new CampaignFolder(folder).files(), targets).isPresent()) {
+            throw new UsageException("--out or --table is a file of the campaign itself, allowed is another file");
         }
         AtomicFile.write(target, report.html().getBytes(StandardCharsets.UTF_8));
+        if (table.isPresent()) {
+            AtomicFile.write(table.get(), report.cellsCsv().getBytes(StandardCharsets.UTF_8));
+        }
         output.println("report: " + target);
+        table.ifPresent(file -> output.println("table: " + file));
         output.println("runs: " + report.runCount());
         return ExitCode.SUCCESS;
     }

@@ -14,9 +14,7 @@ final class RandomRing {
 
     private static final Vector2 MIDDLE = new Vector2(6, 6);
 
-    /** The sharpest and the bluntest inner corner, radians. */
-    private static final double MIN_INNER = StrictMath.toRadians(60);
-
+    /** The bluntest inner corner, radians. */
     private static final double MAX_INNER = StrictMath.toRadians(150);
 
     /** The least and the greatest turn of the wall at an outer corner, radians. */
@@ -31,11 +29,12 @@ final class RandomRing {
 
     private RandomRing() {}
 
-    static List<Vector2> next(SplittableRandom random) {
+    /** Makes a ring without inner corners sharper than an angle, radians. */
+    static List<Vector2> next(SplittableRandom random, double minInner) {
         List<Vector2> ring;
         do {
             ring = random.nextInt(3) == 0 ? rectilinear(random) : star(random);
-        } while (!isFair(ring));
+        } while (!isFair(ring, minInner));
         return ring;
     }
 
@@ -83,19 +82,19 @@ final class RandomRing {
         ring.add(MIDDLE.plus(point));
     }
 
-    private static boolean isFair(List<Vector2> ring) {
+    private static boolean isFair(List<Vector2> ring, double minInner) {
         int n = ring.size();
         for (int i = 0; i < n; i++) {
-            if (!isFairTurn(turn(ring, i)) || straight(ring, i) < MIN_STRAIGHT) {
+            if (!isFairTurn(turn(ring, i), minInner) || straight(ring, i) < MIN_STRAIGHT) {
                 return false;
             }
         }
         return narrowest(ring) >= RandomRoom.PASSAGE;
     }
 
-    private static boolean isFairTurn(double turn) {
+    private static boolean isFairTurn(double turn, double minInner) {
         return turn > 0
-                ? turn >= StrictMath.PI - MAX_INNER - 1e-9 && turn <= StrictMath.PI - MIN_INNER
+                ? turn >= StrictMath.PI - MAX_INNER - 1e-9 && turn <= StrictMath.PI - minInner
                 : turn <= -MIN_OUTER && turn >= -MAX_OUTER;
     }
 

@@ -11,8 +11,9 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * A random room: a ring of walls with inner corners of 60 to 150 degrees and outer corners, furniture and poles. No
- * passage is narrower than {@link #PASSAGE}; things that stand at a wall touch it. The same seed gives the same room.
+ * A random room: a ring of walls with inner corners of at most 150 degrees and outer corners, furniture, poles and
+ * visitors. No passage is narrower than {@link #PASSAGE}; things that stand at a wall touch it. The same seed gives the
+ * same room, and the same room with other visitors.
  *
  * @param world the walls and everything that stands in them
  * @param start where the robot starts, at least {@link #START_CLEARANCE} from everything
@@ -25,28 +26,42 @@ public record RandomRoom(WorldSpec world, Pose start) {
     /** The distance from the start to the nearest wall, metres. */
     public static final double START_CLEARANCE = 0.45;
 
-    private static final double SIZE = 12;
+    /** The width and the height of the world, metres. */
+    static final double SIZE = 12;
+
     private static final int MAX_TRIES = 400;
 
     /**
-     * Makes a room.
+     * Makes a room with inner corners of 60 degrees and more, without visitors.
      *
      * @param seed of all random numbers
      * @return the room
      */
     public static RandomRoom ofSeed(long seed) {
+        return ofSeed(seed, RoomRules.DEFAULT);
+    }
+
+    /**
+     * Makes a room.
+     *
+     * @param seed of all random numbers
+     * @param rules for its corners and visitors
+     * @return the room
+     */
+    public static RandomRoom ofSeed(long seed, RoomRules rules) {
         SplittableRandom random = new SplittableRandom(seed);
         while (true) {
-            List<Vector2> ring = RandomRing.next(random);
+            List<Vector2> ring = RandomRing.next(random, StrictMath.toRadians(rules.minCorner()));
             RoomPlan plan = new RoomPlan(ring);
             furnish(plan, random);
             for (int i = 0; i < MAX_TRIES; i++) {
                 Vector2 at = new Vector2(random.nextDouble(SIZE), random.nextDouble(SIZE));
                 if (plan.surrounds(at) && plan.distance(at) >= START_CLEARANCE) {
-                    double heading = random.nextDouble(2 * StrictMath.PI);
+                    Pose start = new Pose(at.x(), at.y(), random.nextDouble(2 * StrictMath.PI));
+                    List<Obstacle> obstacles = plan.obstacles();
+                    obstacles.addAll(new RandomVisitors(plan, at, seed).make(rules.visitors()));
                     return new RandomRoom(
-                            new WorldSpec(SIZE, SIZE, false, WorldSpec.DEFAULT_MAX_MOVING, plan.obstacles()),
-                            new Pose(at.x(), at.y(), heading));
+                            new WorldSpec(SIZE, SIZE, false, WorldSpec.DEFAULT_MAX_MOVING, obstacles), start);
                 }
             }
         }

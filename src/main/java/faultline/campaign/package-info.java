@@ -1,5 +1,4 @@
 /**
- * Studies of many runs: random rooms by seed, and the judgement of a run from ground truth. Immutable values and
- * objects of one thread; nothing here reads a clock or a file.
+ * Random rooms by seed, in which studies of many runs are made. Immutable values; nothing here reads a clock or a file.
  */
 package faultline.campaign;

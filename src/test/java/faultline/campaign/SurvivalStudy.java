@@ -2,7 +2,6 @@ package faultline.campaign;
 
 import faultline.control.Controller;
 import faultline.control.ControllerSpec.WallFollowing;
-import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
@@ -11,6 +10,8 @@ import faultline.control.Telemetry;
 import faultline.control.WallSide;
 import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.WallFollower;
+import faultline.engine.metrics.CarryOnMetrics;
+import faultline.engine.metrics.WallCircuit;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
@@ -148,7 +149,6 @@ final class SurvivalStudy {
             boolean carried,
             boolean stopped,
             double share,
-            double lap,
             double delay,
             int wronglyDistrusted,
             String note,
@@ -185,7 +185,6 @@ final class SurvivalStudy {
                     believed.sensors());
         }
         World world = new World(room.world(), real, room.start(), DT, t.seed);
-        SurvivalJudge judge = new SurvivalJudge(room.world(), 0.35);
         WallFollowing spec = new WallFollowing(
                 0.25, t.right ? WallSide.RIGHT : WallSide.LEFT, 0, WallFollowing.DEFAULT.timingRule());
         FaultTolerantFollower tolerant = t.diagnosis ? new FaultTolerantFollower(spec) : null;
@@ -200,9 +199,7 @@ final class SurvivalStudy {
         double first = at.length == 0 ? 0 : java.util.Arrays.stream(at).min().getAsDouble();
         double lastFault =
                 at.length == 0 ? 0 : java.util.Arrays.stream(at).max().getAsDouble();
-        int piece = -1;
-        double end = 1e9;
-        double lap = 0;
+        CarryOnMetrics judge = new CarryOnMetrics(new WallCircuit(room.world(), 0.35), 0.3, lastFault);
         Decision next = new Decision(0, 0, Telemetry.ofState(FollowerState.SEARCH));
         double delay = Double.NaN;
         int wrong = 0;
@@ -213,7 +210,7 @@ final class SurvivalStudy {
         world.sense();
         long tick = 0;
         boolean stopped = false;
-        while (tick * DT < end && world.collision().isEmpty()) {
+        while (!judge.isDecided()) {
             double[] readings = world.reportedReadings();
             double time = tick * DT;
             for (int i = 0; i < at.length; i++) {
@@ -226,18 +223,6 @@ final class SurvivalStudy {
                         }
                     }
                     readings[faults.get(i).sensor] = faults.get(i).apply(readings, tick, believed);
-                }
-            }
-            if (piece < 0 && time >= lastFault && (lastFault > 0 || !Double.isNaN(0))) {
-                ControllerState state = next.telemetry().state();
-                boolean atWall = at.length > 0 || state == FollowerState.FOLLOW || time > 40;
-                if (atWall) {
-                    piece = judge.pieceAt(world.pose().position());
-                    lap = judge.length(piece) / 0.3 + 10;
-                    end = time + 2 * lap;
-                    if (at.length == 0 && t.offMask == 0) {
-                        end = time + 2 * lap;
-                    }
                 }
             }
             Decision decided = controller.decide(new Observation(tick, DT, believed, readings));
@@ -258,33 +243,33 @@ final class SurvivalStudy {
             world.sense();
             next = decided;
             tick++;
-            if (piece >= 0) {
-                judge.visit(world.pose().position());
-            }
+            judge.update(
+                    tick * DT,
+                    world.pose().position(),
+                    next.telemetry().state() == FollowerState.SEARCH,
+                    world.collision().isPresent());
             if (watcher != null) {
                 watcher.tick(world, decided, tolerant);
             }
         }
-        double share = piece < 0 ? 0 : judge.share(piece);
-        int most = judge.mostPassed();
+        double share = judge.share().orElse(0);
         boolean contact = world.collision().isPresent();
-        boolean carried = !contact && share >= SurvivalJudge.SHARE;
+        boolean carried = judge.carriedOn();
         boolean lower = tolerant != null && (tolerant.diagnosis().trusted() & 0xFF & ~t.offMask) != (0xFF & ~t.offMask);
         String note = String.format(
                 Locale.ROOT,
-                "%s end=%.0f share=%.2f most=%.2f wrong=%s",
+                "%s end=%.0f share=%.2f wrong=%s",
                 world.collision()
                         .map(c -> "CONTACT " + c.obstacle() + " at " + c.time())
                         .orElse("-"),
                 tick * DT,
                 share,
-                most < 0 ? 0 : judge.share(most),
                 Integer.toBinaryString(wrong));
         StringBuilder values = new StringBuilder(note);
         for (int i = 0; i < at.length; i++) {
             values.append(String.format(Locale.ROOT, " %s@%.2f=%.3f", faults.get(i).kind, at[i], faults.get(i).value));
         }
-        return new Outcome(t, contact, carried, stopped, share, lap, delay, wrong, values.toString(), lower, tick * DT);
+        return new Outcome(t, contact, carried, stopped, share, delay, wrong, values.toString(), lower, tick * DT);
     }
 
     static final String[] NAMES = {

@@ -18,15 +18,25 @@ import java.util.Set;
  */
 final class FaultsReader {
 
+    /** The attribute of a plan that names a fault in tables, and is no attribute of a scenario's fault. */
+    private static final String LABEL = "label";
+
     /** Attributes whose columns are not called after them. */
     private static final Map<String, String> COLUMN_NAMES = Map.of("at", "onset_s", "until", "end_s");
 
     private static final Map<String, String> MEANINGS = Map.of(
-            "kind", "kind of the fault, none in a healthy run",
-            "sensor", "the sensor that fails",
-            "value", "the fault's number, in the unit of its kind: m for distances, none for shares",
-            "at", "when the fault begins",
-            "until", "when the fault ends, empty if it does not");
+            "kind",
+            "kind of the fault, none in a healthy run",
+            "sensor",
+            "the sensor that fails",
+            "value",
+            "the fault's number, in the unit of its kind: m for distances, none for shares",
+            "at",
+            "when the fault begins",
+            "until",
+            "when the fault ends, empty if it does not",
+            LABEL,
+            "what the plan calls the fault, its kind if the plan gives no label, none in a healthy run");
 
     private final Problems problems;
     /** The attributes that any fault has, in the order of the columns. */
@@ -76,7 +86,9 @@ final class FaultsReader {
         List<Map<String, Value>> levels = List.of(new LinkedHashMap<>());
         for (Map.Entry<String, String> attribute : node.attributes().entrySet()) {
             String key = attribute.getKey();
-            Optional<List<Value>> values = ValueSyntax.parse(attribute.getValue(), factor + "_" + key);
+            Optional<List<Value>> values = key.equals(LABEL)
+                    ? Optional.of(List.of(new Value.Fixed(attribute.getValue())))
+                    : ValueSyntax.parse(attribute.getValue(), factor + "_" + key);
             if (values.isEmpty()) {
                 fields.report(key, attribute.getValue(), ValueSyntax.RULE);
             }
@@ -113,12 +125,13 @@ final class FaultsReader {
     private Factor.Level level(Draft draft) {
         List<Value> cells = new ArrayList<>();
         for (String key : attributes) {
-            Value missing = key.equals("kind") ? new Value.Fixed("none") : Value.NONE;
+            Value kind = draft.attributes.getOrDefault("kind", new Value.Fixed("none"));
+            Value missing = key.equals("kind") || key.equals(LABEL) ? kind : Value.NONE;
             cells.add(draft.attributes.getOrDefault(key, missing));
         }
-        List<Edit> edits = draft.attributes.isEmpty()
-                ? List.of()
-                : List.of(new Edit.AddFault(draft.attributes, draft.node.location()));
+        Map<String, Value> fault = new LinkedHashMap<>(draft.attributes);
+        fault.remove(LABEL);
+        List<Edit> edits = fault.isEmpty() ? List.of() : List.of(new Edit.AddFault(fault, draft.node.location()));
         return new Factor.Level(cells, edits);
     }
 }

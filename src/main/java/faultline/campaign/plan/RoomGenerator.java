@@ -1,6 +1,7 @@
 package faultline.campaign.plan;
 
 import faultline.campaign.RandomRoom;
+import faultline.campaign.RoomRules;
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
@@ -13,8 +14,8 @@ final class RoomGenerator {
 
     private RoomGenerator() {}
 
-    static ScenarioContent room(long seed) {
-        RandomRoom room = RandomRoom.ofSeed(seed);
+    static ScenarioContent room(String name, long seed, RoomRules rules) {
+        RandomRoom room = RandomRoom.ofSeed(seed, rules);
         SimulationSetup setup = new SimulationSetup(
                 room.world(),
                 RobotSpec.DEFAULT,
@@ -24,6 +25,6 @@ final class RoomGenerator {
                 ScenarioContent.DEFAULT_TICK,
                 ScenarioContent.DEFAULT_SEED,
                 ScenarioContent.DEFAULT_DURATION);
-        return new ScenarioContent("room-" + seed, "", false, setup, Expectation.NONE);
+        return new ScenarioContent(name, "", false, setup, Expectation.NONE);
     }
 }

@@ -1,5 +1,6 @@
 package faultline.campaign.plan;
 
+import faultline.campaign.RoomRules;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioContent;
 import faultline.scenario.xml.ScenarioFiles;
@@ -49,16 +50,23 @@ sealed interface WorldSource {
      *
      * @param first the seed of the first; the following have the following seeds
      * @param count how many
+     * @param rules for their corners and visitors
      */
-    record Rooms(long first, int count) implements WorldSource {
+    record Rooms(long first, int count, RoomRules rules) implements WorldSource {
         @Override
         public String label(int index) {
-            return "room-" + (first + index);
+            return "room-" + (first + index) + suffix();
         }
 
         @Override
         public XmlElement root(int index) {
-            return toTree(label(index), RoomGenerator.room(first + index));
+            return toTree(label(index), RoomGenerator.room(label(index), first + index, rules));
+        }
+
+        /** Rooms by other rules than the default have names of their own. */
+        private String suffix() {
+            String corners = rules.minCorner() == RoomRules.DEFAULT.minCorner() ? "" : "-corners-" + rules.minCorner();
+            return corners + (rules.visitors() == 0 ? "" : "-visitors-" + rules.visitors());
         }
 
         private static XmlElement toTree(String name, ScenarioContent room) {

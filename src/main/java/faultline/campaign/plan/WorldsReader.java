@@ -1,5 +1,6 @@
 package faultline.campaign.plan;
 
+import faultline.campaign.RoomRules;
 import faultline.io.MessageText;
 import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ElementRules;
@@ -59,10 +60,13 @@ final class WorldsReader {
     private WorldSource readRooms(XmlElement node) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
-        WorldSource rooms = new WorldSource.Rooms(fields.integer("first", 0, 1_000_000_000_000L, 1), (int)
-                fields.integer("count", 1, PlanReader.MAX_RUNS, 1));
+        long first = fields.integer("first", 0, 1_000_000_000_000L, 1);
+        int count = (int) fields.integer("count", 1, PlanReader.MAX_RUNS, 1);
+        int minCorner = (int)
+                fields.integer("minCorner", RoomRules.MIN_CORNER, RoomRules.MAX_CORNER, RoomRules.DEFAULT.minCorner());
+        int visitors = (int) fields.integer("visitors", 0, RoomRules.MAX_VISITORS, RoomRules.DEFAULT.visitors());
         fields.reportUnknownAndMissing();
-        return rooms;
+        return new WorldSource.Rooms(first, count, new RoomRules(minCorner, visitors));
     }
 
     private Optional<WorldSource> readScenario(XmlElement node) {

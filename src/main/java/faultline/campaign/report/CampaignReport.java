@@ -47,6 +47,11 @@ public final class CampaignReport {
         return data.rows().size();
     }
 
+    /** Returns the numbers of every cell as CSV. */
+    public String cellsCsv() {
+        return new CellTable(data).csv();
+    }
+
     /** Returns the page. */
     public String html() {
         CampaignPlan plan = data.plan();
@@ -84,7 +89,7 @@ public final class CampaignReport {
                 + " combinations in each. ";
         String meaning =
                 "A robot carries on if it touches nothing and, in the time of two laps after the fault, passes at"
-                        + " least 0.80 of the wall that it is at within 0.15 m of the wanted way. ";
+                        + " least 0.80 of the wall that it is at within 0.15 m of the wanted path. ";
         String pairing = plan.worldCount() > 1
                 ? "Runs in one world are alike; an interval is that of as many independent runs as they are worth."
                 : "All runs are in one world: intervals say what other seeds and draws would give there, not what other"

@@ -4,7 +4,6 @@ import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.FactorKind;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -26,54 +25,57 @@ final class FaultSections {
         this.data = data;
     }
 
-    /** Returns a matrix of kinds by sensors, empty without faults. */
+    /** Returns a matrix of faults by sensors for each level of the first compared factor, empty without faults. */
     String matrix() {
         Optional<FactorSummary> faults = data.factor(FactorKind.FAULTS);
         if (faults.isEmpty()) {
             return "";
         }
-        String kind = faults.get().columns().get(0).name();
-        String sensor = faults.get().columns().get(1).name();
-        Map<String, List<RunRow>> cells = RunData.group(data.rows(), row -> row.text(kind) + "\t" + row.text(sensor));
-        Set<String> kinds = new LinkedHashSet<>();
-        Set<String> sensors = new LinkedHashSet<>();
-        data.rows().stream().filter(row -> !row.text(sensor).isEmpty()).forEach(row -> {
-            kinds.add(row.text(kind));
-            sensors.add(row.text(sensor));
+        StringBuilder tables = new StringBuilder();
+        Optional<String> compared = data.comparedFactors().stream()
+                .map(factor -> factor.columns().get(0).name())
+                .findFirst();
+        RunData.group(data.rows(), row -> compared.map(row::text).orElse("")).forEach((level, rows) -> {
+            compared.ifPresent(column -> tables.append("<h3>")
+                    .append(Html.escape(column + " " + level))
+                    .append("</h3>\n"));
+            tables.append(matrix(faults.get(), rows));
         });
+        return Html.section(
+                "Survival by fault and sensor",
+                Html.paragraph("Share of runs in which the robot carried on, with its 95 % interval (Wilson) and the"
+                                + " number of runs.")
+                        + tables);
+    }
+
+    private static String matrix(FactorSummary faults, List<RunRow> all) {
+        String fault = RunData.faultColumn(faults);
+        String sensor = RunData.sensorColumn(faults);
+        List<RunRow> faulty =
+                all.stream().filter(row -> !row.text(sensor).isEmpty()).toList();
+        Set<String> sensors = RunData.group(faulty, row -> row.text(sensor)).keySet();
         List<List<String>> rows = new ArrayList<>();
-        for (String each : kinds) {
-            List<String> line = new ArrayList<>(List.of(Html.escape(each)));
-            sensors.forEach(one -> line.add(cell(cells.getOrDefault(each + "\t" + one, List.of()))));
-            line.add(cell(rowsWith(kind, each)));
-            rows.add(line);
-        }
-        List<String> last = new ArrayList<>(List.of("all kinds"));
-        sensors.forEach(one -> last.add(cell(rowsWith(sensor, one))));
-        last.add(cell(
-                data.rows().stream().filter(row -> !row.text(sensor).isEmpty()).toList()));
-        rows.add(last);
+        RunData.group(faulty, row -> row.text(fault))
+                .forEach((name, group) -> rows.add(line(Html.escape(name), sensor, sensors, group)));
+        rows.add(line("all faults", sensor, sensors, faulty));
         List<String> header = new ArrayList<>(List.of("fault"));
         sensors.forEach(one -> header.add(Html.escape(one)));
         header.add("all sensors");
-        return Html.section(
-                "Survival by fault and sensor", intro(rowsWith(sensor, "")) + Html.table("matrix", header, rows));
+        return healthy(all, sensor) + Html.table("matrix", header, rows);
     }
 
-    private String intro(List<RunRow> healthy) {
-        String text =
-                "Share of runs in which the robot carried on, with its 95 % interval (Wilson) and the number of runs.";
-        return "<p>" + text
-                + (healthy.isEmpty() ? "" : " Healthy: " + Html.survival(Survival.of(healthy)) + ".")
-                + "</p>\n";
+    private static List<String> line(String name, String sensor, Set<String> sensors, List<RunRow> rows) {
+        Map<String, List<RunRow>> cells = RunData.group(rows, row -> row.text(sensor));
+        List<String> line = new ArrayList<>(List.of(name));
+        sensors.forEach(one -> line.add(Html.survivalCell(Survival.of(cells.getOrDefault(one, List.of())))));
+        line.add(Html.survivalCell(Survival.of(rows)));
+        return line;
     }
 
-    private List<RunRow> rowsWith(String column, String text) {
-        return data.rows().stream().filter(row -> row.text(column).equals(text)).toList();
-    }
-
-    private String cell(Collection<RunRow> rows) {
-        return Html.survivalCell(Survival.of(rows));
+    private static String healthy(List<RunRow> rows, String sensor) {
+        List<RunRow> healthy =
+                rows.stream().filter(row -> row.text(sensor).isEmpty()).toList();
+        return healthy.isEmpty() ? "" : "<p>Healthy: " + Html.survival(Survival.of(healthy)) + ".</p>\n";
     }
 
     /** Returns the delays of detection by fault, empty if the runs have none. */
@@ -88,9 +90,9 @@ final class FaultSections {
                 rows.add(List.of(
                         Html.escape(fault),
                         Html.percent((double) delays.length / group.size()),
-                        quantile(delays, 0.5),
-                        quantile(delays, 0.9),
-                        quantile(delays, 1),
+                        quantileCell(delays, 0.5),
+                        quantileCell(delays, 0.9),
+                        quantileCell(delays, 1),
                         String.valueOf(group.size())));
             }
         });
@@ -112,10 +114,13 @@ final class FaultSections {
                 .toArray();
     }
 
-    private static String quantile(double[] sorted, double share) {
-        return sorted.length == 0
-                ? "&ndash;"
-                : Html.number(sorted[(int) Math.max(0, Math.ceil(share * sorted.length) - 1)]);
+    private static String quantileCell(double[] sorted, double share) {
+        return sorted.length == 0 ? "&ndash;" : Html.number(quantile(sorted, share));
+    }
+
+    /** Returns the least of some sorted numbers that no more than the rest of a share exceed. */
+    static double quantile(double[] sorted, double share) {
+        return sorted[(int) Math.max(0, Math.ceil(share * sorted.length) - 1)];
     }
 
     /** Returns the smallest sets of sensors with which the robot carries on, empty without masks. */

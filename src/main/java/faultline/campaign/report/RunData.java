@@ -112,14 +112,23 @@ final class RunData {
     /** Returns what the fault of a run is called, empty if the campaign has no faults. */
     String faultName(RunRow row) {
         return factor(FactorKind.FAULTS)
-                .map(factor -> faultName(
-                        row,
-                        factor.columns().get(0).name(),
-                        factor.columns().get(1).name()))
+                .map(factor -> row.text(sensorColumn(factor)).isEmpty()
+                        ? "healthy"
+                        : row.text(sensorColumn(factor)) + " " + row.text(faultColumn(factor)))
                 .orElse("");
     }
 
-    private static String faultName(RunRow row, String kind, String sensor) {
-        return row.text(sensor).isEmpty() ? "healthy" : row.text(sensor) + " " + row.text(kind);
+    /** Returns the column that names the faults of a factor: their labels if the plan has any, their kinds if not. */
+    static String faultColumn(FactorSummary faults) {
+        return faults.columns().stream()
+                .map(Column::name)
+                .filter(name -> name.endsWith("_label"))
+                .findFirst()
+                .orElse(faults.columns().get(0).name());
+    }
+
+    /** Returns the column of the sensors that fail. */
+    static String sensorColumn(FactorSummary faults) {
+        return faults.columns().get(1).name();
     }
 }

@@ -180,8 +180,7 @@ final class VariantSections {
                 data.rows().stream()
                         .filter(row -> row.number(column.name()).isPresent())
                         .toList(),
-                row -> faults.map(factor ->
-                                ", " + row.text(factor.columns().get(0).name()))
+                row -> faults.map(factor -> ", " + row.text(RunData.faultColumn(factor)))
                         .orElse(""));
     }
 

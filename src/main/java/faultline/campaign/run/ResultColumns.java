@@ -42,7 +42,7 @@ public final class ResultColumns {
                     "carried_on",
                     "",
                     "1 if there was no contact and 0.80 of the wall was passed within "
-                            + "0.15 m of the wanted way in the time"
+                            + "0.15 m of the wanted path in the time"
                             + " of two laps after the fault, 0 if not, empty if undecided",
                     (result, carry, diagnosis) -> carriedOn(result, carry)),
             new Result(
@@ -63,7 +63,7 @@ public final class ResultColumns {
             new Result(
                     "wall_share",
                     "",
-                    "share of the wall that was passed within 0.15 m of the wanted way since the clock started",
+                    "share of the wall that was passed within 0.15 m of the wanted path since the clock started",
                     (result, carry, diagnosis) -> fixed(carry.share(), 4)),
             new Result(
                     "laps",
@@ -73,7 +73,7 @@ public final class ResultColumns {
             new Result(
                     "clock_start_s",
                     "s",
-                    "start of the clock: the fault, or the first meeting with a wall if that is later",
+                    "start of the clock: the last fault to begin, or the first meeting with a wall if that is later",
                     (result, carry, diagnosis) -> fixed(carry.clockStart(), 3)),
             new Result(
                     "coverage",

@@ -8,12 +8,13 @@ import faultline.engine.TickObserver;
 import faultline.geometry.Vector2;
 import faultline.world.Command;
 import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
 
 /**
  * Judges from ground truth whether a robot carries on after a fault: no contact, and within the time of two laps at
- * least 0.80 of the wall that it is at is passed within 0.15 m of the wanted way. A lap's time is its length by the
- * robot's speed, and 10 s for its corners. The clock starts at the first fault of the timeline, or at 0 without one; if
- * the robot has not met a wall by then, it starts when it does.
+ * least 0.80 of the wall that it is at is passed within 0.15 m of the wanted path. A lap's time is its length by the
+ * robot's speed, and 10 s for its corners. The clock starts at the last fault of the timeline, or at 0 without one; if
+ * the robot has not met a wall by then, it starts when it does. Contact counts from the beginning.
  */
 public final class CarryOnMetrics implements TickObserver {
 
@@ -56,9 +57,20 @@ public final class CarryOnMetrics implements TickObserver {
      * @param circuit of its world, at {@link #wantedDistance}
      */
     public CarryOnMetrics(SimulationSetup setup, WallCircuit circuit) {
+        this(circuit, setup.robot().speed(), faultTimes(setup).max().orElse(0));
+    }
+
+    /**
+     * Creates metrics of a run that is not made by a simulation.
+     *
+     * @param circuit of its world
+     * @param speed of the robot, metres per second
+     * @param onset of the last fault, seconds
+     */
+    public CarryOnMetrics(WallCircuit circuit, double speed, double onset) {
         this.circuit = circuit;
-        this.speed = setup.robot().speed();
-        this.onset = onset(setup);
+        this.speed = speed;
+        this.onset = onset;
         this.passes = new int[circuit.size()];
         this.lastPass = new double[circuit.size()];
         this.deadline = onset + allowedTime(circuit.maxLength());
@@ -80,29 +92,37 @@ public final class CarryOnMetrics implements TickObserver {
                 : OptionalDouble.empty();
     }
 
-    /**
-     * Returns when the first fault of a setup's timeline begins.
-     *
-     * @param setup the setup
-     * @return seconds, 0 if there is none
-     */
-    public static double onset(SimulationSetup setup) {
+    /** Returns when the faults of a setup's timeline begin, seconds. */
+    static DoubleStream faultTimes(SimulationSetup setup) {
         return setup.timeline().stream()
                 .filter(timed -> timed.command() instanceof Command.InjectFault)
-                .mapToDouble(SimulationSetup.TimedCommand::time)
-                .min()
-                .orElse(0);
+                .mapToDouble(SimulationSetup.TimedCommand::time);
     }
 
     @Override
     public void observe(Simulation simulation) {
-        time = simulation.time();
-        collided = simulation.collision().isPresent();
-        Vector2 centre = simulation.pose().position();
+        update(
+                simulation.time(),
+                simulation.pose().position(),
+                simulation.telemetry().state() == FollowerState.SEARCH,
+                simulation.collision().isPresent());
+    }
+
+    /**
+     * Notes where the robot is.
+     *
+     * @param now seconds
+     * @param centre of the robot, metres
+     * @param searching whether it has not met a wall yet
+     * @param contact whether it has touched anything
+     */
+    public void update(double now, Vector2 centre, boolean searching, boolean contact) {
+        time = now;
+        collided = contact;
         if (collided || time < onset || circuit.size() == 0) {
             return;
         }
-        if (way < 0 && simulation.telemetry().state() != FollowerState.SEARCH) {
+        if (way < 0 && !searching) {
             startClock(centre);
         }
         if (way >= 0 && !(centre.distanceTo(last) < STEP)) {

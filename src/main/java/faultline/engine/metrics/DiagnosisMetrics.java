@@ -27,7 +27,7 @@ public final class DiagnosisMetrics implements TickObserver {
 
     /** Creates metrics of one run of a setup. */
     public DiagnosisMetrics(SimulationSetup setup) {
-        onset = CarryOnMetrics.onset(setup);
+        onset = CarryOnMetrics.faultTimes(setup).min().orElse(0);
         setup.timeline().stream()
                 .filter(timed -> timed.command() instanceof Command.InjectFault)
                 .forEach(timed -> faulty.add(((Command.InjectFault) timed.command()).sensor()));

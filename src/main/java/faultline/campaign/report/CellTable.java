@@ -1,0 +1,150 @@
+package faultline.campaign.report;
+
+import faultline.campaign.plan.CampaignPlan.FactorSummary;
+import faultline.campaign.plan.FactorKind;
+import faultline.campaign.run.Csv;
+import faultline.campaign.run.Outcome;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+
+/**
+ * The cells of a campaign as CSV: one row for each combination of levels, with rows for all faults, all sensors and
+ * each rung of the ladder besides.
+ */
+final class CellTable {
+
+    private static final String ALL = "all";
+
+    private final RunData data;
+    private final List<FactorSummary> levels;
+    private final List<FactorSummary> faults;
+
+    CellTable(RunData data) {
+        this.data = data;
+        this.levels = data.plan().factors().stream()
+                .filter(factor -> factor.kind() != FactorKind.FAULTS && factor.levelCount() > 1)
+                .toList();
+        this.faults = data.plan().factors().stream()
+                .filter(factor -> factor.kind() == FactorKind.FAULTS)
+                .toList();
+    }
+
+    String csv() {
+        StringBuilder out = new StringBuilder(Csv.row(header()));
+        groups().forEach((key, rows) -> {
+            List<String> cells = new ArrayList<>(key);
+            cells.addAll(numbers(rows));
+            out.append(Csv.row(cells));
+        });
+        return out.toString();
+    }
+
+    private List<String> header() {
+        List<String> header = new ArrayList<>();
+        levels.forEach(factor -> header.add(factor.columns().get(0).name()));
+        faults.forEach(factor -> {
+            header.add(RunData.faultColumn(factor));
+            header.add(RunData.sensorColumn(factor));
+        });
+        header.addAll(List.of("final_rung", "runs", "carried_on", "share", "share_low", "share_high"));
+        Arrays.stream(Outcome.values())
+                .filter(outcome -> outcome != Outcome.CARRIED_ON)
+                .forEach(outcome -> header.add(outcome.word()));
+        header.addAll(List.of("broken", "detected", "delay_median_s", "delay_90_s", "false_alarm_runs"));
+        return header;
+    }
+
+    private Map<List<String>, List<RunRow>> groups() {
+        Map<List<String>, List<RunRow>> groups = new LinkedHashMap<>();
+        for (RunRow row : data.rows()) {
+            List<String> level = levels.stream()
+                    .map(factor -> row.text(factor.columns().get(0).name()))
+                    .toList();
+            for (List<String> fault : faultKeys(row)) {
+                add(groups, level, fault, ALL, row);
+            }
+            if (!row.text("final_rung").isEmpty()) {
+                add(groups, level, pooled(row), row.text("final_rung"), row);
+            }
+        }
+        return groups;
+    }
+
+    private static void add(
+            Map<List<String>, List<RunRow>> groups, List<String> level, List<String> fault, String rung, RunRow row) {
+        List<String> key = new ArrayList<>(level);
+        key.addAll(fault);
+        key.add(rung);
+        groups.computeIfAbsent(key, first -> new ArrayList<>()).add(row);
+    }
+
+    /** Returns the cells of a run: its own, and, if it has a fault, those of its fault, its sensor, and all. */
+    private List<List<String>> faultKeys(RunRow row) {
+        List<String> own = new ArrayList<>();
+        faults.forEach(factor -> {
+            own.add(row.text(RunData.faultColumn(factor)));
+            own.add(row.text(RunData.sensorColumn(factor)));
+        });
+        if (faults.isEmpty() || pooled(row).equals(own)) {
+            return List.of(own);
+        }
+        if (faults.size() > 1) {
+            return List.of(own, pooled(row));
+        }
+        return List.of(own, List.of(own.get(0), ALL), List.of(ALL, own.get(1)), List.of(ALL, ALL));
+    }
+
+    /** Returns the cell of all faults for a run with any, that of healthy runs for others. */
+    private List<String> pooled(RunRow row) {
+        List<String> keys = new ArrayList<>();
+        faults.forEach(factor -> {
+            boolean healthy = row.text(RunData.sensorColumn(factor)).isEmpty();
+            keys.add(healthy ? row.text(RunData.faultColumn(factor)) : ALL);
+            keys.add(healthy ? "" : ALL);
+        });
+        return keys;
+    }
+
+    private static List<String> numbers(List<RunRow> rows) {
+        Survival survival = Survival.of(rows);
+        List<String> cells = new ArrayList<>(List.of(
+                Integer.toString(rows.size()),
+                Integer.toString(survival.successes()),
+                fixed(survival.share()),
+                fixed(survival.interval().low()),
+                fixed(survival.interval().high())));
+        for (Outcome outcome : Outcome.values()) {
+            if (outcome != Outcome.CARRIED_ON) {
+                cells.add(count(rows, outcome.word()));
+            }
+        }
+        cells.add(count(rows, "broken"));
+        double[] delays = rows.stream()
+                .map(row -> row.number("detection_delay_s"))
+                .filter(OptionalDouble::isPresent)
+                .mapToDouble(OptionalDouble::getAsDouble)
+                .sorted()
+                .toArray();
+        cells.add(Integer.toString(delays.length));
+        cells.add(delays.length == 0 ? "" : fixed(FaultSections.quantile(delays, 0.5)));
+        cells.add(delays.length == 0 ? "" : fixed(FaultSections.quantile(delays, 0.9)));
+        cells.add(Long.toString(rows.stream()
+                .filter(row -> row.number("false_alarms").orElse(0) > 0)
+                .count()));
+        return cells;
+    }
+
+    private static String count(List<RunRow> rows, String outcome) {
+        return Long.toString(
+                rows.stream().filter(row -> row.text("outcome").equals(outcome)).count());
+    }
+
+    private static String fixed(double value) {
+        return String.format(Locale.ROOT, "%.4f", value);
+    }
+}
