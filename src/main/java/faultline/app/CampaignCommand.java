@@ -40,8 +40,8 @@ final class CampaignCommand {
                     + (sorted.files().isEmpty() ? "none" : sorted.files().size()));
         }
         Path folder = folder(sorted);
-        int jobs = jobs(sorted.value("--jobs"));
-        Shard shard = shard(sorted.value("--shard"));
+        int jobs = jobs(sorted);
+        Shard shard = shard(sorted);
         CampaignPlan plan = PlanFiles.read(Arguments.parsePath(sorted.files().get(0)));
         CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(folder), shard, jobs);
         return run(runner, resume, folder);
@@ -111,7 +111,8 @@ final class CampaignCommand {
                 .orElseThrow(() -> new UsageException("--out DIR is missing, the folder that the tables go to"));
     }
 
-    private static int jobs(Optional<String> text) throws UsageException {
+    private static int jobs(Arguments arguments) throws UsageException {
+        Optional<String> text = arguments.value("--jobs");
         if (text.isEmpty()) {
             return Runtime.getRuntime().availableProcessors();
         }
@@ -122,7 +123,8 @@ final class CampaignCommand {
         return Integer.parseInt(text.get());
     }
 
-    private static Shard shard(Optional<String> text) throws UsageException {
+    private static Shard shard(Arguments arguments) throws UsageException {
+        Optional<String> text = arguments.value("--shard");
         if (text.isEmpty()) {
             return Shard.ALL;
         }

@@ -1,5 +1,6 @@
 package faultline.app;
 
+import faultline.app.RunOptions.Output;
 import faultline.engine.Frame;
 import faultline.engine.Journal;
 import faultline.engine.Simulation;
@@ -19,8 +20,9 @@ import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
 
 /**
  * The output files of a run. All files are opened before the run, so that one that cannot be written is reported at
@@ -32,40 +34,30 @@ final class RunOutputs implements AutoCloseable {
     private static final int MIN_HEIGHT = 300;
     private static final int MAX_HEIGHT = 2400;
 
-    private final List<AtomicFile> openFiles = new ArrayList<>();
-    private final Optional<AtomicFile> trace;
-    private final Optional<AtomicFile> image;
-    private final Optional<AtomicFile> journal;
-    private final Optional<Writer> traceWriter;
-    private Optional<Frame> lastFrame = Optional.empty();
+    private final Map<Output, AtomicFile> files = new EnumMap<>(Output.class);
+    private Writer traceWriter = Writer.nullWriter();
+    private Frame lastFrame;
 
     RunOutputs(RunOptions options) throws IOException {
         try {
-            trace = openFile(options.trace());
-            image = openFile(options.image());
-            journal = openFile(options.journal());
+            for (Map.Entry<Output, Path> output : options.outputs().entrySet()) {
+                files.put(output.getKey(), AtomicFile.create(output.getValue()));
+            }
         } catch (IOException e) {
             close();
             throw e;
         }
-        traceWriter =
-                trace.map(file -> new BufferedWriter(new OutputStreamWriter(file.stream(), StandardCharsets.UTF_8)));
-    }
-
-    private Optional<AtomicFile> openFile(Optional<Path> path) throws IOException {
-        if (path.isEmpty()) {
-            return Optional.empty();
-        }
-        AtomicFile file = AtomicFile.create(path.get());
-        openFiles.add(file);
-        return Optional.of(file);
     }
 
     /** Returns the observers that must be called after every tick. */
     List<TickObserver> observers() {
         List<TickObserver> observers = new ArrayList<>();
-        traceWriter.ifPresent(writer -> observers.add(new TraceWriter(writer)));
-        if (image.isPresent()) {
+        if (files.containsKey(Output.TRACE)) {
+            traceWriter = new BufferedWriter(
+                    new OutputStreamWriter(files.get(Output.TRACE).stream(), StandardCharsets.UTF_8));
+            observers.add(new TraceWriter(traceWriter));
+        }
+        if (files.containsKey(Output.IMAGE)) {
             observers.add(this::recordLastFrame);
         }
         return observers;
@@ -73,23 +65,21 @@ final class RunOutputs implements AutoCloseable {
 
     private void recordLastFrame(Simulation simulation) {
         if (simulation.ticks() == simulation.setup().ticks()) {
-            lastFrame = Optional.of(simulation.frame());
+            lastFrame = simulation.frame();
         }
     }
 
     /** Writes the remaining outputs and moves every file into place. */
     void finish(Scenario scenario, long ticks) throws IOException {
-        if (traceWriter.isPresent()) {
-            traceWriter.get().flush();
+        traceWriter.flush();
+        if (files.containsKey(Output.IMAGE)) {
+            PngImage.write(renderImage(lastFrame), files.get(Output.IMAGE).stream());
         }
-        if (image.isPresent()) {
-            PngImage.write(renderImage(lastFrame.orElseThrow()), image.get().stream());
-        }
-        if (journal.isPresent()) {
+        if (files.containsKey(Output.JOURNAL)) {
             Scenario replay = JournalScenario.create(scenario, new Journal(scenario.setup(), List.of(), ticks));
-            journal.get().stream().write(replay.toBytes());
+            files.get(Output.JOURNAL).stream().write(replay.toBytes());
         }
-        for (AtomicFile file : openFiles) {
+        for (AtomicFile file : files.values()) {
             file.commit();
         }
     }
@@ -104,7 +94,7 @@ final class RunOutputs implements AutoCloseable {
     @Override
     public void close() throws IOException {
         IOException failure = null;
-        for (AtomicFile file : openFiles) {
+        for (AtomicFile file : files.values()) {
             try {
                 file.close();
             } catch (IOException e) {

@@ -9,7 +9,6 @@ import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -19,7 +18,7 @@ public final class DiagnosisMetrics implements TickObserver {
 
     private final double onset;
     private final Set<String> faulty = new HashSet<>();
-    private final Optional<String> firstFaulty;
+    private final String firstFaulty;
     private final Set<String> wronglyDistrusted = new HashSet<>();
     private double detected = Double.NaN;
     private String rung = "";
@@ -34,7 +33,8 @@ public final class DiagnosisMetrics implements TickObserver {
         firstFaulty = setup.timeline().stream()
                 .filter(timed -> timed.time() == onset && timed.command() instanceof Command.InjectFault)
                 .map(timed -> ((Command.InjectFault) timed.command()).sensor())
-                .findFirst();
+                .findFirst()
+                .orElse("");
     }
 
     @Override
@@ -55,7 +55,7 @@ public final class DiagnosisMetrics implements TickObserver {
                 && robot.sensor(sensor).filter(spec -> spec.on()).isPresent()) {
             wronglyDistrusted.add(sensor);
         }
-        if (Double.isNaN(detected) && time >= onset && firstFaulty.equals(Optional.of(sensor))) {
+        if (Double.isNaN(detected) && time >= onset && firstFaulty.equals(sensor)) {
             detected = time;
         }
     }

@@ -1,41 +1,117 @@
 package faultline.engine.metrics;
 
 import faultline.control.ControllerState;
+import faultline.io.DecimalText;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 
 /**
- * What a scenario's run is expected to give; what is empty is not asked.
+ * What a scenario's run is expected to give.
  *
- * @param collision whether the robot collides
- * @param minCoverage the least coverage, in [0, 1]
- * @param maxDistanceRms the greatest distance error on straight walls, metres, root mean square
- * @param states states that the controller must pass through, in any order
- * @param finalState the state that the controller must end in
+ * @param conditions must all hold
  */
-public record Expectation(
-        Optional<Boolean> collision,
-        OptionalDouble minCoverage,
-        OptionalDouble maxDistanceRms,
-        List<ControllerState> states,
-        Optional<ControllerState> finalState) {
+public record Expectation(List<Condition> conditions) {
 
     /** Expects nothing. */
-    public static final Expectation NONE = new Expectation(
-            Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), List.of(), Optional.empty());
+    public static final Expectation NONE = new Expectation(List.of());
 
     public Expectation {
-        states = List.copyOf(states);
+        conditions = List.copyOf(conditions);
     }
 
-    /**
-     * What a run did not hold.
-     *
-     * @param result what the run came to
-     * @return one sentence each, empty where all was held
-     */
+    /** Returns what a run did not hold, one sentence for each condition. */
     public List<String> unmet(RunResult result) {
-        return new ExpectationChecker(result).unmet(this);
+        return conditions.stream()
+                .flatMap(condition -> condition.unmet(result).stream())
+                .toList();
+    }
+
+    /** A condition on the result of a run. */
+    public sealed interface Condition {
+
+        /** Returns a sentence on what the run did not hold; empty if the condition is met. */
+        Optional<String> unmet(RunResult result);
+
+        private static Optional<String> expected(String wanted, String found) {
+            return Optional.of("expected " + wanted + ", but " + found);
+        }
+
+        private static String describe(OptionalDouble value, String otherwise) {
+            return value.isPresent() ? "it is " + DecimalText.format(value.getAsDouble()) : otherwise;
+        }
+    }
+
+    /** Whether the robot collides. */
+    public record Collision(boolean wanted) implements Condition {
+
+        @Override
+        public Optional<String> unmet(RunResult result) {
+            return wanted == result.collision().isPresent()
+                    ? Optional.empty()
+                    : Condition.expected(
+                            wanted ? "a collision" : "no collision",
+                            result.collision().map(Collision::describe).orElse("there was none"));
+        }
+
+        private static String describe(faultline.world.Collision collision) {
+            return "the robot struck " + collision.obstacle() + " at "
+                    + DecimalText.format(collision.point().x()) + ","
+                    + DecimalText.format(collision.point().y()) + " after " + DecimalText.format(collision.time())
+                    + " s";
+        }
+    }
+
+    /** The smallest share of the wall that is followed, in [0, 1]. */
+    public record MinCoverage(double share) implements Condition {
+
+        @Override
+        public Optional<String> unmet(RunResult result) {
+            return result.coverage().orElse(0) >= share
+                    ? Optional.empty()
+                    : Condition.expected(
+                            "a coverage of at least " + DecimalText.format(share),
+                            Condition.describe(result.coverage(), "no wall was followed"));
+        }
+    }
+
+    /** The greatest distance error on straight walls, metres, root mean square. */
+    public record MaxDistanceRms(double metres) implements Condition {
+
+        @Override
+        public Optional<String> unmet(RunResult result) {
+            return result.distanceRms().orElse(Double.POSITIVE_INFINITY) <= metres
+                    ? Optional.empty()
+                    : Condition.expected(
+                            "a distance error of at most " + DecimalText.format(metres) + " m RMS",
+                            Condition.describe(result.distanceRms(), "no straight wall was followed"));
+        }
+    }
+
+    /** A state that the controller must pass through. */
+    public record VisitedState(ControllerState state) implements Condition {
+
+        @Override
+        public Optional<String> unmet(RunResult result) {
+            return result.visitedStates().contains(state)
+                    ? Optional.empty()
+                    : Condition.expected("the state " + state, "it was never reached; passed: " + passed(result));
+        }
+
+        private static String passed(RunResult result) {
+            return result.visitedStates().stream().map(ControllerState::name).collect(Collectors.joining(" "));
+        }
+    }
+
+    /** The state that the controller must end in. */
+    public record FinalState(ControllerState state) implements Condition {
+
+        @Override
+        public Optional<String> unmet(RunResult result) {
+            return state.equals(result.finalState())
+                    ? Optional.empty()
+                    : Condition.expected("the final state " + state, "it is " + result.finalState());
+        }
     }
 }

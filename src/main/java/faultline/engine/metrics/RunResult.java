@@ -16,9 +16,8 @@ import java.util.OptionalDouble;
  * @param realTimeFactor simulated seconds per second of the clock
  * @param finalState the controller's last state
  * @param visitedStates all states that the controller passed through, in the order of their first appearance
- * @param collision the first contact, empty where there was none
- * @param coverage the share of the wall that could be followed that was, in [0, 1]; empty where no wall was followed
- * @param distanceRms the distance error on straight walls, metres, root mean square; empty where none was followed
+ * @param coverageOrNaN the followed share of the wall that could be followed, in [0, 1]; NaN if no wall was followed
+ * @param distanceRmsOrNaN the distance error on straight walls, metres, root mean square; NaN if none was followed
  * @param trajectoryHash of all ticks
  * @param seed that the run used
  * @param refusals what the timeline asked for and the world refused, one sentence each, in order
@@ -32,9 +31,8 @@ public record RunResult(
         double realTimeFactor,
         ControllerState finalState,
         List<ControllerState> visitedStates,
-        Optional<Collision> collision,
-        OptionalDouble coverage,
-        OptionalDouble distanceRms,
+        double coverageOrNaN,
+        double distanceRmsOrNaN,
         long trajectoryHash,
         long seed,
         List<String> refusals,
@@ -46,5 +44,24 @@ public record RunResult(
         visitedStates = List.copyOf(visitedStates);
         refusals = List.copyOf(refusals);
         diagnosisEvents = List.copyOf(diagnosisEvents);
+    }
+
+    /** Returns the robot's first collision, if there was one. */
+    public Optional<Collision> collision() {
+        return finalSnapshot.collision();
+    }
+
+    /** Returns the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed. */
+    public OptionalDouble coverage() {
+        return ifNumber(coverageOrNaN);
+    }
+
+    /** Returns the distance error on straight walls, metres, root mean square; empty if none was followed. */
+    public OptionalDouble distanceRms() {
+        return ifNumber(distanceRmsOrNaN);
+    }
+
+    private static OptionalDouble ifNumber(double value) {
+        return Double.isNaN(value) ? OptionalDouble.empty() : OptionalDouble.of(value);
     }
 }

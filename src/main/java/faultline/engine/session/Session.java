@@ -155,14 +155,25 @@ public final class Session implements AutoCloseable {
      * @param speed the requested speed, multiple of real time; positive infinity for full speed
      * @param achievedSpeed the speed over the last half second, multiple of real time; 0 while paused
      * @param refusals the number of refused commands so far
-     * @param lastRefusal the last refusal, if any
-     * @param failure why the run failed, if it did
+     * @param lastRefusalOrNull the last refusal, null if there was none
+     * @param failureOrNull why the run failed, null if it did not
      */
     public record Status(
             boolean running,
             double speed,
             double achievedSpeed,
             int refusals,
-            Optional<Refusal> lastRefusal,
-            Optional<String> failure) {}
+            Refusal lastRefusalOrNull,
+            String failureOrNull) {
+
+        /** Returns the last refusal, if there was one. */
+        public Optional<Refusal> lastRefusal() {
+            return Optional.ofNullable(lastRefusalOrNull);
+        }
+
+        /** Returns why the run failed, if it did. */
+        public Optional<String> failure() {
+            return Optional.ofNullable(failureOrNull);
+        }
+    }
 }

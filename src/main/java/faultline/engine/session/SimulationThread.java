@@ -10,7 +10,6 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Refusal;
 import java.util.ArrayDeque;
-import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -184,13 +183,7 @@ final class SimulationThread implements Runnable {
     }
 
     private Status currentStatus() {
-        return new Status(
-                running,
-                pacer.speed(),
-                running ? pacer.achievedSpeed() : 0,
-                refusals,
-                Optional.ofNullable(lastRefusal),
-                Optional.ofNullable(failure));
+        return new Status(running, pacer.speed(), running ? pacer.achievedSpeed() : 0, refusals, lastRefusal, failure);
     }
 
     /** Waits until the next tick is due or a task is submitted. */

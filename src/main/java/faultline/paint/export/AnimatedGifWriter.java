@@ -7,7 +7,6 @@ import java.awt.image.DataBufferByte;
 import java.awt.image.IndexColorModel;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.util.Optional;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageTypeSpecifier;
@@ -32,8 +31,8 @@ public final class AnimatedGifWriter implements AutoCloseable {
     private final ImageOutputStream stream;
     private final Palette palette;
     private final int delay;
-    private Optional<ColourQuantizer> quantizer = Optional.empty();
-    private Optional<BufferedImage> previousFrame = Optional.empty();
+    private ColourQuantizer quantizer;
+    private BufferedImage previousFrame;
 
     /**
      * Creates a writer.
@@ -58,17 +57,17 @@ public final class AnimatedGifWriter implements AutoCloseable {
      * @throws IOException if it cannot be written
      */
     public void addFrame(BufferedImage picture) throws IOException {
-        if (quantizer.isEmpty()) {
-            quantizer = Optional.of(ColourQuantizer.of(palette, picture));
+        if (quantizer == null) {
+            quantizer = ColourQuantizer.of(palette, picture);
         }
-        BufferedImage few = quantizer.get().quantize(picture);
-        Rectangle part = previousFrame
-                .map(before -> changedArea(before, few))
-                .orElse(new Rectangle(few.getWidth(), few.getHeight()));
+        BufferedImage few = quantizer.quantize(picture);
+        Rectangle part = previousFrame == null
+                ? new Rectangle(few.getWidth(), few.getHeight())
+                : changedArea(previousFrame, few);
         IIOMetadata details = frameMetadata(few, part);
         writer.writeToSequence(new IIOImage(copyArea(few, part), null, details), null);
         stream.flushBefore(stream.getStreamPosition());
-        previousFrame = Optional.of(few);
+        previousFrame = few;
     }
 
     /**
@@ -129,7 +128,7 @@ public final class AnimatedGifWriter implements AutoCloseable {
                 Integer.toString(delay),
                 "transparentColorIndex",
                 "0"));
-        if (previousFrame.isEmpty()) {
+        if (previousFrame == null) {
             root.appendChild(loopExtension());
         }
         details.mergeTree(METADATA_FORMAT, root);
@@ -157,7 +156,7 @@ public final class AnimatedGifWriter implements AutoCloseable {
     @Override
     public void close() throws IOException {
         try (stream) {
-            if (previousFrame.isPresent()) {
+            if (previousFrame != null) {
                 writer.endWriteSequence();
             }
         } finally {

@@ -12,7 +12,6 @@ import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.font.FontRenderContext;
 import java.awt.geom.Rectangle2D;
-import java.util.Optional;
 
 /**
  * Paints an obstacle: a solid one filled and outlined, a wall as a thick line, a moving one in another colour with a
@@ -59,18 +58,24 @@ final class ObstaclePainter {
         }
     }
 
-    /** Returns the bounds of the outline and, if a font is given, of the name, pixels. */
-    static Rectangle2D paintedBounds(Camera camera, Obstacle obstacle, Optional<Font> names) {
+    /** Returns the bounds of the outline, pixels. */
+    static Rectangle2D outlineBounds(Camera camera, Obstacle obstacle) {
+        return paintedBounds(camera, obstacle, 0, OUTLINE_MARGIN);
+    }
+
+    /** Returns the bounds of the outline and of the name, pixels. */
+    static Rectangle2D labelledBounds(Camera camera, Obstacle obstacle, Font font) {
+        double halfName = font.getStringBounds(obstacle.id(), FONT_CONTEXT).getWidth() / 2;
+        return paintedBounds(
+                camera, obstacle, halfName, NAME_HEIGHT * font.getSize2D() / DrawContext.DEFAULT_FONT.getSize2D());
+    }
+
+    private static Rectangle2D paintedBounds(Camera camera, Obstacle obstacle, double halfName, double above) {
         Rectangle2D bounds = camera.transform()
                 .createTransformedShape(ObstacleOutlines.worldShape(obstacle))
                 .getBounds2D();
-        double halfName = names.map(font ->
-                        font.getStringBounds(obstacle.id(), FONT_CONTEXT).getWidth() / 2)
-                .orElse(0.0);
         double across = Math.max(bounds.getWidth() / 2, halfName) + OUTLINE_MARGIN;
-        double up = bounds.getHeight() / 2
-                + names.map(font -> NAME_HEIGHT * font.getSize2D() / DrawContext.DEFAULT_FONT.getSize2D())
-                        .orElse(OUTLINE_MARGIN);
+        double up = bounds.getHeight() / 2 + above;
         return new Rectangle2D.Double(bounds.getCenterX() - across, bounds.getCenterY() - up, 2 * across, 2 * up);
     }
 

@@ -69,8 +69,9 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
 
     /** Returns the bounds of an obstacle's outline and name without its route, pixels. */
     public Rectangle2D obstacleBounds(Camera camera, Obstacle obstacle) {
-        return ObstaclePainter.paintedBounds(
-                camera, obstacle, showsLabels() ? Optional.of(labels.font()) : Optional.empty());
+        return showsLabels()
+                ? ObstaclePainter.labelledBounds(camera, obstacle, labels.font())
+                : ObstaclePainter.outlineBounds(camera, obstacle);
     }
 
     /** Returns whether obstacles are painted with their names. */

@@ -7,8 +7,6 @@ import faultline.engine.metrics.Expectation;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
-import java.util.OptionalDouble;
 
 /** Makes the expectations of their element. */
 final class ExpectationReader {
@@ -19,8 +17,8 @@ final class ExpectationReader {
     private final Problems problems;
     private final List<String> knownStates;
 
-    ExpectationReader(Problems complaints, ControllerSpec controller) {
-        this.problems = complaints;
+    ExpectationReader(Problems problems, ControllerSpec controller) {
+        this.problems = problems;
         this.knownStates = ControllerFactory.states(controller).stream()
                 .map(ControllerState::name)
                 .toList();
@@ -29,20 +27,23 @@ final class ExpectationReader {
     Expectation read(XmlElement node) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
-        Optional<Boolean> collision =
-                fields.isPresent("collision") ? Optional.of(fields.flag("collision")) : Optional.empty();
-        OptionalDouble coverage = optionalNumber(fields, "minCoverage", NumberRange.FRACTION);
-        OptionalDouble distance = optionalNumber(fields, "maxDistanceRms", NumberRange.SIZE);
-        List<ControllerState> states = new ArrayList<>();
-        fields.text("states").ifPresent(text -> states.addAll(readStates(fields, text)));
-        Optional<ControllerState> last =
-                fields.text("finalState").map(name -> readState(fields, "finalState", name.strip()));
+        List<Expectation.Condition> conditions = new ArrayList<>();
+        if (fields.isPresent("collision")) {
+            conditions.add(new Expectation.Collision(fields.flag("collision")));
+        }
+        if (fields.isPresent("minCoverage")) {
+            conditions.add(new Expectation.MinCoverage(fields.number("minCoverage", NumberRange.FRACTION)));
+        }
+        if (fields.isPresent("maxDistanceRms")) {
+            conditions.add(new Expectation.MaxDistanceRms(fields.number("maxDistanceRms", NumberRange.SIZE)));
+        }
+        fields.text("states").ifPresent(text -> readStates(fields, text)
+                .forEach(state -> conditions.add(new Expectation.VisitedState(state))));
+        fields.text("finalState")
+                .ifPresent(name ->
+                        conditions.add(new Expectation.FinalState(readState(fields, "finalState", name.strip()))));
         fields.reportUnknownAndMissing();
-        return new Expectation(collision, coverage, distance, states, last);
-    }
-
-    private static OptionalDouble optionalNumber(AttributeReader fields, String name, NumberRange range) {
-        return fields.isPresent(name) ? OptionalDouble.of(fields.number(name, range)) : OptionalDouble.empty();
+        return new Expectation(conditions);
     }
 
     private List<ControllerState> readStates(AttributeReader fields, String text) {

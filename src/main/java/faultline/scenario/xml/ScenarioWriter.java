@@ -1,13 +1,14 @@
 package faultline.scenario.xml;
 
 import faultline.control.ControllerSpec;
-import faultline.control.ControllerState;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
+import faultline.io.DecimalText;
 import faultline.io.MessageException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.stream.Collectors;
+import java.util.LinkedHashMap;
+import java.util.Map;
 
 /** Writes a scenario as a file that reads back to an equal one. */
 final class ScenarioWriter {
@@ -81,15 +82,21 @@ final class ScenarioWriter {
             return;
         }
         out.beginElement("expect");
-        expect.collision().ifPresent(value -> out.attribute("collision", value));
-        expect.minCoverage().ifPresent(value -> out.attribute("minCoverage", value));
-        expect.maxDistanceRms().ifPresent(value -> out.attribute("maxDistanceRms", value));
-        if (!expect.states().isEmpty()) {
-            out.attribute(
-                    "states",
-                    expect.states().stream().map(ControllerState::name).collect(Collectors.joining(" ")));
+        Map<String, String> attributes = new LinkedHashMap<>();
+        for (Expectation.Condition condition : expect.conditions()) {
+            if (condition instanceof Expectation.Collision collision) {
+                attributes.put("collision", Boolean.toString(collision.wanted()));
+            } else if (condition instanceof Expectation.MinCoverage coverage) {
+                attributes.put("minCoverage", DecimalText.format(coverage.share()));
+            } else if (condition instanceof Expectation.MaxDistanceRms rms) {
+                attributes.put("maxDistanceRms", DecimalText.format(rms.metres()));
+            } else if (condition instanceof Expectation.VisitedState visited) {
+                attributes.merge("states", visited.state().name(), (all, next) -> all + " " + next);
+            } else if (condition instanceof Expectation.FinalState last) {
+                attributes.put("finalState", last.state().name());
+            }
         }
-        expect.finalState().ifPresent(value -> out.attribute("finalState", value.name()));
+        attributes.forEach(out::attribute);
         out.endElement();
     }
 }

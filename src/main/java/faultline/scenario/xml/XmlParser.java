@@ -41,7 +41,7 @@ public final class XmlParser {
     /** The root element; empty, with a complaint, where the file is no XML that we take. */
     public Optional<XmlElement> parse() {
         try {
-            newParser(Optional.of(format.schema())).parse(new ByteArrayInputStream(bytes), tree);
+            newParser(format.schema()).parse(new ByteArrayInputStream(bytes), tree);
             return tree.root();
         } catch (XmlTreeBuilder.LimitExceededException e) {
             problems.add(
@@ -74,16 +74,16 @@ public final class XmlParser {
 
     /** A parser that takes the same documents, but holds them to no schema. */
     static SAXParser newNonValidatingParser() {
-        return newParser(Optional.empty());
+        return newParser(null);
     }
 
-    private static SAXParser newParser(Optional<Schema> schema) {
+    private static SAXParser newParser(Schema schemaOrNull) {
         try {
             SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
             factory.setNamespaceAware(true);
             factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
             factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
-            factory.setSchema(schema.orElse(null));
+            factory.setSchema(schemaOrNull);
             SAXParser parser = factory.newSAXParser();
             parser.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
             parser.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");

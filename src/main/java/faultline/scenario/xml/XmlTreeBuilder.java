@@ -47,8 +47,8 @@ final class XmlTreeBuilder extends DefaultHandler {
     private final String namespace;
     private Locator locator;
     private int elementCount;
-    private Optional<XmlElement> root = Optional.empty();
-    private Optional<SAXParseException> schemaError = Optional.empty();
+    private XmlElement root;
+    private SAXParseException schemaError;
 
     /** Creates a builder for documents whose elements are in a namespace. */
     XmlTreeBuilder(String namespace) {
@@ -117,7 +117,7 @@ final class XmlTreeBuilder extends DefaultHandler {
         XmlElement node =
                 new XmlElement(raw.name(), raw.location(), raw.attributes(), raw.children(), done.text.toString());
         if (pendingElements.isEmpty()) {
-            root = Optional.of(node);
+            root = node;
         } else {
             pendingElements.peek().node.children().add(node);
         }
@@ -126,7 +126,7 @@ final class XmlTreeBuilder extends DefaultHandler {
     /** The schema's errors come here; the parser's own are fatal. */
     @Override
     public void error(SAXParseException exception) {
-        schemaError = schemaError.isPresent() ? schemaError : Optional.of(exception);
+        schemaError = schemaError == null ? exception : schemaError;
     }
 
     @Override
@@ -135,12 +135,12 @@ final class XmlTreeBuilder extends DefaultHandler {
     }
 
     Optional<XmlElement> root() {
-        return root;
+        return Optional.ofNullable(root);
     }
 
     /** What the schema complained of first. */
     Optional<SAXParseException> schemaError() {
-        return schemaError;
+        return Optional.ofNullable(schemaError);
     }
 
     /** The elements that are still open, the innermost first. */

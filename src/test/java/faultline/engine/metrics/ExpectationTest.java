@@ -2,7 +2,6 @@ package faultline.engine.metrics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -10,10 +9,9 @@ import faultline.robot.RobotSpec;
 import faultline.robot.WheelSpeeds;
 import faultline.world.Collision;
 import faultline.world.Snapshot;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 
 class ExpectationTest {
@@ -21,7 +19,7 @@ class ExpectationTest {
     private static final Collision COLLISION =
             new Collision(new Vector2(3, 1.5), 12.25, 1225, "desk", Map.of(), List.of());
 
-    private static RunResult result(Optional<Collision> collision, OptionalDouble coverage, OptionalDouble rms) {
+    private static RunResult result(List<Collision> collisions, double coverage, double rms) {
         Snapshot last = new Snapshot(
                 0,
                 0,
@@ -34,14 +32,13 @@ class ExpectationTest {
                 List.of(),
                 List.of(),
                 List.of(),
-                collision.stream().toList());
+                collisions);
         return new RunResult(
                 100,
                 1,
                 50,
                 FollowerState.FOLLOW,
                 List.of(FollowerState.SEARCH, FollowerState.FOLLOW),
-                collision,
                 coverage,
                 rms,
                 1,
@@ -52,37 +49,35 @@ class ExpectationTest {
                 last);
     }
 
-    private static Expectation expectation(
-            Optional<Boolean> collision,
-            OptionalDouble coverage,
-            OptionalDouble rms,
-            List<ControllerState> states,
-            ControllerState last) {
-        return new Expectation(collision, coverage, rms, states, Optional.of(last));
+    private static Expectation expectation(boolean collision, Expectation.Condition... states) {
+        List<Expectation.Condition> conditions = new ArrayList<>(List.of(
+                new Expectation.Collision(collision),
+                new Expectation.MinCoverage(0.9),
+                new Expectation.MaxDistanceRms(0.005)));
+        conditions.addAll(List.of(states));
+        return new Expectation(conditions);
+    }
+
+    private static Expectation.Condition visits(FollowerState state) {
+        return new Expectation.VisitedState(state);
+    }
+
+    private static Expectation.Condition endsIn(FollowerState state) {
+        return new Expectation.FinalState(state);
     }
 
     @Test
     void metExpectationsAreNotReported() {
         Expectation all = expectation(
-                Optional.of(false),
-                OptionalDouble.of(0.9),
-                OptionalDouble.of(0.005),
-                List.of(FollowerState.FOLLOW, FollowerState.SEARCH),
-                FollowerState.FOLLOW);
-        assertEquals(List.of(), all.unmet(result(Optional.empty(), OptionalDouble.of(0.9), OptionalDouble.of(0.005))));
-        assertEquals(
-                List.of(),
-                Expectation.NONE.unmet(result(Optional.of(COLLISION), OptionalDouble.empty(), OptionalDouble.empty())));
+                false, visits(FollowerState.FOLLOW), visits(FollowerState.SEARCH), endsIn(FollowerState.FOLLOW));
+        assertEquals(List.of(), all.unmet(result(List.of(), 0.9, 0.005)));
+        assertEquals(List.of(), Expectation.NONE.unmet(result(List.of(COLLISION), Double.NaN, Double.NaN)));
     }
 
     @Test
     void eachUnmetExpectationIsOneSentence() {
         Expectation all = expectation(
-                Optional.of(false),
-                OptionalDouble.of(0.9),
-                OptionalDouble.of(0.005),
-                List.of(FollowerState.FOLLOW, FollowerState.ROUND),
-                FollowerState.SEARCH);
+                false, visits(FollowerState.FOLLOW), visits(FollowerState.ROUND), endsIn(FollowerState.SEARCH));
         assertEquals(
                 List.of(
                         "expected no collision, but the robot struck desk at 3,1.5 after 12.25 s",
@@ -90,18 +85,17 @@ class ExpectationTest {
                         "expected a distance error of at most 0.005 m RMS, but it is 0.01",
                         "expected the state ROUND, but it was never reached; passed: SEARCH FOLLOW",
                         "expected the final state SEARCH, but it is FOLLOW"),
-                all.unmet(result(Optional.of(COLLISION), OptionalDouble.of(0.5), OptionalDouble.of(0.01))));
+                all.unmet(result(List.of(COLLISION), 0.5, 0.01)));
     }
 
     @Test
     void whatCouldNotBeMeasuredIsUnmet() {
-        Expectation all = expectation(
-                Optional.of(true), OptionalDouble.of(0.9), OptionalDouble.of(0.005), List.of(), FollowerState.FOLLOW);
+        Expectation all = expectation(true, endsIn(FollowerState.FOLLOW));
         assertEquals(
                 List.of(
                         "expected a collision, but there was none",
                         "expected a coverage of at least 0.9, but no wall was followed",
                         "expected a distance error of at most 0.005 m RMS, but no straight wall was followed"),
-                all.unmet(result(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty())));
+                all.unmet(result(List.of(), Double.NaN, Double.NaN)));
     }
 }

@@ -77,9 +77,8 @@ class MainPanelTest {
     /** The number of frames that the canvas may take to paint everything on a slow machine. */
     private static final int MAX_FRAMES = 20;
 
-    private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, Optional.empty(), Optional.empty());
-    private static final Session.Status FAST =
-            new Session.Status(true, 100, 12345.67, 0, Optional.empty(), Optional.empty());
+    private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, null, null);
+    private static final Session.Status FAST = new Session.Status(true, 100, 12345.67, 0, null, null);
 
     private static final int MIN_SLIDER_WIDTH = 60;
 

@@ -50,8 +50,8 @@ class StatusBarTest {
     @Test
     void aRefusalShowsForAWhile() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
-        Session.Status refused = new Session.Status(
-                true, 1, 1, 1, Optional.of(new Refusal(Refusal.Reason.UNKNOWN_OBSTACLE, "box")), Optional.empty());
+        Session.Status refused =
+                new Session.Status(true, 1, 1, 1, new Refusal(Refusal.Reason.UNKNOWN_OBSTACLE, "box"), null);
         show(frame, refused);
         assertTrue(texts().contains("there is no obstacle box"));
         for (int i = 0; i < 400; i++) {
@@ -75,10 +75,7 @@ class StatusBarTest {
     void theReasonOfAFailedRunStays() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         for (int i = 0; i < 400; i++) {
-            show(
-                    frame,
-                    new Session.Status(
-                            false, 1, 0, 0, Optional.empty(), Optional.of("the controller does not answer")));
+            show(frame, new Session.Status(false, 1, 0, 0, null, "the controller does not answer"));
         }
         assertEquals("Failed", texts().get(0));
         assertTrue(texts().contains("the controller does not answer"));
@@ -104,7 +101,7 @@ class StatusBarTest {
     }
 
     private static Session.Status running(double achieved) {
-        return new Session.Status(true, 1, achieved, 0, Optional.empty(), Optional.empty());
+        return new Session.Status(true, 1, achieved, 0, null, null);
     }
 
     private void show(Frame frame, Session.Status status) {

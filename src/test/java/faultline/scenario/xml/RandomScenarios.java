@@ -1,6 +1,7 @@
 package faultline.scenario.xml;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.ControllerFactory;
@@ -23,11 +24,10 @@ import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Makes random scenarios with everything in them that a file can hold, and with numbers and names that are hard on
@@ -184,12 +184,15 @@ final class RandomScenarios {
     }
 
     private Expectation expectation(ControllerSpec controller) {
-        return new Expectation(
-                random.nextBoolean() ? Optional.of(random.nextBoolean()) : Optional.empty(),
-                random.nextBoolean() ? OptionalDouble.of(random.nextDouble()) : OptionalDouble.empty(),
-                random.nextBoolean() ? OptionalDouble.of(size()) : OptionalDouble.empty(),
-                random.nextBoolean() ? List.of(ControllerFactory.initialState(controller)) : List.of(),
-                random.nextBoolean() ? Optional.of(ControllerFactory.initialState(controller)) : Optional.empty());
+        ControllerState first = ControllerFactory.initialState(controller);
+        return new Expectation(Stream.<Expectation.Condition>of(
+                        new Expectation.Collision(random.nextBoolean()),
+                        new Expectation.MinCoverage(random.nextDouble()),
+                        new Expectation.MaxDistanceRms(size()),
+                        new Expectation.VisitedState(first),
+                        new Expectation.FinalState(first))
+                .filter(condition -> random.nextBoolean())
+                .toList());
     }
 
     private List<Vector2> points(int least) {

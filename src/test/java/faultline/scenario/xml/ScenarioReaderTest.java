@@ -23,8 +23,6 @@ import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
 import faultline.world.WorldSpec;
 import java.util.List;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 
 /** What valid files come to. */
@@ -86,12 +84,7 @@ class ScenarioReaderTest {
                         new TimedCommand(40, new Command.MoveObstacle("desk", new Pose(3, 1, Degrees.toRadians(45))))),
                 setup.timeline());
         assertEquals(
-                new Expectation(
-                        Optional.of(false),
-                        OptionalDouble.of(0.9),
-                        OptionalDouble.empty(),
-                        List.of(),
-                        Optional.empty()),
+                new Expectation(List.of(new Expectation.Collision(false), new Expectation.MinCoverage(0.9))),
                 scenario.expectation());
     }
 
