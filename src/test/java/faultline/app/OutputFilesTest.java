@@ -110,7 +110,7 @@ class OutputFilesTest {
         assertEquals(0, new CommandLine(new CommandOutput(none, none)).run(arguments));
         String table = Files.readString(part.resolve("runs.csv"));
         assertTrue(refusal("report", part, "--out", part.resolve("plan/../runs.csv"))
-                .contains("--out is a file of the campaign itself"));
+                .contains("is a file of the campaign itself"));
         Path merged = Files.createDirectory(folder.resolve("merged"));
         Files.createSymbolicLink(merged.resolve("timing.csv"), part.resolve("runs.csv"));
         refusal("merge", part, "--out", merged);
