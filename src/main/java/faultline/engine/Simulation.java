@@ -35,6 +35,8 @@ public final class Simulation implements AutoCloseable {
     // Two arrays in turn: a controller may still hold the last observation.
     private double[] readings;
     private double[] previousReadings;
+    private RobotSpec trueRobot;
+    private RobotSpec believedRobot;
 
     /**
      * Creates a simulation whose commands have no listener; see {@link #Simulation(SimulationSetup, ControllerMode,
@@ -105,7 +107,16 @@ public final class Simulation implements AutoCloseable {
         previousReadings = readings;
         readings = swapped;
         world.copyReportedReadings(readings);
-        controllerHost.submit(world.tick(), setup.dt(), world.robot(), readings);
+        controllerHost.submit(world.tick(), setup.dt(), believedRobot(), readings);
+    }
+
+    /** Returns the robot as the controller believes it to be, the same instance as long as nothing changes. */
+    private RobotSpec believedRobot() {
+        if (world.robot() != trueRobot) {
+            trueRobot = world.robot();
+            believedRobot = trueRobot.believed();
+        }
+        return believedRobot;
     }
 
     private void executeDueCommands(long tick) {
@@ -170,7 +181,7 @@ public final class Simulation implements AutoCloseable {
 
     /** Returns the robot's velocity. */
     public Velocity velocity() {
-        return world.wheelSpeeds().toVelocity(world.robot().track());
+        return world.wheelSpeeds().toVelocity(world.robot().trueTrack());
     }
 
     /**

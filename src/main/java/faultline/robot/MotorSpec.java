@@ -29,6 +29,16 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
         return speedConstant * maxVoltage;
     }
 
+    /** Returns this motor with wheels that turn faster or slower by a factor. */
+    public MotorSpec scaled(double factor) {
+        return factor == 1 ? this : new MotorSpec(timeConstant, factor * speedConstant, maxVoltage);
+    }
+
+    /** Returns a voltage limited to the supply. */
+    public double limit(double volts) {
+        return Math.max(-maxVoltage, Math.min(maxVoltage, volts));
+    }
+
     /** Returns the voltage, not limited, that holds a wheel speed given in metres per second. */
     public double voltageFor(double speed) {
         return speed / speedConstant;
@@ -47,7 +57,7 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
      * @param decay from {@link #decay}
      */
     public double step(double speed, double volts, double decay) {
-        double target = speedConstant * Math.max(-maxVoltage, Math.min(maxVoltage, volts));
+        double target = speedConstant * limit(volts);
         return target + (speed - target) * decay;
     }
 

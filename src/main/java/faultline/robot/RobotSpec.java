@@ -18,7 +18,8 @@ import java.util.Set;
  * @param track the distance between the left and the right wheels, metres, positive
  * @param speed the linear velocity that the controller drives at, metres per second, positive
  * @param turnRate the angular velocity that the controller turns on the spot at, radians per second, positive
- * @param motor the motor of either side
+ * @param motor the motor of either side, as the controller believes it to be
+ * @param driveScale how the true wheels and track differ from what the controller believes
  * @param sensors in the order of the trace's columns; ids are unique
  */
 public record RobotSpec(
@@ -28,6 +29,7 @@ public record RobotSpec(
         double speed,
         double turnRate,
         MotorSpec motor,
+        DriveScale driveScale,
         List<SensorSpec> sensors) {
 
     /** The robot of a scenario that gives no values. */
@@ -47,6 +49,18 @@ public record RobotSpec(
                 throw new IllegalArgumentException("two sensors have the id " + sensor.id());
             }
         }
+    }
+
+    /** A robot whose drive is what the controller believes. */
+    public RobotSpec(
+            double length,
+            double width,
+            double track,
+            double speed,
+            double turnRate,
+            MotorSpec motor,
+            List<SensorSpec> sensors) {
+        this(length, width, track, speed, turnRate, motor, DriveScale.NONE, sensors);
     }
 
     private static void requirePositive(String name, double value) {
@@ -120,12 +134,12 @@ public record RobotSpec(
 
     /** Returns this robot with other sensors. */
     public RobotSpec withSensors(List<SensorSpec> newSensors) {
-        return new RobotSpec(length, width, track, speed, turnRate, motor, newSensors);
+        return new RobotSpec(length, width, track, speed, turnRate, motor, driveScale, newSensors);
     }
 
     /** Returns this robot with another platform and linear velocity; the sensors keep their mounting positions. */
     public RobotSpec withPlatform(double newLength, double newWidth, double newSpeed) {
-        return new RobotSpec(newLength, newWidth, track, newSpeed, turnRate, motor, sensors);
+        return new RobotSpec(newLength, newWidth, track, newSpeed, turnRate, motor, driveScale, sensors);
     }
 
     /** Returns this robot with another linear velocity, metres per second. */
@@ -135,12 +149,27 @@ public record RobotSpec(
 
     /** Returns this robot with another turn rate, radians per second. */
     public RobotSpec withTurnRate(double newTurnRate) {
-        return new RobotSpec(length, width, track, speed, newTurnRate, motor, sensors);
+        return new RobotSpec(length, width, track, speed, newTurnRate, motor, driveScale, sensors);
     }
 
     /** Returns this robot with another motor. */
     public RobotSpec withMotor(MotorSpec newMotor) {
-        return new RobotSpec(length, width, track, speed, turnRate, newMotor, sensors);
+        return new RobotSpec(length, width, track, speed, turnRate, newMotor, driveScale, sensors);
+    }
+
+    /** Returns this robot with a drive that differs from what the controller believes. */
+    public RobotSpec withDriveScale(DriveScale newDriveScale) {
+        return new RobotSpec(length, width, track, speed, turnRate, motor, newDriveScale, sensors);
+    }
+
+    /** Returns this robot as the controller believes it to be: with a drive scale of 1. */
+    public RobotSpec believed() {
+        return driveScale.equals(DriveScale.NONE) ? this : withDriveScale(DriveScale.NONE);
+    }
+
+    /** Returns the true distance between the left and the right wheels, metres. */
+    public double trueTrack() {
+        return track * driveScale.track();
     }
 
     /** Returns the radius of the circle about the centre that encloses the platform, metres. */

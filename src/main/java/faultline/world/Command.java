@@ -1,6 +1,8 @@
 package faultline.world;
 
 import faultline.geometry.Pose;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
@@ -40,6 +42,12 @@ public sealed interface Command {
         R visit(ClearFault command);
 
         R visit(ClearFaults command);
+
+        R visit(InjectMotorFault command);
+
+        R visit(ClearMotorFault command);
+
+        R visit(ClearMotorFaults command);
 
         R visit(MoveObstacle command);
 
@@ -107,6 +115,44 @@ public sealed interface Command {
      * @param sensor the sensor's id
      */
     record ClearFaults(String sensor) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
+
+    /**
+     * Adds a fault to the motors of a side.
+     *
+     * @param motor the side
+     * @param fault the fault, which acts after those that the side already has
+     */
+    record InjectMotorFault(MotorSide motor, MotorFault fault) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
+
+    /**
+     * Removes one fault from the motors of a side.
+     *
+     * @param motor the side
+     * @param fault the fault; the oldest one equal to it is removed
+     */
+    record ClearMotorFault(MotorSide motor, MotorFault fault) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
+
+    /**
+     * Removes all faults from the motors of a side.
+     *
+     * @param motor the side
+     */
+    record ClearMotorFaults(MotorSide motor) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);

@@ -1,6 +1,8 @@
 package faultline.world;
 
 import faultline.geometry.OrientedBox;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
@@ -78,6 +80,37 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
             faults.clear();
             return true;
         });
+    }
+
+    @Override
+    public CommandResult visit(Command.InjectMotorFault command) {
+        return withMotorFaults(command, command.motor(), faults -> faults.add(command.fault()));
+    }
+
+    @Override
+    public CommandResult visit(Command.ClearMotorFault command) {
+        return withMotorFaults(command, command.motor(), faults -> faults.remove(command.fault()));
+    }
+
+    @Override
+    public CommandResult visit(Command.ClearMotorFaults command) {
+        return withMotorFaults(command, command.motor(), faults -> {
+            faults.clear();
+            return true;
+        });
+    }
+
+    /** Changes the faults of a side's motors, as {@link #withFaults} does with those of a sensor. */
+    private CommandResult withMotorFaults(Command command, MotorSide motor, Predicate<List<MotorFault>> change) {
+        List<MotorFault> faults = new ArrayList<>(body.motorFaults().of(motor));
+        List<Command> restore = new ArrayList<>();
+        restore.add(new Command.ClearMotorFaults(motor));
+        faults.forEach(fault -> restore.add(new Command.InjectMotorFault(motor, fault)));
+        if (!change.test(faults)) {
+            return refused(command, Reason.UNKNOWN_MOTOR_FAULT, motor.fileName());
+        }
+        body.setMotorFaults(body.motorFaults().with(motor, faults));
+        return executed(command, restore.toArray(Command[]::new));
     }
 
     private CommandResult withSensor(

@@ -13,6 +13,7 @@ public record Refusal(Reason reason, String subject) {
         UNKNOWN_OBSTACLE("there is no obstacle %s"),
         UNKNOWN_SENSOR("the robot has no sensor %s"),
         UNKNOWN_FAULT("%s has no such fault"),
+        UNKNOWN_MOTOR_FAULT("the %s motors have no such fault"),
         OVERLAPS_ROBOT("%s cannot be put there: it would overlap the robot"),
         PLATFORM_OVERLAPS("the robot has no room for that platform: it would overlap %s"),
         TOO_MANY_MOVING("at most %s obstacles may move"),

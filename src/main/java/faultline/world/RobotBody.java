@@ -10,6 +10,9 @@ import faultline.geometry.Separation;
 import faultline.geometry.StrictTrig;
 import faultline.geometry.Vector2;
 import faultline.robot.DifferentialDrive;
+import faultline.robot.MotorFaults;
+import faultline.robot.MotorSide;
+import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
@@ -34,8 +37,12 @@ final class RobotBody {
     private double leftSpeed;
     private double rightSpeed;
 
+    private MotorFaults motorFaults = MotorFaults.NONE;
+    private MotorSpec leftMotor;
+    private MotorSpec rightMotor;
+
     RobotBody(RobotSpec spec, Pose pose) {
-        this.spec = spec;
+        setSpec(spec);
         x = pose.x();
         y = pose.y();
         setHeading(pose.heading());
@@ -56,6 +63,16 @@ final class RobotBody {
 
     void setSpec(RobotSpec newSpec) {
         spec = newSpec;
+        leftMotor = newSpec.motor().scaled(newSpec.driveScale().left());
+        rightMotor = newSpec.motor().scaled(newSpec.driveScale().right());
+    }
+
+    MotorFaults motorFaults() {
+        return motorFaults;
+    }
+
+    void setMotorFaults(MotorFaults faults) {
+        motorFaults = faults;
     }
 
     Pose pose() {
@@ -101,7 +118,7 @@ final class RobotBody {
 
     /** Returns the angular velocity, radians per second. */
     double omega() {
-        return (rightSpeed - leftSpeed) / spec.track();
+        return (rightSpeed - leftSpeed) / spec.trueTrack();
     }
 
     boolean isAtRest() {
@@ -110,8 +127,9 @@ final class RobotBody {
 
     /** Applies the motors' voltages; the new wheel speeds hold for the whole tick. */
     void driveMotors(double leftVolts, double rightVolts, double decay) {
-        leftSpeed = spec.motor().step(leftSpeed, leftVolts, decay);
-        rightSpeed = spec.motor().step(rightSpeed, rightVolts, decay);
+        leftSpeed = leftMotor.step(leftSpeed, motorFaults.apply(MotorSide.LEFT, leftMotor.limit(leftVolts)), decay);
+        rightSpeed =
+                rightMotor.step(rightSpeed, motorFaults.apply(MotorSide.RIGHT, rightMotor.limit(rightVolts)), decay);
     }
 
     /** Moves for some seconds at the current wheel speeds, as {@link DifferentialDrive#advance} does. */

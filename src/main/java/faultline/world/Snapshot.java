@@ -2,6 +2,7 @@ package faultline.world;
 
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.robot.MotorFaults;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
@@ -19,6 +20,7 @@ import java.util.Optional;
  * @param robot its current construction and settings
  * @param pose the robot's
  * @param wheelSpeeds the robot's
+ * @param motorFaults the faults of its motors
  * @param sensors in the robot's order
  * @param obstacles in drawing order
  * @param contacts the points where the robot touches obstacles, metres; empty before a collision
@@ -33,6 +35,7 @@ public record Snapshot(
         RobotSpec robot,
         Pose pose,
         WheelSpeeds wheelSpeeds,
+        MotorFaults motorFaults,
         List<SensorSnapshot> sensors,
         List<Obstacle> obstacles,
         List<Vector2> contacts,
@@ -52,6 +55,6 @@ public record Snapshot(
 
     /** Returns the robot's velocity. */
     public Velocity velocity() {
-        return wheelSpeeds.toVelocity(robot.track());
+        return wheelSpeeds.toVelocity(robot.trueTrack());
     }
 }

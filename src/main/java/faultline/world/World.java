@@ -208,6 +208,7 @@ public final class World {
                 body.spec(),
                 body.pose(),
                 body.wheelSpeeds(),
+                body.motorFaults(),
                 sensors.snapshots(obstacleSet, body),
                 obstacleSet.obstacles(),
                 contacts,

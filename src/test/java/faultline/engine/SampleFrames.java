@@ -6,6 +6,7 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
+import faultline.robot.MotorFaults;
 import faultline.robot.RobotSpec;
 import faultline.robot.WheelSpeeds;
 import faultline.sensor.Fault;
@@ -59,6 +60,7 @@ public final class SampleFrames {
                 robotWith(sensors),
                 robot,
                 WheelSpeeds.ZERO,
+                MotorFaults.NONE,
                 sensors,
                 obstacles,
                 contacts,

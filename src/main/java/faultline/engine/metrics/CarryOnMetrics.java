@@ -95,7 +95,8 @@ public final class CarryOnMetrics implements TickObserver {
     /** Returns when the faults of a setup's timeline begin, seconds. */
     static DoubleStream faultTimes(SimulationSetup setup) {
         return setup.timeline().stream()
-                .filter(timed -> timed.command() instanceof Command.InjectFault)
+                .filter(timed -> timed.command() instanceof Command.InjectFault
+                        || timed.command() instanceof Command.InjectMotorFault)
                 .mapToDouble(SimulationSetup.TimedCommand::time);
     }
 

@@ -189,6 +189,21 @@ final class SetupEditor implements Command.Visitor<Boolean> {
     }
 
     @Override
+    public Boolean visit(Command.InjectMotorFault command) {
+        return false;
+    }
+
+    @Override
+    public Boolean visit(Command.ClearMotorFault command) {
+        return false;
+    }
+
+    @Override
+    public Boolean visit(Command.ClearMotorFaults command) {
+        return false;
+    }
+
+    @Override
     public Boolean visit(Command.MoveObstacle command) {
         obstacles.computeIfPresent(command.obstacle(), (id, obstacle) -> obstacle.withPose(command.pose()));
         return true;

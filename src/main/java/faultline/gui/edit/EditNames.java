@@ -1,6 +1,7 @@
 package faultline.gui.edit;
 
 import faultline.gui.text.Messages;
+import faultline.gui.text.MotorFaultText;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -81,6 +82,21 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
     @Override
     public EditName visit(Command.ClearFaults command) {
         return new EditName("edit.mend", "edit.mendSeveral", command.sensor());
+    }
+
+    @Override
+    public EditName visit(Command.InjectMotorFault command) {
+        return new EditName("edit.fault", MotorFaultText.motors(command.motor()));
+    }
+
+    @Override
+    public EditName visit(Command.ClearMotorFault command) {
+        return new EditName("edit.mend", MotorFaultText.motors(command.motor()));
+    }
+
+    @Override
+    public EditName visit(Command.ClearMotorFaults command) {
+        return new EditName("edit.mend", MotorFaultText.motors(command.motor()));
     }
 
     @Override

@@ -38,6 +38,21 @@ record EditTarget(String kind, Object subject, boolean repeatable) {
         }
 
         @Override
+        public EditTarget visit(Command.InjectMotorFault command) {
+            return single(command);
+        }
+
+        @Override
+        public EditTarget visit(Command.ClearMotorFault command) {
+            return single(command);
+        }
+
+        @Override
+        public EditTarget visit(Command.ClearMotorFaults command) {
+            return single(command);
+        }
+
+        @Override
         public EditTarget visit(Command.MoveObstacle command) {
             return new EditTarget("move", command.obstacle(), true);
         }

@@ -2,6 +2,7 @@ package faultline.gui.instrument;
 
 import faultline.gui.panel.ReadingText;
 import faultline.gui.text.Messages;
+import faultline.gui.text.MotorFaultText;
 import faultline.world.Command;
 import java.util.Locale;
 
@@ -21,7 +22,10 @@ final class CommandText implements Command.Visitor<String> {
     static boolean isFaultChange(Command command) {
         return command instanceof Command.InjectFault
                 || command instanceof Command.ClearFault
-                || command instanceof Command.ClearFaults;
+                || command instanceof Command.ClearFaults
+                || command instanceof Command.InjectMotorFault
+                || command instanceof Command.ClearMotorFault
+                || command instanceof Command.ClearMotorFaults;
     }
 
     @Override
@@ -51,6 +55,23 @@ final class CommandText implements Command.Visitor<String> {
     @Override
     public String visit(Command.ClearFaults command) {
         return Messages.get("command.clearAll", command.sensor());
+    }
+
+    @Override
+    public String visit(Command.InjectMotorFault command) {
+        return Messages.get(
+                "command.inject", MotorFaultText.motors(command.motor()), MotorFaultText.format(command.fault()));
+    }
+
+    @Override
+    public String visit(Command.ClearMotorFault command) {
+        return Messages.get(
+                "command.clear", MotorFaultText.motors(command.motor()), MotorFaultText.format(command.fault()));
+    }
+
+    @Override
+    public String visit(Command.ClearMotorFaults command) {
+        return Messages.get("command.clearAll", MotorFaultText.motors(command.motor()));
     }
 
     @Override

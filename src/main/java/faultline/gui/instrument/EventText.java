@@ -41,7 +41,9 @@ final class EventText {
         return event instanceof RunEvent.Collided
                 || event instanceof RunEvent.HealthChanged change
                         && !change.health().isTrusted()
-                || event instanceof RunEvent.CommandExecuted done && done.command() instanceof Command.InjectFault;
+                || event instanceof RunEvent.CommandExecuted done && done.command() instanceof Command.InjectFault
+                || event instanceof RunEvent.CommandExecuted broken
+                        && broken.command() instanceof Command.InjectMotorFault;
     }
 
     static String time(RunEvent event) {

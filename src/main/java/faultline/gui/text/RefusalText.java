@@ -9,7 +9,10 @@ public final class RefusalText {
 
     /** Returns a refusal as one sentence. */
     public static String format(Refusal refusal) {
-        return Messages.get(key(refusal.reason()), refusal.subject());
+        String subject = refusal.reason() == Refusal.Reason.UNKNOWN_MOTOR_FAULT
+                ? Messages.get("motors." + refusal.subject())
+                : refusal.subject();
+        return Messages.get(key(refusal.reason()), subject);
     }
 
     private static String key(Refusal.Reason reason) {
@@ -17,6 +20,7 @@ public final class RefusalText {
             case UNKNOWN_OBSTACLE -> "refused.obstacle";
             case UNKNOWN_SENSOR -> "refused.sensor";
             case UNKNOWN_FAULT -> "refused.fault";
+            case UNKNOWN_MOTOR_FAULT -> "refused.motorFault";
             case OVERLAPS_ROBOT -> "refused.robot";
             case PLATFORM_OVERLAPS -> "refused.platform";
             case TOO_MANY_MOVING -> "refused.moving";

@@ -1,6 +1,8 @@
 package faultline.scenario.xml;
 
+import faultline.io.DecimalText;
 import faultline.io.Message;
+import faultline.robot.DriveScale;
 import java.math.BigDecimal;
 
 /**
@@ -31,6 +33,8 @@ record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean
     static final NumberRange VOLTAGE = closed("-10000", "10000", Allowed.VOLTS);
     static final NumberRange POSITIVE_VOLTAGE = positive("10000", Allowed.VOLTS);
     static final NumberRange SPEED_CONSTANT = positive("1000", Allowed.SPEED_CONSTANT);
+    static final NumberRange DRIVE_SCALE =
+            closed(DecimalText.format(DriveScale.MIN), DecimalText.format(DriveScale.MAX), Allowed.UNITLESS);
     static final NumberRange FRACTION = closed("0", "1", Allowed.UNITLESS);
 
     static NumberRange closed(String least, String most, Allowed unit) {

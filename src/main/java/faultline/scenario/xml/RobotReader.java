@@ -3,6 +3,7 @@ package faultline.scenario.xml;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
@@ -44,18 +45,24 @@ final class RobotReader {
         double length = fields.number("length", NumberRange.SIZE, usual.length());
         double width = fields.number("width", NumberRange.SIZE, usual.width());
         double track = fields.number("track", NumberRange.SIZE, usual.track());
+        double trackScale = fields.number("trackScale", NumberRange.DRIVE_SCALE, 1);
         double speed = fields.number("speed", NumberRange.POSITIVE_SPEED, usual.speed());
         double turnRate = fields.angle("turnRate", NumberRange.TURN_RATE, usual.turnRate());
         boolean defaults = fields.flag("defaultSensors", true);
         fields.reportUnknownAndMissing();
-        MotorSpec motor = node.firstChild("motor").map(this::readMotor).orElse(MotorSpec.DEFAULT);
-        checkDriveLimits(node, motor, track);
+        Drive drive = node.firstChild("motor")
+                .map(element -> readDrive(element, trackScale))
+                .orElse(new Drive(MotorSpec.DEFAULT, new DriveScale(1, 1, trackScale)));
+        checkDriveLimits(node, drive, track);
         List<SensorSpec> sensors = readSensors(node, defaults ? RobotSpec.standardSensors(length, width) : List.of());
-        return new PlacedRobot(new RobotSpec(length, width, track, speed, turnRate, motor, sensors), start);
+        return new PlacedRobot(
+                new RobotSpec(length, width, track, speed, turnRate, drive.motor(), drive.scale(), sensors), start);
     }
 
-    private void checkDriveLimits(XmlElement node, MotorSpec motor, double track) {
-        double spin = 2 * motor.maxSpeed() / track;
+    private void checkDriveLimits(XmlElement node, Drive drive, double track) {
+        DriveScale scale = drive.scale();
+        MotorSpec motor = drive.motor().scaled(Math.max(scale.left(), scale.right()));
+        double spin = 2 * motor.maxSpeed() / (track * scale.track());
         if (motor.maxSpeed() > ScenarioLimits.MAX_WHEEL_SPEED) {
             problems.add(
                     node.firstChild("motor").orElse(node),
@@ -70,7 +77,10 @@ final class RobotReader {
         }
     }
 
-    private MotorSpec readMotor(XmlElement node) {
+    /** A motor as the controller believes it to be, and the true scale of either side and of the track. */
+    private record Drive(MotorSpec motor, DriveScale scale) {}
+
+    private Drive readDrive(XmlElement node, double trackScale) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         MotorSpec usual = MotorSpec.DEFAULT;
@@ -78,8 +88,12 @@ final class RobotReader {
                 fields.number("timeConstant", NumberRange.TIME_CONSTANT, usual.timeConstant()),
                 fields.number("speedConstant", NumberRange.SPEED_CONSTANT, usual.speedConstant()),
                 fields.number("maxVoltage", NumberRange.POSITIVE_VOLTAGE, usual.maxVoltage()));
+        DriveScale scale = new DriveScale(
+                fields.number("leftScale", NumberRange.DRIVE_SCALE, 1),
+                fields.number("rightScale", NumberRange.DRIVE_SCALE, 1),
+                trackScale);
         fields.reportUnknownAndMissing();
-        return motor;
+        return new Drive(motor, scale);
     }
 
     /** The standard sensors, each in its place as the file sets it, and after them the file's own. */

@@ -1,6 +1,7 @@
 package faultline.scenario.xml;
 
 import faultline.geometry.Pose;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
@@ -21,7 +22,8 @@ final class RobotWriter {
                 .attribute("speed", robot.speed())
                 .angleAttribute("turnRate", robot.turnRate())
                 .attribute("defaultSensors", defaults);
-        writeMotor(robot.motor(), out);
+        writeScale("trackScale", robot.driveScale().track(), out);
+        writeMotor(robot.motor(), robot.driveScale(), out);
         robot.sensors().stream()
                 .filter(sensor -> !(defaults && standard.contains(sensor)))
                 .forEach(sensor -> writeSensor(sensor, out));
@@ -37,12 +39,21 @@ final class RobotWriter {
         return sensors.stream().map(SensorSpec::id).toList();
     }
 
-    private static void writeMotor(MotorSpec motor, XmlWriter out) {
+    private static void writeMotor(MotorSpec motor, DriveScale scale, XmlWriter out) {
         out.beginElement("motor")
                 .attribute("timeConstant", motor.timeConstant())
                 .attribute("speedConstant", motor.speedConstant())
-                .attribute("maxVoltage", motor.maxVoltage())
-                .endElement();
+                .attribute("maxVoltage", motor.maxVoltage());
+        writeScale("leftScale", scale.left(), out);
+        writeScale("rightScale", scale.right(), out);
+        out.endElement();
+    }
+
+    /** Writes a scale that is not 1. */
+    private static void writeScale(String name, double scale, XmlWriter out) {
+        if (scale != 1) {
+            out.attribute(name, scale);
+        }
     }
 
     private static void writeSensor(SensorSpec sensor, XmlWriter out) {

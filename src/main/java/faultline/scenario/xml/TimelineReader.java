@@ -3,6 +3,9 @@ package faultline.scenario.xml;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
 import faultline.io.DecimalText;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorFaultKind;
+import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
@@ -24,8 +27,20 @@ final class TimelineReader {
 
     private static final Map<String, FaultKind> FAULT_KINDS = new LinkedHashMap<>();
 
-    private static final Map<String, Allowed> FAULT_UNITS =
-            Map.of("m", Allowed.METRES, "deg", Allowed.DEGREES, "s", Allowed.SECONDS, "m/s", Allowed.SPEED);
+    private static final Map<String, MotorFaultKind> MOTOR_FAULT_KINDS = new LinkedHashMap<>();
+    private static final Map<String, MotorSide> MOTOR_SIDES = new LinkedHashMap<>();
+
+    private static final Map<String, Allowed> FAULT_UNITS = Map.of(
+            "m",
+            Allowed.METRES,
+            "deg",
+            Allowed.DEGREES,
+            "s",
+            Allowed.SECONDS,
+            "m/s",
+            Allowed.SPEED,
+            "V",
+            Allowed.VOLTS);
     private static final NumberRange FAULT_LENGTH =
             NumberRange.closed("0.001", DecimalText.format(FaultKind.MAX_LENGTH), Allowed.SECONDS);
 
@@ -33,7 +48,15 @@ final class TimelineReader {
         for (FaultKind kind : FaultKind.values()) {
             FAULT_KINDS.put(kind.fileName(), kind);
         }
+        for (MotorFaultKind kind : MotorFaultKind.values()) {
+            MOTOR_FAULT_KINDS.put(kind.fileName(), kind);
+        }
+        for (MotorSide side : MotorSide.values()) {
+            MOTOR_SIDES.put(side.fileName(), side);
+        }
     }
+
+    private static final double NEVER = NumberRange.TIME.max().doubleValue() + 1;
 
     /**
      * Reads one element: its time is known, its attributes are at hand, and what it comes to is put at the end of the
@@ -91,28 +114,57 @@ final class TimelineReader {
     }
 
     private Stream<TimedCommand> readFault(XmlElement node, AttributeReader fields, double at) {
+        double until = readUntil(node, fields, at);
+        if (fields.isPresent("motor")) {
+            Optional<MotorSide> motor = readMotors(fields);
+            Optional<MotorFault> fault = readMotorFault(fields);
+            return motor.stream().flatMap(side -> fault.stream()
+                    .flatMap(broken -> interval(
+                            new TimedCommand(at, new Command.InjectMotorFault(side, broken)),
+                            new TimedCommand(until, new Command.ClearMotorFault(side, broken)))));
+        }
         String sensor = readSensorId(fields);
-        Optional<Fault> fault = readFaultAttributes(fields);
-        Stream<TimedCommand> breaks =
-                fault.stream().map(broken -> new TimedCommand(at, new Command.InjectFault(sensor, broken)));
+        return readSensorFault(fields).stream()
+                .flatMap(fault -> interval(
+                        new TimedCommand(at, new Command.InjectFault(sensor, fault)),
+                        new TimedCommand(until, new Command.ClearFault(sensor, fault))));
+    }
+
+    /** Returns when a fault ends, NEVER if it does not. */
+    private double readUntil(XmlElement node, AttributeReader fields, double at) {
         if (!fields.isPresent("until")) {
-            return breaks;
+            return NEVER;
         }
         double until = fields.number("until", NumberRange.TIME);
         if (until <= at) {
             problems.add(node, ProblemKind.UNTIL.with(DecimalText.format(until), DecimalText.format(at)));
         }
-        return Stream.concat(
-                breaks, fault.stream().map(mended -> new TimedCommand(until, new Command.ClearFault(sensor, mended))));
+        return until;
+    }
+
+    private static Stream<TimedCommand> interval(TimedCommand start, TimedCommand end) {
+        return end.time() == NEVER ? Stream.of(start) : Stream.of(start, end);
     }
 
     private Stream<TimedCommand> readMend(XmlElement node, AttributeReader fields, double at) {
+        if (fields.isPresent("motor")) {
+            return readMotorMend(fields).map(command -> new TimedCommand(at, command));
+        }
         String sensor = readSensorId(fields);
         if (fields.isPresent("kind") || fields.isPresent("value")) {
-            return readFaultAttributes(fields).stream()
+            return readSensorFault(fields).stream()
                     .map(fault -> new TimedCommand(at, new Command.ClearFault(sensor, fault)));
         }
         return singleCommand(at, new Command.ClearFaults(sensor));
+    }
+
+    private static Stream<Command> readMotorMend(AttributeReader fields) {
+        Optional<MotorSide> motor = readMotors(fields);
+        if (fields.isPresent("kind") || fields.isPresent("value")) {
+            Optional<MotorFault> fault = readMotorFault(fields);
+            return motor.stream().flatMap(side -> fault.stream().map(old -> new Command.ClearMotorFault(side, old)));
+        }
+        return motor.stream().map(Command.ClearMotorFaults::new);
     }
 
     private Stream<TimedCommand> readSwitch(XmlElement node, AttributeReader fields, double at) {
@@ -186,19 +238,40 @@ final class TimelineReader {
     }
 
     /** Returns the fault that the attributes kind and value describe, unless the kind is unknown. */
-    private static Optional<Fault> readFaultAttributes(AttributeReader fields) {
+    private static Optional<Fault> readSensorFault(AttributeReader fields) {
         Optional<Fault> fault = fields.choice("kind", FAULT_KINDS)
                 .map(kind -> kind.createFault(readFaultValue(fields, kind), readFaultLength(fields, kind)));
         fields.text("value");
         return fault;
     }
 
+    /** Returns the side whose motors are meant, unless it is unknown. */
+    private static Optional<MotorSide> readMotors(AttributeReader fields) {
+        return fields.choice("motor", MOTOR_SIDES);
+    }
+
+    /** Returns the fault of motors that the attributes kind and value describe, unless the kind is unknown. */
+    private static Optional<MotorFault> readMotorFault(AttributeReader fields) {
+        Optional<MotorFault> fault = fields.choice("kind", MOTOR_FAULT_KINDS).map(kind -> {
+            NumberRange range = range(kind.minValue(), kind.maxValue(), kind.unit());
+            return kind.createFault(
+                    kind.takesValue()
+                            ? fields.number("value", range, kind.defaultValue())
+                            : readNoValue(fields, kind.fileName()));
+        });
+        fields.text("value");
+        return fault;
+    }
+
     private static double readFaultValue(AttributeReader fields, FaultKind kind) {
-        if (kind.takesValue()) {
-            return fields.number("value", faultValueRange(kind), kind.defaultValue());
-        }
-        fields.text("value").ifPresent(text -> fields.report("value", text, Allowed.NO_VALUE.with(kind.fileName())));
-        return kind.defaultValue();
+        return kind.takesValue()
+                ? fields.number("value", range(kind.minValue(), kind.maxValue(), kind.unit()), kind.defaultValue())
+                : readNoValue(fields, kind.fileName());
+    }
+
+    private static double readNoValue(AttributeReader fields, String kind) {
+        fields.text("value").ifPresent(text -> fields.report("value", text, Allowed.NO_VALUE.with(kind)));
+        return 0;
     }
 
     private static double readFaultLength(AttributeReader fields, FaultKind kind) {
@@ -207,10 +280,8 @@ final class TimelineReader {
                 : FaultKind.DEFAULT_LENGTH;
     }
 
-    private static NumberRange faultValueRange(FaultKind kind) {
+    private static NumberRange range(double min, double max, String unit) {
         return NumberRange.closed(
-                DecimalText.format(kind.minValue()),
-                DecimalText.format(kind.maxValue()),
-                FAULT_UNITS.getOrDefault(kind.unit(), Allowed.UNITLESS));
+                DecimalText.format(min), DecimalText.format(max), FAULT_UNITS.getOrDefault(unit, Allowed.UNITLESS));
     }
 }

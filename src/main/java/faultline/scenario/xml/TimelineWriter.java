@@ -1,6 +1,8 @@
 package faultline.scenario.xml;
 
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.util.List;
@@ -31,9 +33,12 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
     }
 
     private static boolean isClearedBy(TimedCommand first, TimedCommand second) {
-        return first.command() instanceof Command.InjectFault inject
-                && second.time() > first.time()
-                && second.command().equals(new Command.ClearFault(inject.sensor(), inject.fault()));
+        return second.time() > first.time()
+                && (first.command() instanceof Command.InjectFault inject
+                                && second.command().equals(new Command.ClearFault(inject.sensor(), inject.fault()))
+                        || first.command() instanceof Command.InjectMotorFault broken
+                                && second.command()
+                                        .equals(new Command.ClearMotorFault(broken.motor(), broken.fault())));
     }
 
     private XmlWriter begin(String name) {
@@ -73,6 +78,28 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
     @Override
     public XmlWriter visit(Command.ClearFaults command) {
         return begin("mend").attribute("sensor", command.sensor());
+    }
+
+    @Override
+    public XmlWriter visit(Command.InjectMotorFault command) {
+        return beginMotorFault("fault", command.motor(), command.fault());
+    }
+
+    @Override
+    public XmlWriter visit(Command.ClearMotorFault command) {
+        return beginMotorFault("mend", command.motor(), command.fault());
+    }
+
+    @Override
+    public XmlWriter visit(Command.ClearMotorFaults command) {
+        return begin("mend").attribute("motor", command.motor().fileName());
+    }
+
+    private XmlWriter beginMotorFault(String name, MotorSide motor, MotorFault fault) {
+        begin(name)
+                .attribute("motor", motor.fileName())
+                .attribute("kind", fault.kind().fileName());
+        return fault.kind().takesValue() ? out.attribute("value", fault.value()) : out;
     }
 
     @Override

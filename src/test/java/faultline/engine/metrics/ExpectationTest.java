@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.control.FollowerState;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.robot.MotorFaults;
 import faultline.robot.RobotSpec;
 import faultline.robot.WheelSpeeds;
 import faultline.world.Collision;
@@ -29,6 +30,7 @@ class ExpectationTest {
                 RobotSpec.DEFAULT,
                 Pose.ORIGIN,
                 WheelSpeeds.ZERO,
+                MotorFaults.NONE,
                 List.of(),
                 List.of(),
                 List.of(),

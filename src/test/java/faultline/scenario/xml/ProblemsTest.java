@@ -43,6 +43,12 @@ class ProblemsTest {
             kind="stuck"       | kind="stick"       | 20:72: kind of <fault> is "stick", allowed is off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"?
             kind="stuck"       | kind="Stuck"       | 20:72: kind of <fault> is "Stuck", allowed is off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"?
             kind="stuck"       | kind="off"         | 20:70: value of <fault> is "0.4", allowed is none, because a fault of kind off takes no value
+            sensor="front"     | motor="port"       | 20:70: motor of <fault> is "port", allowed is left, right
+            sensor="front" kind="stuck" | motor="left" kind="stuck" | 20:70: kind of <fault> is "stuck", allowed is weak, dead, dead-band
+            sensor="front" kind="stuck" value="0.4" | motor="left" kind="weak" value="1.4" | 20:69: value of <fault> is "1.4", allowed is a number from 0 to 1
+            sensor="front" kind="stuck" | motor="left" kind="dead"  | 20:69: value of <fault> is "0.4", allowed is none, because a fault of kind dead takes no value
+            sensor="front" kind="stuck" value="0.4" | motor="left" sensor="front" kind="dead" | 20:72: <fault> has no attribute "sensor", allowed is at, until, motor, kind, value
+            <fault at="10" sensor="front" kind="stuck" | <fault at="10" kind="stuck" | 20:57: <fault> lacks the attribute "sensor", allowed is 1 to 100 characters, none of them a comma, a double quote or a control character
             value="0.4"        | value="-0.4"       | 20:73: value of <fault> is "-0.4", allowed is a number from 0 to 100 metres
             "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower", allowed is wall-follower, none, drive; did you mean "wall-follower"?
             distance="0.25"    | left="2"           | 18:46: <controller> has no attribute "left", allowed is type, distance, hand, period, timing, diagnosis
@@ -105,7 +111,7 @@ class ProblemsTest {
                                 + "a number from 0 to 10000000 seconds",
                         "room.xml:2:38: y of <robot> is \"one\", allowed is a number from -100000 to 100000 metres",
                         "room.xml:2:38: <robot> has no attribute \"colour\", allowed is x, y, heading, "
-                                + "length, width, track, speed, turnRate, defaultSensors",
+                                + "length, width, track, trackScale, speed, turnRate, defaultSensors",
                         "room.xml:3:20: <world> lacks the attribute \"height\", allowed is "
                                 + "a number from 0.000001 to 100000 metres",
                         "room.xml:4:47: radius of <circle> is \"0\", allowed is a "

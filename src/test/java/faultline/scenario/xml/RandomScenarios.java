@@ -11,6 +11,10 @@ import faultline.engine.metrics.Expectation;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.robot.DriveScale;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorFaultKind;
+import faultline.robot.MotorSide;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
@@ -90,7 +94,12 @@ final class RandomScenarios {
                 positive(1000),
                 Degrees.toRadians(0.001 + 1000 * random.nextDouble()),
                 motor,
+                new DriveScale(scale(), scale(), scale()),
                 sensors);
+    }
+
+    private double scale() {
+        return 0.5 + random.nextDouble() / 2;
     }
 
     private SensorSpec sensor(String id) {
@@ -128,7 +137,7 @@ final class RandomScenarios {
         String sensor =
                 robot.sensors().get(random.nextInt(robot.sensors().size())).id();
         double at = edgeValue(0, 1e6);
-        return switch (random.nextInt(9)) {
+        return switch (random.nextInt(11)) {
             case 0 -> List.of(new TimedCommand(at, new Command.SwitchSensor(sensor, random.nextBoolean())));
             case 1 -> List.of(new TimedCommand(at, new Command.ConfigureSensor(sensor(sensor))));
             case 2 -> List.of(new TimedCommand(at, new Command.InjectFault(sensor, fault())));
@@ -137,6 +146,8 @@ final class RandomScenarios {
             case 5 -> temporaryFault(sensor, at, fault());
             case 6 -> List.of(new TimedCommand(at, new Command.SetPlatform(size(), size(), positive(1000))));
             case 7 -> List.of(new TimedCommand(at, new Command.PlaceObstacle(obstacle(name(), true))));
+            case 8 -> temporaryMotorFault(at, motorFault());
+            case 9 -> List.of(new TimedCommand(at, new Command.ClearMotorFaults(MotorSide.LEFT)));
             default ->
                 obstacles.isEmpty()
                         ? List.of()
@@ -155,6 +166,18 @@ final class RandomScenarios {
         return List.of(
                 new TimedCommand(at, new Command.InjectFault(sensor, fault)),
                 new TimedCommand(until, new Command.ClearFault(sensor, fault)));
+    }
+
+    private List<TimedCommand> temporaryMotorFault(double at, MotorFault fault) {
+        double until = random.nextInt(3) == 0 ? at : at + random.nextDouble();
+        return List.of(
+                new TimedCommand(at, new Command.InjectMotorFault(MotorSide.RIGHT, fault)),
+                new TimedCommand(until, new Command.ClearMotorFault(MotorSide.RIGHT, fault)));
+    }
+
+    private MotorFault motorFault() {
+        MotorFaultKind kind = MotorFaultKind.values()[random.nextInt(MotorFaultKind.values().length)];
+        return kind.createFault(kind.minValue() + (kind.maxValue() - kind.minValue()) * random.nextDouble());
     }
 
     private List<TimedCommand> obstacleCommands(double at, String id) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.scenario.Scenario;
+import faultline.robot.MotorFaultKind;
 import faultline.sensor.FaultKind;
 import java.io.StringReader;
 import java.math.BigDecimal;
@@ -17,6 +18,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.transform.stream.StreamSource;
 import org.junit.jupiter.api.Test;
@@ -43,7 +45,10 @@ class ScenarioSchemaTest {
                 .orElseThrow();
         NodeList kinds = type.getElementsByTagName("xs:enumeration");
         assertEquals(
-                Arrays.stream(FaultKind.values()).map(FaultKind::fileName).toList(),
+                Stream.concat(
+                                Arrays.stream(FaultKind.values()).map(FaultKind::fileName),
+                                Arrays.stream(MotorFaultKind.values()).map(MotorFaultKind::fileName))
+                        .toList(),
                 IntStream.range(0, kinds.getLength())
                         .mapToObj(i -> ((Element) kinds.item(i)).getAttribute("value"))
                         .toList());
@@ -66,7 +71,8 @@ class ScenarioSchemaTest {
                 entry("timeConstant", NumberRange.TIME_CONSTANT),
                 entry("voltage", NumberRange.VOLTAGE),
                 entry("positiveVoltage", NumberRange.POSITIVE_VOLTAGE),
-                entry("share", NumberRange.FRACTION));
+                entry("share", NumberRange.FRACTION),
+                entry("driveScale", NumberRange.DRIVE_SCALE));
         List<Element> types = elements("simpleType")
                 .filter(type -> type.getElementsByTagName("xs:restriction").item(0) instanceof Element base
                         && List.of("xs:double", "xs:decimal").contains(base.getAttribute("base")))

@@ -8,6 +8,7 @@ import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
+import faultline.robot.MotorFaults;
 import faultline.robot.WheelSpeeds;
 import faultline.world.Snapshot;
 import java.util.List;
@@ -63,6 +64,7 @@ class ViewportTest {
                 old.robot(),
                 old.pose(),
                 WheelSpeeds.ZERO,
+                MotorFaults.NONE,
                 List.of(),
                 List.of(),
                 List.of(),

@@ -1,0 +1,73 @@
+package faultline.robot;
+
+/**
+ * One way in which the motors of a side fail. A fault changes the voltage that reaches them, after the supply has
+ * limited it; several faults of one side act in the order in which they came.
+ */
+public sealed interface MotorFault permits MotorFault.Weak, MotorFault.Dead, MotorFault.DeadBand {
+
+    /**
+     * Returns the voltage that has an effect.
+     *
+     * @param volts the voltage that is applied
+     */
+    double apply(double volts);
+
+    /** Returns the kind of this fault, as files and windows name it. */
+    MotorFaultKind kind();
+
+    /** Returns the number of this fault in the kind's unit; 0 if the kind has none. */
+    double value();
+
+    /**
+     * A share of the voltage has an effect, so the wheels turn slower: file kind {@code weak}.
+     *
+     * @param value the share
+     */
+    record Weak(double value) implements MotorFault {
+        @Override
+        public double apply(double volts) {
+            return value * volts;
+        }
+
+        @Override
+        public MotorFaultKind kind() {
+            return MotorFaultKind.WEAK;
+        }
+    }
+
+    /** No voltage has an effect, so the wheels come to rest: file kind {@code dead}. */
+    record Dead() implements MotorFault {
+        @Override
+        public double apply(double volts) {
+            return 0;
+        }
+
+        @Override
+        public MotorFaultKind kind() {
+            return MotorFaultKind.DEAD;
+        }
+
+        @Override
+        public double value() {
+            return 0;
+        }
+    }
+
+    /**
+     * The voltage must overcome friction first, and only the rest of it has an effect: file kind {@code dead-band}.
+     *
+     * @param value half the width of the band, volts
+     */
+    record DeadBand(double value) implements MotorFault {
+        @Override
+        public double apply(double volts) {
+            return Math.copySign(Math.max(0, Math.abs(volts) - value), volts);
+        }
+
+        @Override
+        public MotorFaultKind kind() {
+            return MotorFaultKind.DEAD_BAND;
+        }
+    }
+}

@@ -1,0 +1,40 @@
+package faultline.robot;
+
+import java.util.List;
+
+/**
+ * The faults that the motors have, for each side in the order in which they act.
+ *
+ * @param left of the left motors
+ * @param right of the right motors
+ */
+public record MotorFaults(List<MotorFault> left, List<MotorFault> right) {
+
+    /** Sound motors. */
+    public static final MotorFaults NONE = new MotorFaults(List.of(), List.of());
+
+    public MotorFaults {
+        left = List.copyOf(left);
+        right = List.copyOf(right);
+    }
+
+    /** Returns the faults of a side. */
+    public List<MotorFault> of(MotorSide side) {
+        return side == MotorSide.LEFT ? left : right;
+    }
+
+    /** Returns these faults with others on one side. */
+    public MotorFaults with(MotorSide side, List<MotorFault> faults) {
+        return side == MotorSide.LEFT ? new MotorFaults(faults, right) : new MotorFaults(left, faults);
+    }
+
+    /** Returns the voltage that has an effect on a side's motors. */
+    public double apply(MotorSide side, double volts) {
+        double effective = volts;
+        List<MotorFault> faults = of(side);
+        for (int i = 0; i < faults.size(); i++) {
+            effective = faults.get(i).apply(effective);
+        }
+        return effective;
+    }
+}
