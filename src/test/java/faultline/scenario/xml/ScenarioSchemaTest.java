@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.scenario.Scenario;
 import faultline.robot.MotorFaultKind;
+import faultline.scenario.Scenario;
 import faultline.sensor.FaultKind;
 import java.io.StringReader;
 import java.math.BigDecimal;
