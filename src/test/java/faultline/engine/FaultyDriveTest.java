@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.Telemetry;
 import faultline.engine.SimulationSetup.TimedCommand;
@@ -129,7 +130,7 @@ class FaultyDriveTest {
                 setup,
                 observation -> {
                     seen.add(observation.robot());
-                    return new Decision(3, 3, Telemetry.ofState("DRIVE"));
+                    return new Decision(3, 3, Telemetry.ofState(ControllerState.of("DRIVE")));
                 },
                 ControllerMode.DIRECT,
                 CommandListener.NONE);
