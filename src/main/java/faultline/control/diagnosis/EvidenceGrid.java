@@ -65,6 +65,31 @@ public final class EvidenceGrid {
         return by(hit, cell(column, row), since, asked);
     }
 
+    /**
+     * Finds when some sources last saw the cells of a part of a row free, and when they last saw a surface there.
+     *
+     * @param column the first cell's column, not wrapped
+     * @param row the cells' row, not wrapped
+     * @param asked a bit for each source
+     * @param lastFree is raised to the latest moment, one cell after the other; no longer than {@link #SIZE}
+     * @param lastHit the same for surfaces
+     */
+    public void findLast(int column, int row, int asked, int[] lastFree, int[] lastHit) {
+        int start = column & WRAP;
+        int beforeWrap = Math.min(lastFree.length, SIZE - start);
+        for (int rest = asked; rest != 0; rest &= rest - 1) {
+            int base = Integer.numberOfTrailingZeros(rest) * PLANE + (row & WRAP) * SIZE;
+            for (int i = 0; i < beforeWrap; i++) {
+                lastFree[i] = Math.max(lastFree[i], free[base + start + i]);
+                lastHit[i] = Math.max(lastHit[i], hit[base + start + i]);
+            }
+            for (int i = beforeWrap; i < lastFree.length; i++) {
+                lastFree[i] = Math.max(lastFree[i], free[base - beforeWrap + i]);
+                lastHit[i] = Math.max(lastHit[i], hit[base - beforeWrap + i]);
+            }
+        }
+    }
+
     private static int by(int[] stamps, int cell, int since, int asked) {
         int found = 0;
         for (int rest = asked; rest != 0; rest &= rest - 1) {

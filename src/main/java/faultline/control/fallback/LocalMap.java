@@ -19,6 +19,8 @@ final class LocalMap {
 
     private final int[] surface = new int[WINDOW * WINDOW];
     private final int[] unknown = new int[WINDOW * WINDOW];
+    private final int[] lastFree = new int[WINDOW];
+    private final int[] lastHit = new int[WINDOW];
     private int column;
     private int row;
     private double x;
@@ -36,19 +38,19 @@ final class LocalMap {
         row = EvidenceGrid.cellOf(y) - WINDOW / 2;
         int since = diagnosis.now() - memory;
         int asked = diagnosis.trusted() | 1 << bodySource;
-        Arrays.fill(surface, FAR);
-        Arrays.fill(unknown, FAR);
         double ownSquare = bodyRadius * bodyRadius / (EvidenceGrid.CELL * EvidenceGrid.CELL);
         for (int r = 0; r < WINDOW; r++) {
+            Arrays.fill(lastFree, Integer.MIN_VALUE);
+            Arrays.fill(lastHit, Integer.MIN_VALUE);
+            grid.findLast(column, row + r, asked, lastFree, lastHit);
+            int dy = r - WINDOW / 2;
             for (int c = 0; c < WINDOW; c++) {
                 int dx = c - WINDOW / 2;
-                int dy = r - WINDOW / 2;
                 boolean own = dx * dx + dy * dy <= ownSquare;
-                if (grid.freeBy(column + c, row + r, since, asked) == 0) {
-                    boolean hit = grid.hitBy(column + c, row + r, since, asked) != 0;
-                    surface[r * WINDOW + c] = hit ? 0 : FAR;
-                    unknown[r * WINDOW + c] = hit || !own ? 0 : FAR;
-                }
+                boolean free = lastFree[c] >= since;
+                boolean hit = !free && lastHit[c] >= since;
+                surface[r * WINDOW + c] = hit ? 0 : FAR;
+                unknown[r * WINDOW + c] = hit || !free && !own ? 0 : FAR;
             }
         }
         sweep(surface);
@@ -57,19 +59,21 @@ final class LocalMap {
 
     private static void sweep(int[] d) {
         for (int r = 1; r < WINDOW - 1; r++) {
-            for (int c = 1; c < WINDOW - 1; c++) {
-                int i = r * WINDOW + c;
-                int near = Math.min(d[i - 1], d[i - WINDOW]) + STRAIGHT;
+            int before = d[r * WINDOW];
+            for (int i = r * WINDOW + 1; i < (r + 1) * WINDOW - 1; i++) {
                 int slant = Math.min(d[i - WINDOW - 1], d[i - WINDOW + 1]) + DIAGONAL;
-                d[i] = Math.min(d[i], Math.min(near, slant));
+                int other = Math.min(d[i], Math.min(d[i - WINDOW] + STRAIGHT, slant));
+                before = Math.min(other, before + STRAIGHT);
+                d[i] = before;
             }
         }
         for (int r = WINDOW - 2; r > 0; r--) {
-            for (int c = WINDOW - 2; c > 0; c--) {
-                int i = r * WINDOW + c;
-                int near = Math.min(d[i + 1], d[i + WINDOW]) + STRAIGHT;
+            int before = d[(r + 1) * WINDOW - 1];
+            for (int i = (r + 1) * WINDOW - 2; i > r * WINDOW; i--) {
                 int slant = Math.min(d[i + WINDOW + 1], d[i + WINDOW - 1]) + DIAGONAL;
-                d[i] = Math.min(d[i], Math.min(near, slant));
+                int other = Math.min(d[i], Math.min(d[i + WINDOW] + STRAIGHT, slant));
+                before = Math.min(other, before + STRAIGHT);
+                d[i] = before;
             }
         }
     }
