@@ -29,7 +29,17 @@ final class Coverage {
     private final WallReference walls;
     private final double distance;
     private final Map<Long, Vector2> visited = new HashMap<>();
+    /** Visited points whose places are not yet marked as passed. */
+    private final List<Vector2> pending = new ArrayList<>();
+
     private Vector2 last = new Vector2(Double.POSITIVE_INFINITY, 0);
+    /** Made when they are first needed, because that takes long in large worlds. */
+    private List<WallReference.Sample> places;
+
+    private int[] pieces;
+    private boolean[] passed;
+    private final Map<Long, List<Integer>> placesByCell = new HashMap<>();
+    private double share = Double.NaN;
 
     /** A record of passing walls at a distance from the robot's centre, metres. */
     Coverage(WallReference walls, double distance) {
@@ -40,7 +50,9 @@ final class Coverage {
     /** Notes that the robot's centre was at a point; one point a square centimetre is kept. */
     void visit(Vector2 centre) {
         if (centre.distanceTo(last) >= MIN_STEP) {
-            visited.putIfAbsent(cell(centre, SPACING, 0, 0), centre);
+            if (visited.putIfAbsent(cell(centre, SPACING, 0, 0), centre) == null) {
+                pending.add(centre);
+            }
             last = centre;
         }
     }
@@ -51,40 +63,55 @@ final class Coverage {
         return column * 0x1_0000_0001L ^ row << 21;
     }
 
-    /** The share, in [0, 1]; empty where nothing was passed. */
+    /**
+     * The share so far, in [0, 1]; empty where nothing was passed. Costs what was visited since the last call, so it
+     * may be asked for again and again while the run goes on.
+     */
     OptionalDouble share() {
-        if (visited.isEmpty()) {
-            return OptionalDouble.empty();
+        if (!pending.isEmpty()) {
+            findPlaces();
+            pending.forEach(this::markPassed);
+            pending.clear();
+            share = computeShare();
         }
-        List<WallReference.Sample> places = walls.samples(distance, SPACING);
-        int[] pieces = connectedPieces(places);
-        double[] passed = new double[places.size()];
-        double[] all = new double[places.size()];
-        for (int i = 0; i < places.size(); i++) {
-            all[pieces[i]] += places.get(i).wallLength();
-            passed[pieces[i]] +=
-                    isPassed(places.get(i).position()) ? places.get(i).wallLength() : 0;
-        }
-        int most = 0;
-        for (int i = 1; i < passed.length; i++) {
-            most = passed[i] > passed[most] ? i : most;
-        }
-        return passed.length == 0 || passed[most] == 0
-                ? OptionalDouble.empty()
-                : OptionalDouble.of(passed[most] / all[most]);
+        return Double.isNaN(share) ? OptionalDouble.empty() : OptionalDouble.of(share);
     }
 
-    private boolean isPassed(Vector2 place) {
-        int reach = (int) Math.ceil(TOLERANCE / SPACING);
-        for (int dx = -reach; dx <= reach; dx++) {
-            for (int dy = -reach; dy <= reach; dy++) {
-                Vector2 point = visited.get(cell(place, SPACING, dx, dy));
-                if (point != null && point.distanceTo(place) <= TOLERANCE) {
-                    return true;
+    private void findPlaces() {
+        if (places == null) {
+            places = walls.samples(distance, SPACING);
+            pieces = connectedPieces(places);
+            passed = new boolean[places.size()];
+            for (int i = 0; i < passed.length; i++) {
+                placesByCell
+                        .computeIfAbsent(cell(places.get(i).position(), TOLERANCE, 0, 0), key -> new ArrayList<>())
+                        .add(i);
+            }
+        }
+    }
+
+    private void markPassed(Vector2 point) {
+        for (int dx = -1; dx <= 1; dx++) {
+            for (int dy = -1; dy <= 1; dy++) {
+                for (int i : placesByCell.getOrDefault(cell(point, TOLERANCE, dx, dy), List.of())) {
+                    passed[i] |= places.get(i).position().distanceTo(point) <= TOLERANCE;
                 }
             }
         }
-        return false;
+    }
+
+    private double computeShare() {
+        double[] passedLength = new double[passed.length];
+        double[] length = new double[passed.length];
+        for (int i = 0; i < passed.length; i++) {
+            length[pieces[i]] += places.get(i).wallLength();
+            passedLength[pieces[i]] += passed[i] ? places.get(i).wallLength() : 0;
+        }
+        int most = 0;
+        for (int i = 1; i < passed.length; i++) {
+            most = passedLength[i] > passedLength[most] ? i : most;
+        }
+        return passed.length == 0 || passedLength[most] == 0 ? Double.NaN : passedLength[most] / length[most];
     }
 
     /** The connected piece of each place, named by the first place in it. */

@@ -22,7 +22,7 @@ public record Expectation(List<Condition> conditions) {
     }
 
     /** Returns what a run did not hold, one sentence for each condition. */
-    public List<String> unmet(RunResult result) {
+    public List<String> unmet(RunOutcome result) {
         return conditions.stream()
                 .flatMap(condition -> condition.unmet(result).stream())
                 .toList();
@@ -32,7 +32,7 @@ public record Expectation(List<Condition> conditions) {
     public sealed interface Condition {
 
         /** Returns a sentence on what the run did not hold; empty if the condition is met. */
-        Optional<String> unmet(RunResult result);
+        Optional<String> unmet(RunOutcome result);
 
         private static Optional<String> expected(String wanted, String found) {
             return Optional.of("expected " + wanted + ", but " + found);
@@ -47,7 +47,7 @@ public record Expectation(List<Condition> conditions) {
     public record Collision(boolean wanted) implements Condition {
 
         @Override
-        public Optional<String> unmet(RunResult result) {
+        public Optional<String> unmet(RunOutcome result) {
             return wanted == result.collision().isPresent()
                     ? Optional.empty()
                     : Condition.expected(
@@ -67,7 +67,7 @@ public record Expectation(List<Condition> conditions) {
     public record MinCoverage(double share) implements Condition {
 
         @Override
-        public Optional<String> unmet(RunResult result) {
+        public Optional<String> unmet(RunOutcome result) {
             return result.coverage().orElse(0) >= share
                     ? Optional.empty()
                     : Condition.expected(
@@ -80,7 +80,7 @@ public record Expectation(List<Condition> conditions) {
     public record MaxDistanceRms(double metres) implements Condition {
 
         @Override
-        public Optional<String> unmet(RunResult result) {
+        public Optional<String> unmet(RunOutcome result) {
             return result.distanceRms().orElse(Double.POSITIVE_INFINITY) <= metres
                     ? Optional.empty()
                     : Condition.expected(
@@ -93,13 +93,13 @@ public record Expectation(List<Condition> conditions) {
     public record VisitedState(ControllerState state) implements Condition {
 
         @Override
-        public Optional<String> unmet(RunResult result) {
+        public Optional<String> unmet(RunOutcome result) {
             return result.visitedStates().contains(state)
                     ? Optional.empty()
                     : Condition.expected("the state " + state, "it was never reached; passed: " + passed(result));
         }
 
-        private static String passed(RunResult result) {
+        private static String passed(RunOutcome result) {
             return result.visitedStates().stream().map(ControllerState::name).collect(Collectors.joining(" "));
         }
     }
@@ -108,7 +108,7 @@ public record Expectation(List<Condition> conditions) {
     public record FinalState(ControllerState state) implements Condition {
 
         @Override
-        public Optional<String> unmet(RunResult result) {
+        public Optional<String> unmet(RunOutcome result) {
             return state.equals(result.finalState())
                     ? Optional.empty()
                     : Condition.expected("the final state " + state, "it is " + result.finalState());

@@ -38,7 +38,8 @@ public record RunResult(
         List<String> refusals,
         String rung,
         List<RunEvent> diagnosisEvents,
-        Snapshot finalSnapshot) {
+        Snapshot finalSnapshot)
+        implements RunOutcome {
 
     public RunResult {
         visitedStates = List.copyOf(visitedStates);
@@ -46,22 +47,18 @@ public record RunResult(
         diagnosisEvents = List.copyOf(diagnosisEvents);
     }
 
-    /** Returns the robot's first collision, if there was one. */
+    @Override
     public Optional<Collision> collision() {
         return finalSnapshot.collision();
     }
 
-    /** Returns the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed. */
+    @Override
     public OptionalDouble coverage() {
-        return ifNumber(coverageOrNaN);
+        return RunOutcome.ifNumber(coverageOrNaN);
     }
 
-    /** Returns the distance error on straight walls, metres, root mean square; empty if none was followed. */
+    @Override
     public OptionalDouble distanceRms() {
-        return ifNumber(distanceRmsOrNaN);
-    }
-
-    private static OptionalDouble ifNumber(double value) {
-        return Double.isNaN(value) ? OptionalDouble.empty() : OptionalDouble.of(value);
+        return RunOutcome.ifNumber(distanceRmsOrNaN);
     }
 }

@@ -18,12 +18,15 @@ final class WallFollowingMetrics implements TickObserver {
     /** A straight piece of wall begins and ends this far from a wall's ends, metres. */
     static final double STRAIGHT_MARGIN = 0.5;
 
+    /** With more walls than this, finding the places to pass would hold up a run that is watched. */
+    private static final int MAX_LIVE_WALLS = 5000;
+
     private final boolean isWallFollower;
     private final double distance;
     private final WallReference walls;
     private final Coverage coverage;
-    private double sumOfSquares;
-    private long errorCount;
+    private final MeanSquare straightError = new MeanSquare();
+    private final MeanSquare followError = new MeanSquare();
 
     WallFollowingMetrics(SimulationSetup setup) {
         isWallFollower = setup.controller() instanceof ControllerSpec.WallFollowing;
@@ -45,15 +48,15 @@ final class WallFollowingMetrics implements TickObserver {
             coverage.visit(centre);
         }
         if (state == FollowerState.FOLLOW) {
-            addError(walls.straightWallError(centre, distance, STRAIGHT_MARGIN));
+            WallReference.WallError error = walls.wallError(centre, distance, STRAIGHT_MARGIN);
+            followError.add(error.metres());
+            straightError.add(error.straight() ? error.metres() : Double.NaN);
         }
     }
 
-    private void addError(double error) {
-        if (!Double.isNaN(error)) {
-            sumOfSquares += error * error;
-            errorCount++;
-        }
+    /** Returns whether the walls are too many to say how much of them was followed while the run goes on. */
+    boolean isLarge() {
+        return walls.size() > MAX_LIVE_WALLS;
     }
 
     /** The share of the wall that was passed, in [0, 1]; empty where no wall was followed. */
@@ -63,6 +66,28 @@ final class WallFollowingMetrics implements TickObserver {
 
     /** The distance error on straight walls while following, metres, root mean square; empty where there was none. */
     OptionalDouble distanceRms() {
-        return errorCount == 0 ? OptionalDouble.empty() : OptionalDouble.of(StrictMath.sqrt(sumOfSquares / errorCount));
+        return straightError.root();
+    }
+
+    /** The distance error on all walls while following, metres, root mean square; empty where there was none. */
+    OptionalDouble followRms() {
+        return followError.root();
+    }
+
+    /** The mean of squared errors; those that are not numbers are left out. */
+    private static final class MeanSquare {
+        private double sum;
+        private long count;
+
+        void add(double error) {
+            if (!Double.isNaN(error)) {
+                sum += error * error;
+                count++;
+            }
+        }
+
+        OptionalDouble root() {
+            return count == 0 ? OptionalDouble.empty() : OptionalDouble.of(StrictMath.sqrt(sum / count));
+        }
     }
 }

@@ -43,6 +43,20 @@ public final class WallReference {
      *     what is wanted
      */
     public double straightWallError(Vector2 centre, double wanted, double margin) {
+        WallError error = wallError(centre, wanted, margin);
+        return error.straight() ? error.metres() : Double.NaN;
+    }
+
+    /**
+     * How much farther than wanted the nearest wall is from a point.
+     *
+     * @param metres positive for too far; not a number where the wall is farther than twice what is wanted
+     * @param straight whether the nearest wall is a straight piece of wall
+     */
+    record WallError(double metres, boolean straight) {}
+
+    /** Returns how much farther than wanted the nearest wall is; parameters as {@link #straightWallError}. */
+    WallError wallError(Vector2 centre, double wanted, double margin) {
         candidates.clear();
         index.findNear(centre.x(), centre.y(), 2 * wanted, candidates);
         double least = NONE;
@@ -57,7 +71,12 @@ public final class WallReference {
                         && nearest.distanceTo(segment.b()) >= margin;
             }
         }
-        return straight && least <= 2 * wanted ? least - wanted : Double.NaN;
+        return new WallError(least <= 2 * wanted ? least - wanted : Double.NaN, straight);
+    }
+
+    /** Returns the number of shapes that the walls consist of. */
+    int size() {
+        return shapes.size();
     }
 
     /**

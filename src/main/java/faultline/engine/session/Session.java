@@ -89,11 +89,6 @@ public final class Session implements AutoCloseable {
         simulationThread.submit(thread -> thread.pauseAt(tick));
     }
 
-    /** Cancels {@link #pauseAt}. */
-    public void clearPauseTick() {
-        simulationThread.submit(SimulationThread::clearPauseTick);
-    }
-
     /** Makes one tick and pauses. */
     public void step() {
         simulationThread.submit(SimulationThread::step);

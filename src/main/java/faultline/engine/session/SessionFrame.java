@@ -1,17 +1,31 @@
 package faultline.engine.session;
 
+import faultline.control.ControllerState;
 import faultline.control.Telemetry;
 import faultline.engine.Frame;
+import faultline.engine.metrics.RunMeasures;
+import faultline.engine.metrics.RunOutcome;
 import faultline.engine.recording.Recording;
+import faultline.engine.recording.StateTally;
+import faultline.world.Collision;
 import faultline.world.Snapshot;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * A frame that a session publishes, with what has been recorded up to its tick. Immutable.
  *
  * @param frame the state at the end of a tick
  * @param recording the recording of the run up to that tick
+ * @param measures the measures of the run up to that tick
  */
-public record SessionFrame(Frame frame, Recording recording) {
+public record SessionFrame(Frame frame, Recording recording, RunMeasures measures) implements RunOutcome {
+
+    /** Creates a frame of a run that is not measured. */
+    public SessionFrame(Frame frame, Recording recording) {
+        this(frame, recording, RunMeasures.NONE);
+    }
 
     /** Returns the world at the end of the tick. */
     public Snapshot snapshot() {
@@ -21,5 +35,32 @@ public record SessionFrame(Frame frame, Recording recording) {
     /** Returns the controller's telemetry of the tick. */
     public Telemetry telemetry() {
         return frame.telemetry();
+    }
+
+    @Override
+    public ControllerState finalState() {
+        return telemetry().state();
+    }
+
+    @Override
+    public List<ControllerState> visitedStates() {
+        return recording.stateTally().states().stream()
+                .map(StateTally.Dwell::state)
+                .toList();
+    }
+
+    @Override
+    public Optional<Collision> collision() {
+        return snapshot().collision();
+    }
+
+    @Override
+    public OptionalDouble coverage() {
+        return RunOutcome.ifNumber(measures.coverage());
+    }
+
+    @Override
+    public OptionalDouble distanceRms() {
+        return RunOutcome.ifNumber(measures.distanceRms());
     }
 }

@@ -4,6 +4,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.Journal;
 import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
+import faultline.engine.metrics.RunMeter;
 import faultline.engine.recording.Recorder;
 import faultline.engine.session.Session.Status;
 import faultline.world.Command;
@@ -36,6 +37,7 @@ final class SimulationThread implements Runnable {
     // Used by the simulation thread only, after the replay.
     private final Simulation simulation;
     private final Recorder recorder;
+    private final RunMeter meter;
     private final JournalPlayer player;
     private final Pacer pacer = new Pacer();
     private boolean running;
@@ -48,9 +50,11 @@ final class SimulationThread implements Runnable {
 
     private SimulationThread(Journal journal) {
         recorder = new Recorder(journal.setup());
+        meter = new RunMeter(journal.setup());
         player = new JournalPlayer(journal);
         simulation = new Simulation(journal.setup(), ControllerMode.OWN_THREAD, recorder);
         recorder.observe(simulation);
+        meter.observe(simulation);
         thread.setDaemon(true);
     }
 
@@ -147,6 +151,7 @@ final class SimulationThread implements Runnable {
     private void advance() {
         player.tick(simulation);
         recorder.observe(simulation);
+        meter.observe(simulation);
     }
 
     private void fail(RuntimeException cause) {
@@ -179,7 +184,7 @@ final class SimulationThread implements Runnable {
     }
 
     private SessionFrame currentFrame() {
-        return new SessionFrame(simulation.frame(), recorder.view());
+        return new SessionFrame(simulation.frame(), recorder.view(), meter.measures());
     }
 
     private Status currentStatus() {
@@ -240,10 +245,6 @@ final class SimulationThread implements Runnable {
 
     void pauseAt(long tick) {
         pauseTick = tick;
-    }
-
-    void clearPauseTick() {
-        pauseTick = NO_PAUSE_TICK;
     }
 
     void step() {

@@ -39,10 +39,15 @@ public final class RunController implements WorkspaceListener {
 
     @Override
     public void sessionStarted() {
-        session().ifPresent(session -> {
-            session.setSpeed(speed);
-            navigator.replayEnd().ifPresent(session::pauseAt);
+        workspace.openDocument().ifPresent(now -> {
+            now.session().setSpeed(speed);
+            pauseAtEnd(now);
         });
+    }
+
+    /** Pauses the run at the scenario's duration, where it is judged; the user may resume it there. */
+    private static void pauseAtEnd(OpenDocument open) {
+        open.session().pauseAt(open.document().initial().setup().ticks());
     }
 
     @Override
@@ -139,7 +144,6 @@ public final class RunController implements WorkspaceListener {
             workspace.commandsExecuted(open.document(), results);
             if (workspace.openDocument().filter(open::equals).isPresent()) {
                 navigator.discardFuture();
-                open.session().clearPauseTick();
             }
         }
     }

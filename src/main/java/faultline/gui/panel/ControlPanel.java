@@ -1,8 +1,11 @@
 package faultline.gui.panel;
 
+import faultline.engine.session.Session;
+import faultline.engine.session.SessionFrame;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
+import faultline.scenario.Scenario;
 import faultline.world.Snapshot;
 import java.awt.BorderLayout;
 import java.awt.Component;
@@ -14,12 +17,17 @@ import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 
-/** The control panel of the paper's Fig. 1: the robot, its sensors and its faults. */
+/**
+ * The control panel. Its first tab is that of the paper's Fig. 1, the robot with its sensors and their faults; the
+ * other one shows what the run has come to.
+ */
 public final class ControlPanel extends JPanel {
 
     private static final int WHEEL_STEP = 16;
@@ -28,6 +36,7 @@ public final class ControlPanel extends JPanel {
     private final RobotPanel robot;
     private final SensorsPanel sensors;
     private final SensorDetailsPanel sensorDetails;
+    private final RunPanel run = new RunPanel();
     private final transient UndoController editor;
 
     /**
@@ -44,11 +53,24 @@ public final class ControlPanel extends JPanel {
         sensorDetails = new SensorDetailsPanel(editor);
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);
+        JTabbedPane tabs = new JTabbedPane();
+        tabs.getAccessibleContext().setAccessibleName(Messages.get("panel"));
+        addTab(
+                tabs,
+                "panel.robot",
+                new TitledSection(robot),
+                new TitledSection(Messages.get("sensors.title"), sensors),
+                new TitledSection(Messages.get("faults.title"), sensorDetails));
+        addTab(tabs, "panel.run", run);
+        add(tabs, BorderLayout.CENTER);
+    }
+
+    private static void addTab(JTabbedPane tabs, String key, JComponent... sections) {
         JPanel column = new JPanel();
         column.setLayout(new BoxLayout(column, BoxLayout.PAGE_AXIS));
-        column.add(new TitledSection(Messages.get("robot.title"), robot));
-        column.add(new TitledSection(Messages.get("sensors.title"), sensors));
-        column.add(new TitledSection(Messages.get("faults.title"), sensorDetails));
+        for (JComponent section : sections) {
+            column.add(section);
+        }
         JPanel top = new JPanel(new BorderLayout());
         top.add(column, BorderLayout.NORTH);
         JScrollPane scroll = new JScrollPane(
@@ -56,7 +78,7 @@ public final class ControlPanel extends JPanel {
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.getVerticalScrollBar().setUnitIncrement(WHEEL_STEP);
         scroll.getHorizontalScrollBar().setUnitIncrement(WHEEL_STEP);
-        add(scroll, BorderLayout.CENTER);
+        tabs.addTab(Messages.get(key), null, scroll, Messages.get(key + ".tip"));
     }
 
     /** Returns the width at the normal text size; larger text scrolls if the window has no room for it. */
@@ -82,6 +104,11 @@ public final class ControlPanel extends JPanel {
         robot.setRobot(editor.pendingEdits().robot());
         sensors.setSensors(world.sensors());
         sensorDetails.setSensors(world.sensors());
+    }
+
+    /** Shows what a run has come to. */
+    public void setRun(SessionFrame frame, Session.Status status, Scenario scenario) {
+        run.setRun(frame, status, scenario);
     }
 
     /** Commits the number being typed, as if the field lost the focus, and returns whether that changed a value. */

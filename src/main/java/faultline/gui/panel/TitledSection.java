@@ -8,16 +8,21 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 
-/** A section of the control panel with a heading. */
+/** A section of the control panel. */
 final class TitledSection extends JPanel {
 
     TitledSection(String title, JComponent content) {
-        super(new BorderLayout());
+        this(content);
         JLabel heading = new JLabel(title);
         heading.setFont(heading.getFont().deriveFont(Font.BOLD));
         heading.setBorder(BorderFactory.createEmptyBorder(0, 0, 5, 0));
-        setBorder(SeparatorBorder.below(9, 14, 8));
         add(heading, BorderLayout.NORTH);
+    }
+
+    /** Creates the first section of a tab, whose name says enough. */
+    TitledSection(JComponent content) {
+        super(new BorderLayout());
+        setBorder(SeparatorBorder.below(9, 14, 8));
         add(content, BorderLayout.CENTER);
     }
 }

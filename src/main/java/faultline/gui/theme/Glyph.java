@@ -76,6 +76,8 @@ public enum Glyph {
             ""),
     /** A warning. */
     WARNING("M 9 2.5 L 16.2 15 L 1.8 15 Z M 9 7 L 9 10.5", "O 9 12.8 1"),
+    /** A check mark. */
+    CHECK("M 3.5 9.5 L 7.5 13.5 L 14.5 4.5", ""),
     /** Remove. */
     REMOVE("M 5 5 L 13 13 M 13 5 L 5 13", ""),
     /** A note. */

@@ -10,9 +10,12 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.instrument.PositionedSplitPane;
 import faultline.gui.panel.ControlPanel;
+import faultline.gui.panel.RunVerdict;
+import faultline.gui.panel.VerdictBanner;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.scene.ReferenceOverlay;
+import faultline.scenario.Scenario;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Container;
@@ -48,6 +51,7 @@ final class MainPanel extends JPanel {
     private final StatusBar statusBar = new StatusBar();
     private final InstrumentDock instruments;
     private final TimeBar timeBar;
+    private final VerdictBanner banner;
     private final PositionedSplitPane dockSplit;
     private final PositionedSplitPane panelSplit;
     private int dockHeight;
@@ -74,6 +78,9 @@ final class MainPanel extends JPanel {
         instruments = new InstrumentDock(jump);
         dockHeight = instruments.getPreferredSize().height;
         timeBar = new TimeBar(jump, canvas::setFrame);
+        banner = new VerdictBanner(jump);
+        canvas.setLayout(new BorderLayout());
+        canvas.add(banner, BorderLayout.NORTH);
         JPanel stage = new JPanel(new BorderLayout());
         stage.add(canvas, BorderLayout.CENTER);
         stage.add(timeBar, BorderLayout.SOUTH);
@@ -107,6 +114,12 @@ final class MainPanel extends JPanel {
         }
         controlPanel.setSnapshot(frame.snapshot());
         statusBar.setFrame(frame.frame(), now);
+    }
+
+    /** Shows what the run of a scenario has come to, and at its end the verdict. */
+    void setRun(SessionFrame frame, Session.Status now, Scenario scenario) {
+        controlPanel.setRun(frame, now, scenario);
+        banner.setVerdict(RunVerdict.of(frame, now, scenario), scenario.setup().dt());
     }
 
     /** Shows a reference run beside the current one, and where the two first differ. */

@@ -276,12 +276,15 @@ public final class MainWindow extends JFrame {
             undoController.runAdvanced(frame.snapshot().tick());
             replayNotifier.update(frame.frame());
             comparisonActions.update(frame);
-            workspace.scenario().ifPresent(open -> mainPanel
-                    .timeBar()
-                    .setFrame(
-                            frame,
-                            runController.navigator().furthestTick(),
-                            open.setup().dt()));
+            workspace.scenario().ifPresent(open -> {
+                mainPanel.setRun(frame, status, open);
+                mainPanel
+                        .timeBar()
+                        .setFrame(
+                                frame,
+                                runController.navigator().furthestTick(),
+                                open.setup().dt());
+            });
             runActions.update(status);
         }));
     }

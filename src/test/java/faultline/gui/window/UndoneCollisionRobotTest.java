@@ -37,6 +37,8 @@ class UndoneCollisionRobotTest {
         Path scenario = Files.writeString(
                 folder.resolve("beside.xml"),
                 Files.readString(Path.of("scenarios/collision-on-purpose.xml"))
+                        // The run must not pause at its end before the test pauses it.
+                        .replace("duration=\"30\"", "duration=\"100000\"")
                         .replace("y=\"2.05\" radius=\"0.02\"", "y=\"3\" radius=\"0.1\""));
         try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, scenario)) {
             double metre = callOnEdt(() -> driver.canvas()

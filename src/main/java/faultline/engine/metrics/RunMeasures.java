@@ -1,0 +1,16 @@
+package faultline.engine.metrics;
+
+/**
+ * Measures of a run as they stand, from ground truth and against the walls as they stood at the start. What does not
+ * apply is not a number.
+ *
+ * @param coverage the share of the wall that could be followed that was, in [0, 1]
+ * @param distanceRms the distance error on straight walls, metres, root mean square
+ * @param followRms the distance error in all of FOLLOW, metres, root mean square
+ * @param laps how often the wall was passed, on average over its length
+ */
+public record RunMeasures(double coverage, double distanceRms, double followRms, double laps) {
+
+    /** The measures of a run that has followed no wall. */
+    public static final RunMeasures NONE = new RunMeasures(Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+}

@@ -1,0 +1,45 @@
+package faultline.engine.metrics;
+
+import faultline.control.FollowerState;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.TickObserver;
+
+/** Takes the measures of a run while it goes on; they are those that a run without a window ends with. */
+public final class RunMeter implements TickObserver {
+
+    private final SimulationSetup setup;
+    private final WallFollowingMetrics wall;
+    /** Null until the robot meets a wall, because finding the ways along walls takes long in large worlds. */
+    private CarryOnMetrics laps;
+
+    /** Creates a meter of one run of a setup. */
+    public RunMeter(SimulationSetup setup) {
+        this.setup = setup;
+        wall = new WallFollowingMetrics(setup);
+    }
+
+    @Override
+    public void observe(Simulation simulation) {
+        wall.observe(simulation);
+        if (laps == null && simulation.telemetry().state() != FollowerState.SEARCH && !wall.isLarge()) {
+            WallCircuit circuit = CarryOnMetrics.wantedDistance(setup).stream()
+                    .mapToObj(distance -> new WallCircuit(setup.world(), distance))
+                    .findFirst()
+                    .orElseGet(WallCircuit::empty);
+            laps = new CarryOnMetrics(circuit, setup.robot().speed(), 0);
+        }
+        if (laps != null) {
+            laps.observe(simulation);
+        }
+    }
+
+    /** Returns the measures so far. */
+    public RunMeasures measures() {
+        return new RunMeasures(
+                wall.isLarge() ? Double.NaN : wall.coverage().orElse(Double.NaN),
+                wall.distanceRms().orElse(Double.NaN),
+                wall.followRms().orElse(Double.NaN),
+                laps == null ? Double.NaN : laps.laps().orElse(Double.NaN));
+    }
+}

@@ -1,0 +1,31 @@
+package faultline.engine.metrics;
+
+import faultline.control.ControllerState;
+import faultline.world.Collision;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/** What expectations are compared with: the result of a run, or what a run has come to while it goes on. */
+public interface RunOutcome {
+
+    /** Returns the controller's last state. */
+    ControllerState finalState();
+
+    /** Returns all states that the controller passed through, in the order of their first appearance. */
+    List<ControllerState> visitedStates();
+
+    /** Returns the robot's first collision, if there was one. */
+    Optional<Collision> collision();
+
+    /** Returns the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed. */
+    OptionalDouble coverage();
+
+    /** Returns the distance error on straight walls, metres, root mean square; empty if none was followed. */
+    OptionalDouble distanceRms();
+
+    /** Returns a number that is empty if it is NaN. */
+    static OptionalDouble ifNumber(double value) {
+        return Double.isNaN(value) ? OptionalDouble.empty() : OptionalDouble.of(value);
+    }
+}

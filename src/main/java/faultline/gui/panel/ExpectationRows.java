@@ -1,0 +1,85 @@
+package faultline.gui.panel;
+
+import faultline.engine.metrics.Expectation;
+import faultline.engine.metrics.RunOutcome;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Glyph;
+import faultline.gui.theme.GlyphIcon;
+import java.awt.GridBagLayout;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.Icon;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+
+/** What the scenario expects, one row each: whether it holds so far, and the value. */
+final class ExpectationRows extends JPanel {
+
+    private static final int ICON_SIZE = 14;
+    private static final Icon MET = new GlyphIcon(Glyph.CHECK, ICON_SIZE, colours -> Optional.of(colours.accent()));
+    private static final Icon OPEN = new GlyphIcon(Glyph.CIRCLE, ICON_SIZE, colours -> Optional.of(colours.muted()));
+    private static final Icon FAILED =
+            new GlyphIcon(Glyph.REMOVE, ICON_SIZE, colours -> Optional.of(colours.warning()));
+
+    private final List<JLabel> labels = new ArrayList<>();
+    private final List<ValueLabel> values = new ArrayList<>();
+    /** Null before the first run. */
+    private transient List<Expectation.Condition> items;
+
+    ExpectationRows() {
+        super(new GridBagLayout());
+    }
+
+    /**
+     * Shows how a run stands.
+     *
+     * @param required what is expected
+     * @param ended whether the run is over, so that what does not hold has failed
+     */
+    void setOutcome(List<Expectation.Condition> required, RunOutcome outcome, boolean ended) {
+        if (!required.equals(items)) {
+            items = required;
+            rebuild();
+        }
+        for (int i = 0; i < items.size(); i++) {
+            setStatus(labels.get(i), items.get(i), items.get(i).unmet(outcome).isEmpty(), ended);
+            values.get(i).setValue(ExpectationText.value(items.get(i), outcome));
+        }
+    }
+
+    private static void setStatus(JLabel label, Expectation.Condition item, boolean met, boolean ended) {
+        boolean failed = !met && (ended || item.equals(new Expectation.Collision(false)));
+        Icon icon = met ? MET : failed ? FAILED : OPEN;
+        if (label.getIcon() != icon) {
+            label.setIcon(icon);
+            String status = Messages.get(met ? "expect.met" : failed ? "expect.failed" : "expect.open");
+            label.setToolTipText(status);
+            label.getAccessibleContext().setAccessibleName(label.getText() + ": " + status);
+        }
+    }
+
+    private void rebuild() {
+        removeAll();
+        labels.clear();
+        values.clear();
+        for (Expectation.Condition item : items) {
+            JLabel label = new JLabel(ExpectationText.format(item));
+            ValueLabel value = new ValueLabel(
+                    label.getText(),
+                    "0.0000 m",
+                    Messages.get("expect.none"),
+                    Messages.get("expect.collided"),
+                    Messages.get("expect.notReached"));
+            add(label, FormConstraints.fillCell(0, labels.size()));
+            add(value, FormConstraints.cell(1, labels.size()));
+            labels.add(label);
+            values.add(value);
+        }
+        if (items.isEmpty()) {
+            add(new MutedLabel(Messages.get("expect.nothing")), FormConstraints.fillCell(0, 0));
+        }
+        revalidate();
+        repaint();
+    }
+}

@@ -1,0 +1,94 @@
+package faultline.gui.panel;
+
+import faultline.control.SensorFinding;
+import faultline.control.SensorHealth;
+import faultline.gui.text.Messages;
+import java.awt.GridBagLayout;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+
+/** What the controller's diagnosis finds about each sensor. */
+final class HealthRows extends JPanel {
+
+    private static final double PERCENT = 100;
+
+    private record Row(JLabel name, ValueLabel finding, ValueLabel evidence, ValueLabel since) {}
+
+    private final transient List<Row> rows = new ArrayList<>();
+    /** Null before the first run. */
+    private List<String> sensors;
+
+    HealthRows() {
+        super(new GridBagLayout());
+    }
+
+    /**
+     * Shows the health of the sensors.
+     *
+     * @param diagnosed the ids of the sensors that the controller diagnoses, so that there are rows before its first
+     *     finding
+     * @param health in the robot's order, empty before the first finding
+     * @param dt the length of a tick, seconds
+     */
+    void setHealth(List<String> diagnosed, List<SensorHealth> health, double dt) {
+        List<String> now = health.isEmpty()
+                ? diagnosed
+                : health.stream().map(SensorHealth::sensor).toList();
+        if (!now.equals(sensors)) {
+            sensors = now;
+            rebuild();
+        }
+        for (int i = 0; i < health.size(); i++) {
+            SensorHealth sensor = health.get(i);
+            Row row = rows.get(i);
+            row.finding.setValue(name(sensor.finding()));
+            row.evidence.setValue(sensor.evidence() > 0 ? format("%.0f %%", PERCENT * sensor.evidence()) : "–");
+            row.since.setValue(sensor.isTrusted() ? "–" : format("%.2f s", sensor.sinceTick() * dt));
+        }
+    }
+
+    private static String name(SensorFinding finding) {
+        return Messages.get("finding." + finding.name());
+    }
+
+    private static String format(String pattern, double value) {
+        return String.format(Locale.ROOT, pattern, value);
+    }
+
+    private void rebuild() {
+        removeAll();
+        rows.clear();
+        if (sensors.isEmpty()) {
+            add(new MutedLabel(Messages.get("health.none")), FormConstraints.fillCell(0, 0));
+        } else {
+            String[] headings = {"sensors.sensor", "health.finding", "health.evidence", "health.since"};
+            for (int i = 0; i < headings.length; i++) {
+                add(new MutedLabel(Messages.get(headings[i])), FormConstraints.cell(i + 1, 0));
+            }
+            sensors.forEach(this::addRow);
+        }
+        revalidate();
+        repaint();
+    }
+
+    private void addRow(String id) {
+        String[] findings =
+                Stream.of(SensorFinding.values()).map(HealthRows::name).toArray(String[]::new);
+        Row row = new Row(
+                new JLabel(id),
+                new ValueLabel(id + ": " + Messages.get("health.finding"), findings),
+                new ValueLabel(id + ": " + Messages.get("health.evidence"), "100 %"),
+                new ValueLabel(id + ": " + Messages.get("health.since"), "0000.00 s"));
+        int y = rows.size() + 1;
+        add(new SensorBadge(rows.size()), FormConstraints.centredCell(0, y));
+        add(row.name, FormConstraints.fillCell(1, y));
+        add(row.finding, FormConstraints.cell(2, y));
+        add(row.evidence, FormConstraints.cell(3, y));
+        add(row.since, FormConstraints.cell(4, y));
+        rows.add(row);
+    }
+}

@@ -1,0 +1,133 @@
+package faultline.gui.panel;
+
+import faultline.control.ControllerSpec;
+import faultline.control.FollowerState;
+import faultline.control.ladder.Rung;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.RunMeasures;
+import faultline.engine.session.Session;
+import faultline.engine.session.SessionFrame;
+import faultline.gui.text.Messages;
+import faultline.gui.text.StateText;
+import faultline.robot.Velocity;
+import faultline.scenario.Scenario;
+import faultline.sensor.SensorSpec;
+import java.awt.EventQueue;
+import java.awt.GridBagConstraints;
+import java.awt.GridBagLayout;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import javax.swing.BoxLayout;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+
+/**
+ * What a run has come to: state, velocity, measures, remaining time, the scenario's expectations, and the diagnosis of
+ * the sensors. Numbers come from frames and are updated about ten times per second.
+ */
+public final class RunPanel extends JPanel {
+
+    private static final int FRAMES_PER_UPDATE = 6;
+    private static final int COLUMN_GAP = 18;
+    private static final double PERCENT = 100;
+    private static final double MILLIMETRES = 1000;
+
+    private final JPanel numbers = new JPanel(new GridBagLayout());
+    private final ValueLabel state = addValue(
+            "run.state",
+            0,
+            0,
+            Stream.of(FollowerState.values()).map(StateText::name).toArray(String[]::new));
+    private final ValueLabel timeLeft = addValue("run.timeLeft", 2, 0, "00000.0 s");
+    private final ValueLabel linear = addValue("run.linear", 0, 1, "-0.000 m/s");
+    private final ValueLabel angular = addValue("run.angular", 2, 1, "-0000.0 °/s");
+    private final ValueLabel coverage = addValue("run.coverage", 0, 2, "100.0 %");
+    private final ValueLabel laps = addValue("run.laps", 2, 2, "00000.00");
+    private final ValueLabel straightRms = addValue("run.straightRms", 0, 3, "0000.0 mm");
+    private final ValueLabel followRms = addValue("run.followRms", 2, 3, "0000.0 mm");
+    private final ValueLabel rung = addValue(
+            "run.rung",
+            0,
+            4,
+            Stream.of(Rung.values()).map(value -> rungText(value.name())).toArray(String[]::new));
+    private final ExpectationRows expectations = new ExpectationRows();
+    private final HealthRows health = new HealthRows();
+    private transient SessionFrame shown;
+    private boolean wasRunning;
+    private int skippedFrames;
+
+    /** Creates a panel without a run. */
+    RunPanel() {
+        setLayout(new BoxLayout(this, BoxLayout.PAGE_AXIS));
+        add(new TitledSection(numbers));
+        add(new TitledSection(Messages.get("expect.title"), expectations));
+        add(new TitledSection(Messages.get("health.title"), health));
+    }
+
+    private ValueLabel addValue(String key, int column, int row, String... widest) {
+        ValueLabel value = new ValueLabel(Messages.get(key), widest);
+        JLabel label = new JLabel(Messages.get(key));
+        label.setLabelFor(value);
+        label.setToolTipText(Messages.get(key + ".tip"));
+        GridBagConstraints labelCell = FormConstraints.cell(column, row);
+        labelCell.insets.left += column == 0 ? 0 : COLUMN_GAP;
+        numbers.add(label, labelCell);
+        boolean wide = key.equals("run.rung");
+        numbers.add(value, wide ? FormConstraints.fillRow(1, row) : FormConstraints.fillCell(column + 1, row));
+        return value;
+    }
+
+    /** Shows a run; numbers that change with every frame wait for the next update. */
+    void setRun(SessionFrame frame, Session.Status status, Scenario scenario) {
+        assert EventQueue.isDispatchThread();
+        boolean stopped = wasRunning && !status.running();
+        if (++skippedFrames >= FRAMES_PER_UPDATE || shown == null || stopped) {
+            wasRunning = status.running();
+            skippedFrames = 0;
+            update(frame, status, scenario);
+        }
+    }
+
+    private void update(SessionFrame frame, Session.Status status, Scenario scenario) {
+        if (frame != shown) {
+            shown = frame;
+            updateNumbers(frame);
+            health.setHealth(
+                    diagnosedSensors(scenario.setup()),
+                    frame.telemetry().diagnosis().health(),
+                    scenario.setup().dt());
+        }
+        double left = scenario.setup().duration() - frame.snapshot().time();
+        timeLeft.setValue(left > 0 ? ExpectationText.number("%.1f s", left) : Messages.get("run.over"));
+        expectations.setOutcome(scenario.expectation().conditions(), frame, left <= 0 && !status.running());
+    }
+
+    private static List<String> diagnosedSensors(SimulationSetup setup) {
+        return setup.controller() instanceof ControllerSpec.WallFollowing follower && follower.diagnosis()
+                ? setup.robot().sensors().stream().map(SensorSpec::id).toList()
+                : List.of();
+    }
+
+    private void updateNumbers(SessionFrame frame) {
+        Velocity velocity = frame.snapshot().velocity();
+        RunMeasures measures = frame.measures();
+        state.setValue(StateText.name(frame.telemetry().state()));
+        linear.setValue(signed("%.3f m/s", velocity.linear(), 1000));
+        angular.setValue(signed("%.1f °/s", Math.toDegrees(velocity.angular()), 10));
+        coverage.setValue(ExpectationText.number("%.1f %%", PERCENT * measures.coverage()));
+        laps.setValue(ExpectationText.number("%.2f", measures.laps()));
+        straightRms.setValue(ExpectationText.number("%.1f mm", MILLIMETRES * measures.distanceRms()));
+        followRms.setValue(ExpectationText.number("%.1f mm", MILLIMETRES * measures.followRms()));
+        rung.setValue(rungText(frame.telemetry().diagnosis().rung()));
+    }
+
+    /** Rounds first: -0.0004 would be formatted as -0.000. */
+    private static String signed(String format, double value, double steps) {
+        return String.format(Locale.ROOT, format, Math.round(value * steps) / steps);
+    }
+
+    private static String rungText(String rung) {
+        return rung.isEmpty() ? "–" : Messages.get("rung." + rung);
+    }
+}

@@ -1,0 +1,108 @@
+package faultline.gui.panel;
+
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
+import faultline.engine.session.Session;
+import faultline.engine.session.SessionFrame;
+import faultline.gui.text.Messages;
+import faultline.scenario.Scenario;
+import faultline.world.Collision;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * How a run ended: with a collision, with a failure, or at the scenario's duration.
+ *
+ * @param success whether nothing is wrong
+ * @param title what happened, in a few words
+ * @param detail why, empty if there is nothing to add
+ * @param event the tick of what went wrong, -1 if nothing did
+ */
+public record RunVerdict(boolean success, String title, String detail, long event) {
+
+    /** How far before the event the run is moved back to, seconds. */
+    private static final double LEAD_TIME = 2;
+
+    private static final int NONE = -1;
+
+    /** Returns the verdict on a run, empty while the run goes on. */
+    public static Optional<RunVerdict> of(SessionFrame frame, Session.Status status, Scenario scenario) {
+        if (status.failure().isPresent()) {
+            return Optional.of(new RunVerdict(
+                    false,
+                    Messages.get("verdict.broken", time(frame.snapshot().time())),
+                    status.failure().get(),
+                    frame.snapshot().tick()));
+        }
+        List<Expectation.Condition> required = scenario.expectation().conditions();
+        boolean ended = !status.running() && isEnd(frame, scenario.setup());
+        Optional<Collision> collision = frame.snapshot().collision();
+        if (ended) {
+            return Optional.of(atEnd(frame, required));
+        }
+        return collision.map(contact -> atCollision(contact, required));
+    }
+
+    private static boolean isEnd(SessionFrame frame, SimulationSetup setup) {
+        return frame.snapshot().tick() > 0 && frame.snapshot().tick() == setup.ticks();
+    }
+
+    private static RunVerdict atEnd(SessionFrame frame, List<Expectation.Condition> required) {
+        List<Expectation.Condition> unmet =
+                required.stream().filter(item -> item.unmet(frame).isPresent()).toList();
+        Optional<Collision> collision = frame.snapshot().collision();
+        String detail = Stream.concat(
+                        unmet.stream()
+                                .map(item ->
+                                        ExpectationText.format(item) + " (" + ExpectationText.value(item, frame) + ")"),
+                        collision.map(RunVerdict::collisionText).stream())
+                .collect(Collectors.joining("; "));
+        String title = unmet.isEmpty()
+                ? Messages.get(
+                        required.isEmpty() ? "verdict.finished" : "verdict.held",
+                        time(frame.snapshot().time()))
+                : Messages.get(
+                        "verdict.unmet",
+                        time(frame.snapshot().time()),
+                        Integer.toString(unmet.size()),
+                        Integer.toString(required.size()));
+        return new RunVerdict(
+                unmet.isEmpty(), title, detail, collision.map(Collision::tick).orElse((long) NONE));
+    }
+
+    private static RunVerdict atCollision(Collision collision, List<Expectation.Condition> required) {
+        boolean expected = required.contains(new Expectation.Collision(true));
+        return new RunVerdict(
+                expected,
+                Messages.get("verdict.collided", collision.obstacle(), time(collision.time())),
+                (expected ? Messages.get("verdict.asExpected") + " " : "") + faultText(collision),
+                collision.tick());
+    }
+
+    private static String collisionText(Collision collision) {
+        return Messages.get("verdict.collided", collision.obstacle(), time(collision.time())) + "; "
+                + faultText(collision);
+    }
+
+    /** Returns which faults were active at a collision. */
+    private static String faultText(Collision collision) {
+        String active = Stream.concat(
+                        collision.faults().entrySet().stream()
+                                .map(entry -> entry.getKey() + " " + ReadingText.format(entry.getValue())),
+                        collision.switchedOff().stream().map(id -> id + " " + Messages.get("reading.off")))
+                .collect(Collectors.joining(", "));
+        return active.isEmpty() ? Messages.get("verdict.noFaults") : Messages.get("verdict.faults", active);
+    }
+
+    private static String time(double seconds) {
+        return String.format(Locale.ROOT, "%.3f", seconds);
+    }
+
+    /** Returns the tick to go to in order to see what went wrong. */
+    public long tickBefore(double dt) {
+        return Math.max(0, event - Math.round(LEAD_TIME / dt));
+    }
+}

@@ -1,0 +1,126 @@
+package faultline.gui.panel;
+
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Glyph;
+import faultline.gui.theme.GlyphIcon;
+import faultline.gui.theme.Theme;
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.EventQueue;
+import java.awt.Font;
+import java.awt.event.MouseAdapter;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.LongConsumer;
+import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+
+/** Says how a run ended, over the canvas, so that nothing moves when it appears. */
+public final class VerdictBanner extends JPanel {
+
+    private static final int GAP = 8;
+    private static final int MIN_WIDTH = 200;
+    private static final GlyphIcon SUCCESS = new GlyphIcon(Glyph.CHECK, 18, colours -> Optional.of(colours.accent()));
+    private static final GlyphIcon FAILURE =
+            new GlyphIcon(Glyph.WARNING, 18, colours -> Optional.of(colours.warning()));
+
+    private final JLabel title = new JLabel();
+    private final JTextArea detail = new JTextArea();
+    private final JPanel buttons = new JPanel();
+    private final JButton back = new JButton(Messages.get("verdict.back"));
+    /** Null while there is none. */
+    private transient RunVerdict verdict;
+
+    private double dt;
+
+    /**
+     * Creates a banner that is not visible.
+     *
+     * @param seek receives the tick to go back to
+     */
+    public VerdictBanner(LongConsumer seek) {
+        super(new BorderLayout(GAP, 0));
+        JButton close = new JButton(new GlyphIcon(Glyph.REMOVE, 14, colours -> Optional.empty()));
+        close.getAccessibleContext().setAccessibleName(Messages.get("verdict.close"));
+        close.setToolTipText(Messages.get("verdict.close"));
+        close.setBorder(BorderFactory.createEmptyBorder(3, 5, 3, 5));
+        close.addActionListener(event -> setVisible(false));
+        back.setToolTipText(Messages.get("verdict.back.tip"));
+        back.addActionListener(event -> seek.accept(verdict.tickBefore(dt)));
+        buttons.setOpaque(false);
+        buttons.setLayout(new BoxLayout(buttons, BoxLayout.LINE_AXIS));
+        buttons.add(back);
+        buttons.add(Box.createHorizontalStrut(GAP));
+        buttons.add(close);
+        configureTexts();
+        JPanel texts = new JPanel(new BorderLayout());
+        texts.setOpaque(false);
+        texts.add(title, BorderLayout.NORTH);
+        texts.add(detail, BorderLayout.CENTER);
+        add(texts, BorderLayout.CENTER);
+        add(buttons, BorderLayout.LINE_END);
+        // Clicks must not reach the canvas below.
+        addMouseListener(new MouseAdapter() {});
+        setVisible(false);
+    }
+
+    private void configureTexts() {
+        title.setFont(title.getFont().deriveFont(Font.BOLD));
+        detail.setEditable(false);
+        detail.setFocusable(false);
+        detail.setLineWrap(true);
+        detail.setWrapStyleWord(true);
+        detail.setOpaque(false);
+        detail.setBorder(BorderFactory.createEmptyBorder(2, SUCCESS.size() + title.getIconTextGap(), 0, 0));
+    }
+
+    /** Shows a verdict, or nothing; one that the user has closed stays closed until there is another. */
+    public void setVerdict(Optional<RunVerdict> newVerdict, double newDt) {
+        assert EventQueue.isDispatchThread();
+        RunVerdict next = newVerdict.orElse(null);
+        dt = newDt;
+        if (Objects.equals(next, verdict)) {
+            return;
+        }
+        verdict = next;
+        if (next != null) {
+            title.setText(next.title());
+            title.setIcon(next.success() ? SUCCESS : FAILURE);
+            detail.setText(next.detail());
+            detail.setVisible(!next.detail().isEmpty());
+            back.setVisible(next.event() >= 0);
+            wrapDetail();
+            getAccessibleContext().setAccessibleName(next.title() + ". " + next.detail());
+            updateBorder();
+        }
+        setVisible(next != null);
+    }
+
+    /** Gives the text the width that it will have, because its height depends on it. */
+    private void wrapDetail() {
+        int room = getParent() == null ? 0 : getParent().getWidth();
+        detail.setSize(Math.max(MIN_WIDTH, room - buttons.getPreferredSize().width - 4 * GAP), Short.MAX_VALUE);
+    }
+
+    private void updateBorder() {
+        Color edge = verdict.success()
+                ? Theme.currentColours().accent()
+                : Theme.currentColours().warning();
+        setBorder(BorderFactory.createCompoundBorder(
+                BorderFactory.createLineBorder(edge, 2), BorderFactory.createEmptyBorder(GAP, GAP, GAP, GAP)));
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        setBackground(Theme.currentColours().field());
+        if (verdict != null) {
+            updateBorder();
+        }
+    }
+}

@@ -1,0 +1,77 @@
+package faultline.engine.metrics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WorldSpec;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** The measures of a run while it goes on, in a room of 3.7 m by 2.9 m with a cupboard, and what they end with. */
+class RunMeterTest {
+
+    private static final double DURATION = 120;
+    private static final SimulationSetup SETUP = new SimulationSetup(
+            new WorldSpec(
+                    3.7,
+                    2.9,
+                    true,
+                    3,
+                    List.of(new Obstacle("cupboard", new ObstacleShape.Rectangle(0.9, 0.4), new Pose(3.2, 2.68, 0)))),
+            RobotSpec.DEFAULT,
+            new Pose(1.3, 1.1, 2),
+            ControllerSpec.WallFollowing.DEFAULT,
+            List.of(),
+            0.01,
+            5150,
+            DURATION);
+
+    @Test
+    void whatIsAskedForAtEveryTickEndsWithTheResultOfTheWholeRun() {
+        RunMeter meter = new RunMeter(SETUP);
+        RunMeasures last = RunMeasures.NONE;
+        double previous = 0;
+        try (Simulation simulation = new Simulation(SETUP, ControllerMode.DIRECT)) {
+            meter.observe(simulation);
+            while (simulation.ticks() < SETUP.ticks()) {
+                simulation.tick();
+                meter.observe(simulation);
+                last = meter.measures();
+                if (!Double.isNaN(last.laps())) {
+                    assertTrue(last.laps() >= previous, "laps never become fewer");
+                    previous = last.laps();
+                }
+            }
+        }
+        RunResult whole = HeadlessRun.run(SETUP, ControllerMode.DIRECT, List.of());
+        assertEquals(whole.coverage().orElseThrow(), last.coverage());
+        assertEquals(whole.distanceRms().orElseThrow(), last.distanceRms());
+        assertTrue(last.followRms() > 0 && last.followRms() < 0.05, "of all walls: " + last.followRms());
+    }
+
+    /** The way along the walls is some 10 m long, and the robot drives at 0.3 m/s. */
+    @Test
+    void lapsAreHowOftenTheRobotWentRound() {
+        RunMeter meter = new RunMeter(SETUP);
+        HeadlessRun.run(SETUP, ControllerMode.DIRECT, List.of(meter));
+        double laps = meter.measures().laps();
+        assertTrue(laps > 2 && laps < 4, "laps: " + laps);
+    }
+
+    @Test
+    void aRobotThatFollowsNoWallHasNoMeasures() {
+        SimulationSetup still =
+                SETUP.withController(new ControllerSpec.Drive(1, 1)).withDuration(1);
+        RunMeter meter = new RunMeter(still);
+        HeadlessRun.run(still, ControllerMode.DIRECT, List.of(meter));
+        assertEquals(RunMeasures.NONE, meter.measures());
+    }
+}

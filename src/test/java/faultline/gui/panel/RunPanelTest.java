@@ -1,0 +1,107 @@
+package faultline.gui.panel;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Journal;
+import faultline.engine.session.Session;
+import faultline.engine.session.SessionFrame;
+import faultline.gui.ComponentFinder;
+import faultline.gui.theme.Theme;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Rectangle;
+import java.util.List;
+import javax.swing.JLabel;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** The run panel without a display, with the frames of a run with a diagnosis. */
+class RunPanelTest {
+
+    private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, null, null);
+
+    private Scenario scenario;
+    private RunPanel panel;
+
+    @BeforeEach
+    void open() throws ScenarioException {
+        scenario = Scenario.loadShipped("left-sensor-stuck.xml");
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            panel = new RunPanel();
+        });
+    }
+
+    private void show(double seconds) {
+        long tick = scenario.setup().tickAt(seconds);
+        try (Session session = Session.replay(new Journal(scenario.setup(), List.of(), tick), tick, reached -> true)) {
+            SessionFrame frame = session.frame();
+            // A number of calls, as the window makes them.
+            runOnEdt(() -> {
+                for (int i = 0; i < 10; i++) {
+                    panel.setRun(frame, PAUSED, scenario);
+                }
+                panel.setSize(450, 600);
+                layOut(panel);
+            });
+        }
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        for (Component component : container.getComponents()) {
+            if (component instanceof Container inner) {
+                layOut(inner);
+            }
+        }
+    }
+
+    private String value(String name) {
+        return callOnEdt(
+                () -> ComponentFinder.find(panel, ValueLabel.class, name).getText());
+    }
+
+    @Test
+    void theNumbersAreThoseOfTheFrame() {
+        show(0);
+        assertEquals("Search", value("State"));
+        assertEquals("0.000 m/s", value("v"));
+        assertEquals("–", value("Coverage"));
+        show(20);
+        assertTrue(value("v").matches("-?\\d\\.\\d{3} m/s"), value("v"));
+        assertTrue(value("Time left").endsWith(" s"), value("Time left"));
+        assertTrue(value("Strategy").startsWith("1 of 6"), value("Strategy"));
+    }
+
+    @Test
+    void aStuckSensorIsNamedWithItsReasonAndTheStrategyChanges() {
+        double end = scenario.setup().duration();
+        show(end);
+        assertNotEquals("trusted", value("left: Finding"));
+        assertTrue(value("left: Since").endsWith(" s"), value("left: Since"));
+        assertEquals("trusted", value("rear: Finding"));
+        assertTrue(!value("Strategy").startsWith("1 of 6"), value("Strategy"));
+        assertEquals("none", value("Time left"));
+    }
+
+    @Test
+    void nothingMovesWhileTheRunGoesOn() {
+        show(0);
+        List<Rectangle> before = places();
+        show(25);
+        assertEquals(before, places());
+    }
+
+    private List<Rectangle> places() {
+        return callOnEdt(() -> ComponentFinder.tree(panel)
+                .filter(part -> part instanceof JLabel)
+                .map(Component::getBounds)
+                .toList());
+    }
+}

@@ -1,0 +1,104 @@
+package faultline.gui.panel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Journal;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
+import faultline.engine.recording.Recording;
+import faultline.engine.session.Session;
+import faultline.engine.session.SessionFrame;
+import faultline.scenario.Scenario;
+import faultline.scenario.ScenarioRun;
+import faultline.scenario.xml.ScenarioException;
+import faultline.world.Command;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+/** How runs ended, in the window's words; the scenarios are run for it. */
+class RunVerdictTest {
+
+    private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, null, null);
+    private static final Session.Status RUNNING = new Session.Status(true, 1, 1, 0, null, null);
+
+    private static SessionFrame frameAt(SimulationSetup setup, long tick) {
+        try (Session session = Session.replay(new Journal(setup, List.of(), tick), tick, reached -> true)) {
+            return session.frame();
+        }
+    }
+
+    private static Scenario with(Scenario scenario, double duration, Expectation expectation) {
+        return new Scenario(
+                scenario.name(), scenario.description(), false, scenario.setup().withDuration(duration), expectation);
+    }
+
+    private static Expectation coverage(double least) {
+        return new Expectation(List.of(new Expectation.Collision(false), new Expectation.MinCoverage(least)));
+    }
+
+    @Test
+    void aRunThatGoesOnHasNoVerdict() throws ScenarioException {
+        Scenario office = with(Scenario.loadShipped("office.xml"), 3, coverage(0.5));
+        assertEquals(Optional.empty(), RunVerdict.of(frameAt(office.setup(), 200), PAUSED, office));
+        assertEquals(
+                Optional.empty(),
+                RunVerdict.of(frameAt(office.setup(), 300), RUNNING, office),
+                "at the end, but still running");
+    }
+
+    /** The window and the command line give the same verdict. */
+    @Test
+    void whatDoesNotHoldIsNamedAsTheCommandLineNamesIt() throws ScenarioException {
+        for (double least : new double[] {0.05, 0.999}) {
+            Scenario office = with(Scenario.loadShipped("office.xml"), 31, coverage(least));
+            ScenarioRun run = office.run();
+            RunVerdict verdict =
+                    RunVerdict.of(frameAt(office.setup(), 3100), PAUSED, office).orElseThrow();
+            assertEquals(run.unmetExpectations().isEmpty(), verdict.success(), verdict.title());
+            assertEquals(-1, verdict.event());
+            if (!verdict.success()) {
+                assertEquals("End of the run at 31.000 s: 1 of 2 expectations do not hold", verdict.title());
+                assertTrue(verdict.detail().startsWith("Coverage at least 0.999 ("), verdict.detail());
+            }
+        }
+    }
+
+    @Test
+    void aCollisionNamesItsObstacleAndTheFaults() throws ScenarioException {
+        Scenario crash = Scenario.loadShipped("collision-on-purpose.xml");
+        RunVerdict verdict =
+                RunVerdict.of(frameAt(crash.setup(), 1000), RUNNING, crash).orElseThrow();
+        assertEquals("Collision with pole at 9.562 s", verdict.title());
+        assertEquals("As expected. Active faults: front off, no reading", verdict.detail());
+        assertTrue(verdict.success());
+        assertEquals(957 - 200, verdict.tickBefore(0.01));
+        Scenario unexpected = with(crash, 30, Expectation.NONE);
+        verdict =
+                RunVerdict.of(frameAt(crash.setup(), 1000), RUNNING, unexpected).orElseThrow();
+        assertFalse(verdict.success());
+    }
+
+    @Test
+    void aFailureIsQuoted() throws ScenarioException {
+        Scenario office = Scenario.loadShipped("office.xml");
+        Session.Status failed = new Session.Status(false, 1, 0, 0, null, "tick 7: the controller threw");
+        SessionFrame frame = new SessionFrame(frameAt(office.setup(), 7).frame(), Recording.EMPTY);
+        RunVerdict verdict = RunVerdict.of(frame, failed, office).orElseThrow();
+        assertEquals("tick 7: the controller threw", verdict.detail());
+        assertEquals(0, verdict.tickBefore(0.01));
+    }
+
+    @Test
+    void aFaultMadeByHandIsNamedToo() throws ScenarioException {
+        Scenario crash = Scenario.loadShipped("collision-on-purpose.xml");
+        Journal journal = new Journal(
+                crash.setup(), List.of(new Journal.Entry(50, new Command.SwitchSensor("left", false))), 1000);
+        try (Session session = Session.replay(journal, 1000, reached -> true)) {
+            RunVerdict verdict = RunVerdict.of(session.frame(), RUNNING, crash).orElseThrow();
+            assertTrue(verdict.detail().endsWith("left off"), verdict.detail());
+        }
+    }
+}
