@@ -1,6 +1,7 @@
 package faultline.app;
 
 import faultline.engine.RunFailedException;
+import faultline.external.ControllerStartException;
 import faultline.io.DidYouMean;
 import faultline.io.MessageText;
 import faultline.scenario.xml.ScenarioException;
@@ -69,6 +70,8 @@ final class CommandLine {
             return reportError(ExitCode.BAD_INPUT, "faultline: " + describe(e.getCause()));
         } catch (IOException e) {
             return reportError(ExitCode.BAD_INPUT, "faultline: " + describe(e));
+        } catch (ControllerStartException e) {
+            return reportError(ExitCode.BAD_INPUT, "faultline: " + e.getMessage());
         } catch (RunFailedException e) {
             return reportError(ExitCode.RUN_FAILED, "faultline: the run broke: " + e.getMessage());
         } catch (RuntimeException | Error e) {

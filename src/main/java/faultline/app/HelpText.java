@@ -18,8 +18,12 @@ final class HelpText {
               --trace OUT.csv              write one row for every tick
               --image OUT.png              write a picture of the end of the run
               --journal OUT.xml            write the scenario that replays this run
-              --controller COMMAND         with a controller in a child process, such as "python3 my.py"
-              --patience S|none            how long it may take for an answer (default: 10)
+              --film OUT.gif               write a film of the run
+              --pace X                     at X times real time (default: as fast as possible)
+              --json                       print the summary as one JSON object
+              --controller WHICH           with a controller in a child process, such as "python3 my.py", or one in Java
+              --jar FILE.jar               find controllers in Java in this file as well
+              --patience S|none            how long a child may take for an answer (default: 10)
               --truth                      give it the ground truth as well
             faultline serve FILE [--truth] step a scenario from outside, over standard input and output
             faultline controller FILE      act as the child of --controller, with the controller of a scenario

@@ -1,14 +1,14 @@
 package faultline.app;
 
 import faultline.control.ControllerSpec;
-import faultline.control.PeriodicController;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
-import faultline.external.ExternalController;
-import faultline.external.RunDescription;
+import faultline.external.ChildSource;
+import faultline.external.ControllerChoice;
+import faultline.scenario.RunJson;
 import faultline.scenario.RunSummary;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -29,36 +29,44 @@ final class RunCommand {
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
         RunOptions options = RunOptions.parse(arguments);
+        options.child().jar().ifPresent(ControllerChoice::addJar);
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
+        requireController(scenario, options.controller().isPresent());
         try (RunOutputs outputs = new RunOutputs(options)) {
             RunResult result = options.controller().isPresent()
-                    ? runExternally(scenario, options, outputs)
+                    ? runChosen(options.controller().get(), scenario, options, outputs)
                     : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
-            outputs.finish(scenario, result.ticks());
-            if (options.truth()) {
+            outputs.finish(scenario);
+            if (options.json()) {
+                return printJson(scenario, result, options.child().truth());
+            }
+            if (options.child().truth()) {
                 output.println("truth: given to the controller");
             }
             return printResult(scenario, result);
         }
     }
 
-    /** Runs with a controller in a child process, asked as often as the scenario's own controller would be. */
-    private RunResult runExternally(Scenario scenario, RunOptions options, RunOutputs outputs) throws IOException {
-        SimulationSetup setup = scenario.setup();
-        double period = setup.controller() instanceof ControllerSpec.WallFollowing follower ? follower.period() : 0;
-        RunDescription description = RunDescription.of(
-                HelpText.version(), scenario.name(), setup, PeriodicController.ticksPerPeriod(period, setup.dt()));
-        try (ExternalController child = new ExternalController(
-                options.controller().orElseThrow(),
-                description,
-                ExternalController.Timeouts.DEFAULT.withAnswer(options.patience()),
-                options.truth(),
-                output::printError)) {
+    /** Throws an exception if a scenario wants a controller from outside, and none is chosen. */
+    static void requireController(Scenario scenario, boolean chosen) throws UsageException {
+        if (scenario.setup().controller() instanceof ControllerSpec.Extern && !chosen) {
+            throw new UsageException("the scenario is driven by a controller from outside, which a file cannot name:"
+                    + " choose one with --controller");
+        }
+    }
+
+    private RunResult runChosen(String choice, Scenario scenario, RunOptions options, RunOutputs outputs)
+            throws IOException {
+        try (ChildSource source =
+                new ChildSource(choice, options.child().terms(scenario.name(), output::printError)).keepOpen()) {
+            SimulationSetup setup = ControllerChoice.apply(choice, scenario.setup(), source);
+            if (!ControllerChoice.isCommand(choice)) {
+                return HeadlessRun.run(setup, options.mode(), outputs.observers());
+            }
             List<TickObserver> observers = new ArrayList<>(outputs.observers());
-            observers.add(child);
-            RunResult result =
-                    HeadlessRun.run(setup, new PeriodicController(child, period), ControllerMode.DIRECT, observers);
-            child.finish("duration", RunSummary.formatHash(result), summary(result));
+            observers.add(source);
+            RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, observers);
+            source.finish(RunSummary.formatHash(result), summary(result));
             return result;
         }
     }
@@ -78,6 +86,16 @@ final class RunCommand {
         List<String> unmet = scenario.expectation().unmet(result);
         output.println(RunSummary.lines(result));
         output.println("expectations: " + (unmet.isEmpty() ? "held" : "failed"));
+        return reportUnmet(result, unmet);
+    }
+
+    private int printJson(Scenario scenario, RunResult result, boolean truth) {
+        List<String> unmet = scenario.expectation().unmet(result);
+        output.println(RunJson.format(result, truth, unmet));
+        return reportUnmet(result, unmet);
+    }
+
+    private int reportUnmet(RunResult result, List<String> unmet) {
         result.refusals().forEach(refusal -> output.printError("refused " + refusal));
         unmet.forEach(output::printError);
         return unmet.isEmpty() ? ExitCode.SUCCESS : ExitCode.EXPECTATION_FAILED;

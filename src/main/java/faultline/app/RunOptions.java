@@ -2,7 +2,7 @@ package faultline.app;
 
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
-import faultline.external.ExternalController;
+import faultline.external.ControllerChoice;
 import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
 import faultline.io.FileTarget;
@@ -25,7 +25,8 @@ import java.util.function.UnaryOperator;
  * @param changes replaces the duration and the seed of the file if options give others
  * @param mode the thread on which the controller runs
  * @param outputs the files to write
- * @param patience how long a controller in a child process may take for an answer, seconds; infinite for no limit
+ * @param pace how fast to run, multiple of real time; infinite for as fast as possible
+ * @param child how a controller in a child process is treated
  */
 record RunOptions(
         Arguments arguments,
@@ -33,7 +34,8 @@ record RunOptions(
         UnaryOperator<SimulationSetup> changes,
         ControllerMode mode,
         Map<Output, Path> outputs,
-        double patience) {
+        double pace,
+        ControllerOptions child) {
 
     /** A file that a run can write. */
     enum Output {
@@ -42,16 +44,29 @@ record RunOptions(
         /** The last frame. */
         IMAGE,
         /** A scenario that replays the run. */
-        JOURNAL;
+        JOURNAL,
+        /** An animated image of the run. */
+        FILM;
 
         private String option() {
             return "--" + name().toLowerCase(Locale.ROOT);
         }
     }
 
-    private static final List<String> OPTION_NAMES =
-            List.of("--until", "--seed", "--threads", "--trace", "--image", "--journal", "--controller", "--patience");
-    private static final List<String> FLAG_NAMES = List.of("--truth");
+    private static final List<String> OPTION_NAMES = List.of(
+            "--until",
+            "--seed",
+            "--threads",
+            "--trace",
+            "--image",
+            "--journal",
+            "--film",
+            "--pace",
+            "--controller",
+            "--jar",
+            "--patience");
+    private static final List<String> FLAG_NAMES = List.of("--truth", "--json");
+    private static final BigDecimal MAX_PACE = new BigDecimal("1000000");
     private static final BigDecimal MAX_DURATION = new BigDecimal("10000000");
 
     static RunOptions parse(List<String> given) throws UsageException {
@@ -65,9 +80,10 @@ record RunOptions(
                 setup -> seed.apply(duration.apply(setup)),
                 mode(arguments.value("--threads").orElse("none")),
                 outputs(arguments),
-                patience(arguments));
+                pace(arguments),
+                ControllerOptions.parse(arguments));
         options.checkFilesDiffer();
-        options.checkControllerOptions();
+        options.checkThreads();
         return options;
     }
 
@@ -116,18 +132,15 @@ record RunOptions(
         return outputs;
     }
 
-    private static double patience(Arguments arguments) throws UsageException {
-        Optional<String> text = arguments.value("--patience");
+    private static double pace(Arguments arguments) throws UsageException {
+        Optional<String> text = arguments.value("--pace");
         if (text.isEmpty()) {
-            return ExternalController.Timeouts.DEFAULT.answer();
-        }
-        if (text.get().equals("none")) {
             return Double.POSITIVE_INFINITY;
         }
         return DecimalText.parse(text.get())
-                .filter(value -> value.signum() > 0 && value.compareTo(MAX_DURATION) <= 0)
-                .orElseThrow(() -> new UsageException("--patience is " + MessageText.quoted(text.get())
-                        + ", allowed is none or a number of seconds above 0, up to " + MAX_DURATION))
+                .filter(value -> value.signum() > 0 && value.compareTo(MAX_PACE) <= 0)
+                .orElseThrow(() -> new UsageException("--pace is " + MessageText.quoted(text.get())
+                        + ", allowed is a multiple of real time above 0, up to " + MAX_PACE))
                 .doubleValue();
     }
 
@@ -138,31 +151,22 @@ record RunOptions(
         }
     }
 
-    private void checkControllerOptions() throws UsageException {
-        for (String option : List.of("--patience", "--truth")) {
-            if (controller().isEmpty() && arguments.has(option)) {
-                throw new UsageException(option + " needs --controller COMMAND");
-            }
-        }
-        if (controller().isPresent() && outputs.containsKey(Output.JOURNAL)) {
-            throw new UsageException("--journal is not possible with --controller: a journal does not hold the"
-                    + " decisions of a controller outside of the program");
-        }
-        if (controller().isPresent()
+    private void checkThreads() throws UsageException {
+        if (controller().filter(ControllerChoice::isCommand).isPresent()
                 && arguments.value("--threads").filter("controller"::equals).isPresent()) {
             throw new UsageException(
                     "--threads is \"controller\", allowed with --controller is none: the child runs by itself");
         }
     }
 
-    /** Returns the command of a controller in a child process, if one drives. */
+    /** Returns the controller that replaces the file's, a name or a command, if one does. */
     Optional<String> controller() {
         return arguments.value("--controller");
     }
 
-    /** Returns whether a controller in a child process is given the ground truth. */
-    boolean truth() {
-        return arguments.has("--truth");
+    /** Returns whether the summary is one JSON object. */
+    boolean json() {
+        return arguments.has("--json");
     }
 
     /** Returns the scenario with these options applied. */

@@ -31,14 +31,16 @@ import java.util.Map;
 final class RunOutputs implements AutoCloseable {
 
     private static final int IMAGE_WIDTH = 1200;
-    private static final int MIN_HEIGHT = 300;
-    private static final int MAX_HEIGHT = 2400;
 
     private final Map<Output, AtomicFile> files = new EnumMap<>(Output.class);
     private Writer traceWriter = Writer.nullWriter();
+    private final double pace;
+    private FilmRecorder film;
     private Frame lastFrame;
+    private Journal journal;
 
     RunOutputs(RunOptions options) throws IOException {
+        pace = options.pace();
         try {
             for (Map.Entry<Output, Path> output : options.outputs().entrySet()) {
                 files.put(output.getKey(), AtomicFile.create(output.getValue()));
@@ -50,34 +52,45 @@ final class RunOutputs implements AutoCloseable {
     }
 
     /** Returns the observers that must be called after every tick. */
-    List<TickObserver> observers() {
+    List<TickObserver> observers() throws IOException {
         List<TickObserver> observers = new ArrayList<>();
         if (files.containsKey(Output.TRACE)) {
             traceWriter = new BufferedWriter(
                     new OutputStreamWriter(files.get(Output.TRACE).stream(), StandardCharsets.UTF_8));
             observers.add(new TraceWriter(traceWriter));
         }
-        if (files.containsKey(Output.IMAGE)) {
-            observers.add(this::recordLastFrame);
+        if (files.containsKey(Output.FILM)) {
+            film = new FilmRecorder(files.get(Output.FILM).stream());
+            observers.add(film);
+        }
+        if (files.containsKey(Output.IMAGE) || files.containsKey(Output.JOURNAL)) {
+            observers.add(this::recordEnd);
+        }
+        if (Double.isFinite(pace)) {
+            observers.add(new PaceKeeper(pace));
         }
         return observers;
     }
 
-    private void recordLastFrame(Simulation simulation) {
+    private void recordEnd(Simulation simulation) {
         if (simulation.ticks() == simulation.setup().ticks()) {
             lastFrame = simulation.frame();
+            journal = simulation.journal();
         }
     }
 
     /** Writes the remaining outputs and moves every file into place. */
-    void finish(Scenario scenario, long ticks) throws IOException {
+    void finish(Scenario scenario) throws IOException {
         traceWriter.flush();
         if (files.containsKey(Output.IMAGE)) {
             PngImage.write(renderImage(lastFrame), files.get(Output.IMAGE).stream());
         }
         if (files.containsKey(Output.JOURNAL)) {
-            Scenario replay = JournalScenario.create(scenario, new Journal(scenario.setup(), List.of(), ticks));
+            Scenario replay = JournalScenario.create(scenario, journal);
             files.get(Output.JOURNAL).stream().write(replay.toBytes());
+        }
+        if (film != null) {
+            film.close();
         }
         for (AtomicFile file : files.values()) {
             file.commit();
@@ -85,10 +98,7 @@ final class RunOutputs implements AutoCloseable {
     }
 
     private static BufferedImage renderImage(Frame frame) {
-        double height =
-                IMAGE_WIDTH * frame.snapshot().height() / frame.snapshot().width();
-        return FrameRenderer.render(
-                frame, Palette.LIGHT, IMAGE_WIDTH, (int) Math.max(MIN_HEIGHT, Math.min(MAX_HEIGHT, height)));
+        return FrameRenderer.render(frame, Palette.LIGHT, IMAGE_WIDTH, FrameRenderer.heightFor(frame, IMAGE_WIDTH));
     }
 
     @Override

@@ -1,7 +1,22 @@
 package faultline.control;
 
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.OptionalDouble;
+
 /** Describes which controller drives the robot, and its settings: a scenario's {@code controller} element. */
 public sealed interface ControllerSpec {
+
+    /** Returns the distance from the wall that is wanted, metres; empty for a robot that follows none. */
+    default OptionalDouble wantedDistance() {
+        return OptionalDouble.empty();
+    }
+
+    /** Returns how often it decides, seconds; 0 for every tick. */
+    default double period() {
+        return 0;
+    }
 
     /** The robot stays where it is: file type {@code none}. */
     record None() implements ControllerSpec {}
@@ -40,6 +55,11 @@ public sealed interface ControllerSpec {
             return new WallFollowing(distance, side, period, timingRule, on);
         }
 
+        @Override
+        public OptionalDouble wantedDistance() {
+            return OptionalDouble.of(distance);
+        }
+
         public WallFollowing {
             if (!(distance > 0 && Double.isFinite(distance))) {
                 throw new IllegalArgumentException("the distance must be positive: " + distance);
@@ -47,6 +67,78 @@ public sealed interface ControllerSpec {
             if (!(period >= 0 && Double.isFinite(period))) {
                 throw new IllegalArgumentException("the period must not be negative: " + period);
             }
+        }
+    }
+
+    /** A controller that is not part of the program. Its decisions are recorded with the run. */
+    sealed interface Foreign extends ControllerSpec {
+
+        @Override
+        default OptionalDouble wantedDistance() {
+            return OptionalDouble.of(WallFollowing.DEFAULT.distance());
+        }
+    }
+
+    /**
+     * A controller from outside that the user has to choose, because a file never starts a program: file type
+     * {@code extern}.
+     *
+     * @param period how often it decides, seconds; 0 for every tick
+     */
+    record Extern(double period) implements Foreign {}
+
+    /**
+     * A controller in Java: the file type is its provider's name.
+     *
+     * @param name the name of a {@link ControllerProvider}
+     * @param period how often it decides, seconds; 0 for every tick
+     * @param settings what the file says
+     */
+    record Provided(String name, double period, Map<String, String> settings) implements Foreign {
+        public Provided {
+            settings = Map.copyOf(settings);
+        }
+    }
+
+    /**
+     * Another controller than the file names, chosen by the user. A file that is written names the original.
+     *
+     * @param original as in the file
+     * @param source starts the chosen one
+     */
+    record Chosen(ControllerSpec original, ControllerSource source) implements Foreign {
+        public Chosen {
+            Objects.requireNonNull(original, "original");
+            Objects.requireNonNull(source, "source");
+        }
+
+        @Override
+        public double period() {
+            return original.period();
+        }
+
+        @Override
+        public OptionalDouble wantedDistance() {
+            OptionalDouble wanted = original.wantedDistance();
+            return wanted.isPresent() ? wanted : Foreign.super.wantedDistance();
+        }
+    }
+
+    /**
+     * The decisions of an earlier run: file type {@code recorded}.
+     *
+     * @param wanted the distance from the wall that was wanted, metres
+     * @param ticks how many ticks were decided on
+     * @param decisions in the order of their ticks
+     */
+    record Recorded(double wanted, long ticks, List<RecordedDecision> decisions) implements ControllerSpec {
+        public Recorded {
+            decisions = List.copyOf(decisions);
+        }
+
+        @Override
+        public OptionalDouble wantedDistance() {
+            return OptionalDouble.of(wanted);
         }
     }
 }

@@ -1,7 +1,7 @@
 package faultline.control;
 
-/** Lets a controller decide once a period; between its decisions the last one holds. */
-public final class PeriodicController implements Controller {
+/** Lets a controller decide once a period; between its decisions the last one holds. Closes it if it can be closed. */
+public final class PeriodicController implements Controller, AutoCloseable {
 
     private final Controller delegate;
     private final double period;
@@ -20,6 +20,17 @@ public final class PeriodicController implements Controller {
             lastDecision = delegate.decide(observation);
         }
         return lastDecision;
+    }
+
+    @Override
+    public void close() {
+        if (delegate instanceof AutoCloseable closeable) {
+            try {
+                closeable.close();
+            } catch (Exception e) {
+                throw new IllegalStateException("the controller cannot be closed: " + e, e);
+            }
+        }
     }
 
     /** Returns a period in whole ticks, at least one. */

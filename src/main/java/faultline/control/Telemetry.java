@@ -51,6 +51,27 @@ public record Telemetry(
     }
 
     /**
+     * /** Returns the telemetry after a controller that is not part of the program has named a state; the same state
+     * again is no transition.
+     *
+     * @param newState the name of its state
+     * @param why the condition that brought it there, empty if it gives none
+     * @param tick the tick at which it named them
+     */
+    public Telemetry entering(String newState, String why, long tick) {
+        return newState.equals(state.name())
+                ? this
+                : new Telemetry(
+                        ControllerState.of(newState),
+                        why,
+                        tick,
+                        transitions + 1,
+                        WallControl.NONE,
+                        EdgeTimes.NONE,
+                        Diagnosis.NONE);
+    }
+
+    /**
      * The result of a sensor diagnosis.
      *
      * @param rung the name of the strategy that drives, empty without a diagnosis

@@ -1,11 +1,13 @@
 package faultline.engine;
 
 import faultline.control.Controller;
+import faultline.control.ControllerSource;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.PeriodicController;
+import faultline.control.RecordedController;
 import faultline.control.Telemetry;
 import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.WallFollower;
@@ -16,13 +18,51 @@ import java.util.stream.Stream;
 /** Makes controllers from their specifications. */
 public final class ControllerFactory {
 
+    /** The state of a controller that is not part of the program until it names one. */
+    private static final ControllerState FOREIGN_STATE = ControllerState.of("EXTERN");
+
     private ControllerFactory() {}
+
+    /**
+     * Returns a new controller for a run. One that is {@link AutoCloseable} belongs to the caller.
+     *
+     * @throws RunFailedException if it is not part of the program and cannot be started
+     */
+    public static Controller create(SimulationSetup setup) {
+        ControllerSpec spec = setup.controller();
+        if (spec instanceof ControllerSpec.Chosen chosen) {
+            long periodTicks = PeriodicController.ticksPerPeriod(spec.period(), setup.dt());
+            ControllerSource.Run run =
+                    new ControllerSource.Run(setup.seed(), setup.dt(), periodTicks, setup.duration(), setup.robot());
+            return new PeriodicController(chosen.source().start(run), spec.period());
+        }
+        return create(spec);
+    }
+
+    /** Returns where the controller of a run is called if the caller prefers a mode. */
+    static ControllerMode mode(ControllerSpec spec, ControllerMode preferred) {
+        if (spec instanceof ControllerSpec.Chosen chosen) {
+            return chosen.source().limitsAnswerTime() ? ControllerMode.DIRECT : ControllerMode.OWN_THREAD;
+        }
+        return spec instanceof ControllerSpec.Provided ? ControllerMode.OWN_THREAD : preferred;
+    }
 
     /** Returns a new controller in its initial state. */
     public static Controller create(ControllerSpec spec) {
         if (spec instanceof ControllerSpec.WallFollowing wall) {
             Controller follower = wall.diagnosis() ? new FaultTolerantFollower(wall) : new WallFollower(wall);
             return new PeriodicController(follower, wall.period());
+        }
+        if (spec instanceof ControllerSpec.Provided provided) {
+            Controller controller = ControllerProviders.create(provided.name(), provided.settings());
+            return new PeriodicController(controller, provided.period());
+        }
+        if (spec instanceof ControllerSpec.Recorded recorded) {
+            return new RecordedController(recorded, FOREIGN_STATE);
+        }
+        if (spec instanceof ControllerSpec.Foreign) {
+            throw new RunFailedException(
+                    "the scenario is driven by a controller from outside, and none was chosen", null);
         }
         Telemetry telemetry = Telemetry.ofState(initialState(spec));
         Decision constant = spec instanceof ControllerSpec.Drive drive
@@ -31,17 +71,20 @@ public final class ControllerFactory {
         return observation -> constant;
     }
 
-    /** Returns all states of a controller, the initial state first. */
+    /** Returns all states of a controller, the initial state first; empty for one that is not part of the program. */
     public static List<ControllerState> states(ControllerSpec spec) {
         if (spec instanceof ControllerSpec.WallFollowing wall) {
             Stream<ControllerState> stop = wall.diagnosis() ? Stream.of(FaultTolerantFollower.STOP) : Stream.empty();
             return Stream.concat(Arrays.stream(FollowerState.values()), stop).toList();
+        }
+        if (spec instanceof ControllerSpec.Foreign || spec instanceof ControllerSpec.Recorded) {
+            return List.of();
         }
         return List.of(ControllerState.of(spec instanceof ControllerSpec.Drive ? "DRIVE" : "NONE"));
     }
 
     /** Returns the state that a controller starts in. */
     public static ControllerState initialState(ControllerSpec spec) {
-        return states(spec).get(0);
+        return states(spec).stream().findFirst().orElse(FOREIGN_STATE);
     }
 }

@@ -32,7 +32,7 @@ final class DirectHost implements ControllerHost {
             return controller.decide(new Observation(tick, dt, robot, readings));
         } catch (RunFailedException broken) {
             throw broken;
-        } catch (RuntimeException broken) {
+        } catch (RuntimeException | Error broken) {
             throw new RunFailedException("the controller broke at tick " + tick + ": " + broken, broken);
         }
     }

@@ -1,5 +1,7 @@
 package faultline.engine;
 
+import faultline.control.ControllerSpec;
+import faultline.control.RecordedDecision;
 import faultline.world.Command;
 import java.util.List;
 
@@ -9,11 +11,26 @@ import java.util.List;
  * @param setup the run's
  * @param entries in the order in which they were applied
  * @param ticks how far the run had come
+ * @param decisions those of a controller that is not part of the program; empty for others
  */
-public record Journal(SimulationSetup setup, List<Entry> entries, long ticks) {
+public record Journal(SimulationSetup setup, List<Entry> entries, long ticks, List<RecordedDecision> decisions) {
 
     public Journal {
         entries = List.copyOf(entries);
+        decisions = List.copyOf(decisions);
+    }
+
+    /** The journal of a run with a controller that is part of the program. */
+    public Journal(SimulationSetup setup, List<Entry> entries, long ticks) {
+        this(setup, entries, ticks, List.of());
+    }
+
+    /** Returns the setup with a controller that repeats the recorded decisions where the run's own may be missing. */
+    public SimulationSetup replayableSetup() {
+        return setup.controller() instanceof ControllerSpec.Foreign foreign
+                ? setup.withController(
+                        new ControllerSpec.Recorded(foreign.wantedDistance().orElseThrow(), ticks, decisions))
+                : setup;
     }
 
     /**

@@ -1,7 +1,7 @@
 package faultline.engine;
 
 /** A run that cannot go on: its controller threw, or does not answer. The message is one sentence for a user. */
-public final class RunFailedException extends RuntimeException {
+public class RunFailedException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
 

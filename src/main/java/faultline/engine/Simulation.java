@@ -1,7 +1,10 @@
 package faultline.engine;
 
 import faultline.control.Controller;
+import faultline.control.ControllerSpec;
 import faultline.control.Decision;
+import faultline.control.DecisionLog;
+import faultline.control.PeriodicController;
 import faultline.control.Telemetry;
 import faultline.geometry.Pose;
 import faultline.robot.RobotSpec;
@@ -27,6 +30,10 @@ public final class Simulation implements AutoCloseable {
     private final SimulationSetup setup;
     private final World world;
     private final ControllerHost controllerHost;
+    /** The controller if it was made for this run and is not part of the program, otherwise null. */
+    private final Controller foreignController;
+
+    private final DecisionLog decisionLog = new DecisionLog();
     private final CommandListener commandListener;
     private final Timeline timeline;
     private final List<Journal.Entry> journal = new ArrayList<>();
@@ -55,7 +62,12 @@ public final class Simulation implements AutoCloseable {
      * @param listener receives the result of every command
      */
     public Simulation(SimulationSetup setup, ControllerMode mode, CommandListener listener) {
-        this(setup, ControllerFactory.create(setup.controller()), mode, listener);
+        this(
+                setup,
+                ControllerFactory.create(setup),
+                ControllerFactory.mode(setup.controller(), mode),
+                listener,
+                setup.controller() instanceof ControllerSpec.Foreign);
     }
 
     /**
@@ -67,7 +79,17 @@ public final class Simulation implements AutoCloseable {
      * @param listener is notified of every command
      */
     public Simulation(SimulationSetup setup, Controller controller, ControllerMode mode, CommandListener listener) {
+        this(setup, controller, mode, listener, false);
+    }
+
+    private Simulation(
+            SimulationSetup setup,
+            Controller controller,
+            ControllerMode mode,
+            CommandListener listener,
+            boolean isForeign) {
         this.setup = setup;
+        this.foreignController = isForeign ? controller : null;
         this.world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
         this.controllerHost = ControllerHost.create(controller, mode);
         this.activeDecision = new Decision(0, 0, Telemetry.ofState(ControllerFactory.initialState(setup.controller())));
@@ -88,6 +110,9 @@ public final class Simulation implements AutoCloseable {
     public void tick() {
         executeDueCommands(world.tick() + 1);
         activeDecision = controllerHost.await();
+        if (foreignController != null) {
+            decisionLog.add(world.tick(), activeDecision);
+        }
         move();
         senseAndSubmit();
     }
@@ -241,11 +266,14 @@ public final class Simulation implements AutoCloseable {
 
     /** Returns the commands executed from outside so far. */
     public Journal journal() {
-        return new Journal(setup, journal, world.tick());
+        return new Journal(setup, journal, world.tick(), decisionLog.decisions());
     }
 
     @Override
     public void close() {
         controllerHost.close();
+        if (foreignController instanceof PeriodicController closeable) {
+            closeable.close();
+        }
     }
 }

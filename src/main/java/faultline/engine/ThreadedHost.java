@@ -53,6 +53,9 @@ final class ThreadedHost implements ControllerHost {
         try {
             return decision.get((long) (timeout * NANOS_PER_SECOND), TimeUnit.NANOSECONDS);
         } catch (ExecutionException broken) {
+            if (broken.getCause() instanceof RunFailedException failed) {
+                throw failed;
+            }
             throw new RunFailedException(
                     "the controller broke at tick " + tick + ": " + broken.getCause(), broken.getCause());
         } catch (TimeoutException silent) {

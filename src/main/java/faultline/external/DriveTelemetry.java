@@ -16,21 +16,9 @@ final class DriveTelemetry {
 
     /** Returns the decision of a drive message; a message without a state keeps the last one. */
     Decision decide(DriveMessage drive, long tick) {
-        if (!drive.state().isEmpty() && !drive.state().equals(telemetry.state().name())) {
-            telemetry = enter(ControllerState.of(drive.state()), drive.why(), tick);
+        if (!drive.state().isEmpty()) {
+            telemetry = telemetry.entering(drive.state(), drive.why(), tick);
         }
         return new Decision(drive.leftVolts(), drive.rightVolts(), telemetry);
-    }
-
-    private Telemetry enter(ControllerState state, String why, long tick) {
-        int transitions = telemetry.transitions() + 1;
-        return new Telemetry(
-                state,
-                why,
-                tick,
-                transitions,
-                Telemetry.WallControl.NONE,
-                Telemetry.EdgeTimes.NONE,
-                Telemetry.Diagnosis.NONE);
     }
 }

@@ -52,12 +52,10 @@ public final class ExternalController implements Controller, TickObserver, AutoC
      * @param timeouts how long the child is waited for
      * @param givesTruth whether observations carry the ground truth
      * @param errors receives each line of the child's standard error, on a thread of its own
-     * @throws IOException if the child cannot be started, in one sentence
-     * @throws RunFailedException if it does not become ready
+     * @throws RunFailedException if the child cannot be started or does not become ready, in one sentence
      */
     public ExternalController(
-            String command, RunDescription run, Timeouts timeouts, boolean givesTruth, Consumer<String> errors)
-            throws IOException {
+            String command, RunDescription run, Timeouts timeouts, boolean givesTruth, Consumer<String> errors) {
         this.who = "the controller \"" + command + "\"";
         this.timeouts = timeouts;
         this.givesTruth = givesTruth;
@@ -66,7 +64,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         this.telemetry = new DriveTelemetry(greet(run));
     }
 
-    private static ChildProcess start(String command, double patience, Consumer<String> errors) throws IOException {
+    private static ChildProcess start(String command, double patience, Consumer<String> errors) {
         try {
             List<String> words = CommandWords.split(command);
             if (words.isEmpty()) {
@@ -74,7 +72,10 @@ public final class ExternalController implements Controller, TickObserver, AutoC
             }
             return new ChildProcess(words, patience, errors);
         } catch (IOException | IllegalArgumentException e) {
-            throw new IOException("the controller \"" + command + "\" cannot be started: " + e.getMessage(), e);
+            throw new ControllerStartException(
+                    "the controller \"" + command + "\" cannot be started: " + e.getMessage()
+                            + ControllerChoice.hint(command),
+                    e);
         }
     }
 

@@ -21,7 +21,7 @@ public final class JournalScenario {
      *     speaks of
      */
     public static Scenario create(Scenario base, Journal journal) {
-        SimulationSetup setup = journal.setup();
+        SimulationSetup setup = journal.replayableSetup();
         List<TimedCommand> timeline = new ArrayList<>(setup.timeline());
         journal.entries().forEach(entry -> timeline.add(new TimedCommand(setup.timeOf(entry.tick()), entry.command())));
         SimulationSetup replay = setup.withTimeline(timeline).withDuration(setup.timeOf(journal.ticks()));

@@ -43,8 +43,18 @@ public final class RunSummary {
                 "trajectory_hash: " + formatHash(result),
                 "seed: " + result.seed(),
                 "rung: " + (result.rung().isEmpty() ? "none" : result.rung()),
-                "rung_changes: " + changes(result, RunSummary::formatRung),
-                "health_changes: " + changes(result, RunSummary::formatHealth));
+                "rung_changes: " + join(rungChanges(result)),
+                "health_changes: " + join(healthChanges(result)));
+    }
+
+    /** Returns the changes of the strategy that drives, in order. */
+    static List<String> rungChanges(RunResult result) {
+        return changes(result, RunSummary::formatRung);
+    }
+
+    /** Returns the changes of the sensors' health, in order. */
+    static List<String> healthChanges(RunResult result) {
+        return changes(result, RunSummary::formatHealth);
     }
 
     /**
@@ -66,12 +76,15 @@ public final class RunSummary {
                 collision.time());
     }
 
-    private static String changes(RunResult result, Function<RunEvent, Optional<String>> format) {
-        String changes = result.diagnosisEvents().stream()
+    private static List<String> changes(RunResult result, Function<RunEvent, Optional<String>> format) {
+        return result.diagnosisEvents().stream()
                 .map(format)
                 .flatMap(Optional::stream)
-                .collect(Collectors.joining(", "));
-        return changes.isEmpty() ? "none" : changes;
+                .toList();
+    }
+
+    private static String join(List<String> changes) {
+        return changes.isEmpty() ? "none" : String.join(", ", changes);
     }
 
     private static Optional<String> formatRung(RunEvent event) {

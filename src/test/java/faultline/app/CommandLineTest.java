@@ -3,6 +3,7 @@ package faultline.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.io.JsonParser;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -11,8 +12,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -182,9 +186,10 @@ class CommandLineTest {
             run a.xml b.xml                 | run takes one scenario file, not 2
             check                           | check takes one or more scenario files, not none
             check --all a.xml               | there is no option "--all" here, allowed is none
-            run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --image, --journal, --controller, --patience, --truth; did you mean "--seed"?
-            run a.xml -x                    | there is no option "-x" here, allowed is --until, --seed, --threads, --trace, --image, --journal, --controller, --patience, --truth
-            run a.xml --controller x --journal b.xml | --journal is not possible with --controller: a journal does not hold the decisions of a controller outside of the program
+            run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json; did you mean "--seed"?
+            run a.xml -x                    | there is no option "-x" here, allowed is --until, --seed, --threads, --trace, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json
+            run a.xml --pace 0              | --pace is "0", allowed is a multiple of real time above 0, up to 1000000
+            run a.xml --jar none.jar        | --jar is "none.jar", and there is no such file
             run a.xml --seed                | --seed needs a value
             run a.xml --seed 1 --seed 2     | --seed is there twice
             run a.xml --seed 1.5            | --seed is "1.5", allowed is a whole number from -9223372036854775808 to 9223372036854775807
@@ -213,6 +218,58 @@ class CommandLineTest {
     @CsvSource({"run none.xml", "none.xml", "check none.xml"})
     void aFileThatIsNotThereIsExitCodeTwoAndOneLine(String arguments) {
         assertEquals(new CommandResult(2, "", "none.xml: there is no such file\n"), command(arguments.split(" ")));
+    }
+
+    @Test
+    void theSummaryAsJsonHasTheKeysAndValuesOfTheLines() throws Exception {
+        CommandResult lines = command("run", COLLIDING_SCENARIO);
+        CommandResult json = command("run", COLLIDING_SCENARIO, "--json");
+        assertEquals(1, json.out.lines().count());
+        Map<?, ?> members = (Map<?, ?>) JsonParser.parse(json.out.strip());
+        assertEquals(2000.0, members.get("ticks"));
+        assertEquals(lines.value("trajectory_hash"), members.get("trajectory_hash"));
+        assertEquals(List.of(lines.value("states").split(" ")), members.get("states"));
+        assertEquals(2.125, (Double) ((Map<?, ?>) members.get("collision")).get("x_m"), 1e-9);
+        assertEquals("visitor", members.get("collided_with"));
+        assertEquals(JsonParser.NULL, members.get("coverage"));
+        assertEquals("held", members.get("expectations"));
+    }
+
+    @Test
+    void aPacedRunTakesItsTimeAndChangesNothing() {
+        String hash = command("run", COLLIDING_SCENARIO, "--until", "3").value("trajectory_hash");
+        long start = System.nanoTime();
+        CommandResult paced = command("run", COLLIDING_SCENARIO, "--until", "3", "--pace", "6");
+        double seconds = (System.nanoTime() - start) / 1e9;
+        assertEquals(hash, paced.value("trajectory_hash"));
+        assertTrue(seconds >= 0.5, () -> seconds + " s");
+        assertTrue(Double.parseDouble(paced.value("real_time_factor")) <= 6.01, paced.out);
+    }
+
+    @Test
+    void aFilmShowsTheRunAtRealTime() throws Exception {
+        Path film = folder.resolve("run.gif");
+        command("run", COLLIDING_SCENARIO, "--until", "2", "--film", film.toString());
+        ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+        try (ImageInputStream in = ImageIO.createImageInputStream(film.toFile())) {
+            reader.setInput(in);
+            assertEquals(21, reader.getNumImages(true), "one picture each tenth of a second, from 0 to 2 s");
+            assertEquals(640, reader.getWidth(0));
+        } finally {
+            reader.dispose();
+        }
+    }
+
+    @Test
+    void aScenarioThatWantsAControllerFromOutsideStartsNone() throws Exception {
+        String text = Files.readString(Path.of("scenarios/yard.xml"))
+                .replace("</scenario>", "<controller type=\"extern\" period=\"0.02\"/></scenario>");
+        Path file = Files.writeString(folder.resolve("extern.xml"), text);
+        CommandResult run = command("run", file.toString());
+        assertEquals(2, run.code);
+        assertTrue(run.err.contains("choose one with --controller"), run.err);
+        CommandResult chosen = command("run", file.toString(), "--until", "1", "--controller", "wall-follower");
+        assertEquals("SEARCH", chosen.value("state"), chosen.err);
     }
 
     @Test

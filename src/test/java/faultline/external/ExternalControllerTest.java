@@ -151,7 +151,8 @@ class ExternalControllerTest {
 
     @Test
     void aProgramThatIsNotThereIsReported() {
-        IOException e = assertThrows(IOException.class, () -> run("no-such-program --x", office(), PATIENCE));
+        ControllerStartException e =
+                assertThrows(ControllerStartException.class, () -> run("no-such-program --x", office(), PATIENCE));
         assertTrue(e.getMessage().startsWith("the controller \"no-such-program --x\" cannot be started: "));
     }
 

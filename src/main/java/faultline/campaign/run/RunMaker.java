@@ -2,7 +2,6 @@ package faultline.campaign.run;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlannedRun;
-import faultline.engine.ControllerFactory;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.CarryOnMetrics;
@@ -60,11 +59,7 @@ final class RunMaker {
             DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
             boolean untilVerdict = plan.header().untilVerdict();
             RunResult result = HeadlessRun.run(
-                    setup,
-                    ControllerFactory.create(setup.controller()),
-                    ControllerMode.DIRECT,
-                    List.of(carry, diagnosis),
-                    () -> untilVerdict && carry.isDecided());
+                    setup, ControllerMode.DIRECT, List.of(carry, diagnosis), () -> untilVerdict && carry.isDecided());
             String row = ResultColumns.row(run, result, carry, diagnosis);
             return new MadeRun(index, row, false, result.ticks(), secondsSince(start));
         } catch (ScenarioException e) {

@@ -1,6 +1,5 @@
 package faultline.engine.metrics;
 
-import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
@@ -87,9 +86,10 @@ public final class CarryOnMetrics implements TickObserver {
      * @return metres, empty if the controller follows no wall
      */
     public static OptionalDouble wantedDistance(SimulationSetup setup) {
-        return setup.controller() instanceof ControllerSpec.WallFollowing wall
-                ? OptionalDouble.of(wall.distance() + setup.robot().width() / 2)
-                : OptionalDouble.empty();
+        OptionalDouble wanted = setup.controller().wantedDistance();
+        return wanted.isPresent()
+                ? OptionalDouble.of(wanted.getAsDouble() + setup.robot().width() / 2)
+                : wanted;
     }
 
     /** Returns when the faults of a setup's timeline begin, seconds. */

@@ -3,7 +3,6 @@ package faultline.engine.metrics;
 import faultline.control.Controller;
 import faultline.control.ControllerState;
 import faultline.engine.CommandListener;
-import faultline.engine.ControllerFactory;
 import faultline.engine.ControllerMode;
 import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
@@ -16,6 +15,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 
 /** Runs a setup to its end without a window. */
 public final class HeadlessRun {
@@ -34,7 +34,22 @@ public final class HeadlessRun {
      * @throws RunFailedException if the run broke
      */
     public static RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
-        return run(setup, ControllerFactory.create(setup.controller()), mode, observers);
+        return run(setup, mode, observers, () -> false);
+    }
+
+    /**
+     * Runs to the setup's duration or until a condition holds, as fast as possible.
+     *
+     * @param setup what to run
+     * @param mode where the controller runs
+     * @param observers called at tick 0 and after every tick, in order
+     * @param finished asked after every tick
+     * @return the result
+     * @throws RunFailedException if the run broke
+     */
+    public static RunResult run(
+            SimulationSetup setup, ControllerMode mode, List<TickObserver> observers, BooleanSupplier finished) {
+        return run(setup, listener -> new Simulation(setup, mode, listener), observers, finished);
     }
 
     /**
@@ -49,24 +64,12 @@ public final class HeadlessRun {
      */
     public static RunResult run(
             SimulationSetup setup, Controller controller, ControllerMode mode, List<TickObserver> observers) {
-        return run(setup, controller, mode, observers, () -> false);
+        return run(setup, listener -> new Simulation(setup, controller, mode, listener), observers, () -> false);
     }
 
-    /**
-     * Runs to the setup's duration or until a condition holds, as fast as possible.
-     *
-     * @param setup what to run
-     * @param controller drives the robot; not closed with the run
-     * @param mode where the controller runs
-     * @param observers called at tick 0 and after every tick, in order
-     * @param finished asked after every tick
-     * @return the result
-     * @throws RunFailedException if the run broke
-     */
-    public static RunResult run(
+    private static RunResult run(
             SimulationSetup setup,
-            Controller controller,
-            ControllerMode mode,
+            Function<CommandListener, Simulation> start,
             List<TickObserver> observers,
             BooleanSupplier finished) {
         WallFollowingMetrics wall = new WallFollowingMetrics(setup);
@@ -76,11 +79,11 @@ public final class HeadlessRun {
         List<RunEvent> diagnosis = new ArrayList<>();
         all.add(new DiagnosisRecorder(diagnosis::add));
         all.add(simulation -> states.add(simulation.telemetry().state()));
-        long start = System.nanoTime();
+        long began = System.nanoTime();
         List<String> refused = new ArrayList<>();
         CommandListener noting = result -> result.refusal()
                 .ifPresent(refusal -> refused.add("at " + setup.timeOf(result.tick()) + " s: " + refusal.message()));
-        try (Simulation simulation = new Simulation(setup, controller, mode, noting)) {
+        try (Simulation simulation = start.apply(noting)) {
             long ticks = setup.ticks();
             all.forEach(observer -> observer.observe(simulation));
             while (simulation.ticks() < ticks && !finished.getAsBoolean()) {
@@ -89,7 +92,7 @@ public final class HeadlessRun {
                     observer.observe(simulation);
                 }
             }
-            double seconds = (System.nanoTime() - start) / NANOS_PER_SECOND;
+            double seconds = (System.nanoTime() - began) / NANOS_PER_SECOND;
             return result(simulation, wall, states, refused, diagnosis, seconds);
         }
     }

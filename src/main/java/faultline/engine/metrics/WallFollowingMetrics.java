@@ -3,11 +3,13 @@ package faultline.engine.metrics;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.FollowerState;
+import faultline.engine.ControllerFactory;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
 import faultline.geometry.Vector2;
 import java.util.OptionalDouble;
+import java.util.Set;
 
 /**
  * Judges a wall follower from ground truth: how much of the wall it could follow it did follow, and how well it kept
@@ -21,7 +23,13 @@ final class WallFollowingMetrics implements TickObserver {
     /** With more walls than this, finding the places to pass would hold up a run that is watched. */
     private static final int MAX_LIVE_WALLS = 5000;
 
+    private static final Set<ControllerState> FOLLOWER_STATES =
+            Set.copyOf(ControllerFactory.states(ControllerSpec.WallFollowing.DEFAULT));
+
     private final boolean isWallFollower;
+    /** Whether a state that the built-in follower does not have counts as following. */
+    private final boolean hasOwnStates;
+
     private final double distance;
     private final WallReference walls;
     private final Coverage coverage;
@@ -29,11 +37,11 @@ final class WallFollowingMetrics implements TickObserver {
     private final MeanSquare followError = new MeanSquare();
 
     WallFollowingMetrics(SimulationSetup setup) {
-        isWallFollower = setup.controller() instanceof ControllerSpec.WallFollowing;
+        OptionalDouble wanted = CarryOnMetrics.wantedDistance(setup);
+        isWallFollower = wanted.isPresent();
+        hasOwnStates = !(setup.controller() instanceof ControllerSpec.WallFollowing);
         walls = new WallReference(setup.world());
-        distance = setup.controller() instanceof ControllerSpec.WallFollowing wall
-                ? wall.distance() + setup.robot().width() / 2
-                : 0;
+        distance = wanted.orElse(0);
         coverage = new Coverage(walls, distance);
     }
 
@@ -44,10 +52,11 @@ final class WallFollowingMetrics implements TickObserver {
         }
         Vector2 centre = simulation.pose().position();
         ControllerState state = simulation.telemetry().state();
-        if (state == FollowerState.FOLLOW || state == FollowerState.ROUND) {
+        boolean follows = state == FollowerState.FOLLOW || hasOwnStates && !FOLLOWER_STATES.contains(state);
+        if (follows || state == FollowerState.ROUND) {
             coverage.visit(centre);
         }
-        if (state == FollowerState.FOLLOW) {
+        if (follows) {
             WallReference.WallError error = walls.wallError(centre, distance, STRAIGHT_MARGIN);
             followError.add(error.metres());
             straightError.add(error.straight() ? error.metres() : Double.NaN);

@@ -37,6 +37,6 @@ final class JournalPlayer {
         Journal done = simulation.journal();
         List<Journal.Entry> all = new ArrayList<>(done.entries());
         all.addAll(pending);
-        return new Journal(done.setup(), all, Math.max(endTick, done.ticks()));
+        return new Journal(done.setup(), all, Math.max(endTick, done.ticks()), done.decisions());
     }
 }

@@ -2,9 +2,9 @@ package faultline.engine.session;
 
 /**
  * The only place that looks at a clock while a run goes on: how long to wait after a tick, and how fast the run really
- * is. Used by the world thread; it influences when a tick is made and never what it computes.
+ * is. Used by the thread of the run; it influences when a tick is made and never what it computes.
  */
-final class Pacer {
+public final class Pacer {
 
     private static final double NANOS_PER_SECOND = 1e9;
 
@@ -23,7 +23,8 @@ final class Pacer {
     private long windowStart;
     private double achievedSpeed;
 
-    Pacer() {
+    /** Creates a pacer at real time; time begins to run now. */
+    public Pacer() {
         restart();
     }
 
@@ -36,7 +37,8 @@ final class Pacer {
         achievedSpeed = 0;
     }
 
-    void setSpeed(double factor) {
+    /** Sets the speed as a multiple of real time. */
+    public void setSpeed(double factor) {
         if (factor != speed) {
             speed = factor;
             restart();
@@ -48,7 +50,7 @@ final class Pacer {
     }
 
     /** Counts a tick of some seconds. */
-    void tickCompleted(double dt) {
+    public void tickCompleted(double dt) {
         dueNanos += dt / speed * NANOS_PER_SECOND;
         windowSeconds += dt;
         long now = System.nanoTime();
@@ -65,7 +67,7 @@ final class Pacer {
     }
 
     /** How long to wait until the next tick is due, nanoseconds; not positive where it is. */
-    long nanosToWait() {
+    public long nanosToWait() {
         long passed = System.nanoTime() - start;
         long wait = (long) dueNanos - passed;
         if (wait < -MAX_DEBT) {

@@ -37,12 +37,8 @@ record AnimatedGifExport(RenderRequest renderRequest, CompletableFuture<Scenario
         }
     }
 
-    /** Returns whether a tick is shown: the first one, and the first of each interval between two images. */
+    /** Returns whether a tick is shown. */
     boolean isDue(long tick, SimulationSetup setup) {
-        return tick == firstTick || tick > firstTick && frameIndex(tick, setup) > frameIndex(tick - 1, setup);
-    }
-
-    private long frameIndex(long tick, SimulationSetup setup) {
-        return (long) Math.floor((tick - firstTick) * setup.dt() * 100 / FRAME_DELAY + 1e-6);
+        return AnimatedGifWriter.isDue(tick - firstTick, setup.dt(), FRAME_DELAY);
     }
 }

@@ -51,6 +51,22 @@ public final class AnimatedGifWriter implements AutoCloseable {
     }
 
     /**
+     * Returns whether a tick is shown in a film at real time: the first one, and the first of each interval between two
+     * pictures.
+     *
+     * @param ticks since the first tick that is shown
+     * @param dt the length of a tick, seconds
+     * @param delay of each picture, hundredths of a second
+     */
+    public static boolean isDue(long ticks, double dt, int delay) {
+        return ticks == 0 || ticks > 0 && pictureIndex(ticks, dt, delay) > pictureIndex(ticks - 1, dt, delay);
+    }
+
+    private static long pictureIndex(long ticks, double dt, int delay) {
+        return (long) Math.floor(ticks * dt * 100 / delay + 1e-6);
+    }
+
+    /**
      * Adds a picture.
      *
      * @param picture of the same size as the first

@@ -16,7 +16,16 @@ public final class FrameRenderer {
     /** The margin around the world, pixels: for the band, the scale bar below and the badge above. */
     private static final double MARGIN = 40;
 
+    private static final double MIN_ASPECT = 0.25;
+    private static final double MAX_ASPECT = 2;
+
     private FrameRenderer() {}
+
+    /** Returns the height of a picture that shows a world of usual proportions without empty space, pixels. */
+    public static int heightFor(Frame frame, int width) {
+        double aspect = frame.snapshot().height() / frame.snapshot().width();
+        return (int) (width * Math.max(MIN_ASPECT, Math.min(MAX_ASPECT, aspect)));
+    }
 
     /**
      * Renders a whole world with the default layers.

@@ -25,6 +25,7 @@ public enum Allowed implements Message.Template {
     ID("1 to 100 characters, none of them a comma, a double quote or a control character"),
     POINTS("{0} or more points as x,y with blanks between them, each number {1}"),
     RINGS("rings of 3 or more points as x,y with blanks between them, separated by |, each number {0}"),
+    DECISIONS("voltages as left,right or left,right*ticks with blanks between them"),
     NONE("none"),
     NOTHING("nothing"),
     TEXT("text"),

@@ -81,7 +81,7 @@ public final class ScenarioReader {
         Optional<WorldSpec> world = requiredSection(root, "world").map(worldReader::read);
         Optional<RobotReader.PlacedRobot> robot = requiredSection(root, "robot").map(new RobotReader(problems)::read);
         ControllerSpec controller = root.firstChild("controller")
-                .map(node -> ControllerReader.read(node, problems))
+                .map(node -> ControllerXml.read(node, problems))
                 .orElse(ControllerSpec.WallFollowing.DEFAULT);
         Expectation expect = root.firstChild("expect")
                 .map(new ExpectationReader(problems, controller)::read)

@@ -1,6 +1,5 @@
 package faultline.scenario.xml;
 
-import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.io.DecimalText;
@@ -50,31 +49,12 @@ final class ScenarioWriter {
         }
         WorldWriter.write(setup.world(), out);
         RobotWriter.write(setup.robot(), setup.start(), out);
-        writeController(setup.controller(), out);
+        ControllerXml.write(setup.controller(), out);
         if (!setup.timeline().isEmpty()) {
             TimelineWriter.write(setup.timeline(), out);
         }
         writeExpectation(scenario.expectation(), out);
         return out.endElement().toString();
-    }
-
-    private static void writeController(ControllerSpec spec, XmlWriter out) {
-        out.beginElement("controller");
-        if (spec instanceof ControllerSpec.WallFollowing follow) {
-            out.attribute("type", "wall-follower")
-                    .attribute("distance", follow.distance())
-                    .attribute("hand", follow.side().fileName())
-                    .attribute("period", follow.period())
-                    .attribute("timing", follow.timingRule().fileName());
-            if (!follow.diagnosis()) {
-                out.attribute("diagnosis", "off");
-            }
-        } else if (spec instanceof ControllerSpec.Drive drive) {
-            out.attribute("type", "drive").attribute("left", drive.leftVolts()).attribute("right", drive.rightVolts());
-        } else {
-            out.attribute("type", "none");
-        }
-        out.endElement();
     }
 
     private static void writeExpectation(Expectation expect, XmlWriter out) {

@@ -91,7 +91,14 @@ final class XmlWriter {
 
     /** A whole element that holds text only. */
     void textElement(String name, String text) {
-        beginElement(name).finishStartTag(">");
+        beginElement(name);
+        endTextElement(text);
+    }
+
+    /** Ends the innermost element, which holds text only. */
+    void endTextElement(String text) {
+        String name = openElements.peek();
+        finishStartTag(">");
         out.append(XmlText.escapeText(text)).append("</").append(name).append(">\n");
         openElements.pop();
         path.leave();

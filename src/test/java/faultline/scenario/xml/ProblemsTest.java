@@ -50,7 +50,7 @@ class ProblemsTest {
             sensor="front" kind="stuck" value="0.4" | motor="left" sensor="front" kind="dead" | 20:72: <fault> has no attribute "sensor", allowed is at, until, motor, kind, value
             <fault at="10" sensor="front" kind="stuck" | <fault at="10" kind="stuck" | 20:57: <fault> lacks the attribute "sensor", allowed is 1 to 100 characters, none of them a comma, a double quote or a control character
             value="0.4"        | value="-0.4"       | 20:73: value of <fault> is "-0.4", allowed is a number from 0 to 100 metres
-            "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower", allowed is wall-follower, none, drive; did you mean "wall-follower"?
+            "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower", allowed is wall-follower, none, drive, extern, recorded; did you mean "wall-follower"?
             distance="0.25"    | left="2"           | 18:46: <controller> has no attribute "left", allowed is type, distance, hand, period, timing, diagnosis
             collision="false"  | states="FOLOW"     | 29:27: states of <expect> is "FOLOW", allowed is one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP; did you mean "FOLLOW"?
             collision="false"  | finalState="NONE"  | 29:30: finalState of <expect> is "NONE", allowed is one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP

@@ -2,6 +2,7 @@ package faultline.scenario.xml;
 
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
+import faultline.control.RecordedDecision;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.ControllerFactory;
@@ -193,8 +194,10 @@ final class RandomScenarios {
     }
 
     private ControllerSpec controller() {
-        return switch (random.nextInt(3)) {
+        return switch (random.nextInt(5)) {
             case 0 -> new ControllerSpec.None();
+            case 2 -> new ControllerSpec.Extern(edgeValue(0, 10));
+            case 3 -> new ControllerSpec.Recorded(size(), 1000, decisions());
             case 1 -> new ControllerSpec.Drive(edgeValue(-1e4, 1e4), edgeValue(-1e4, 1e4));
             default ->
                 new ControllerSpec.WallFollowing(
@@ -204,6 +207,15 @@ final class RandomScenarios {
                         random.nextBoolean() ? TimingRule.EQUAL_READINGS : TimingRule.RANGE,
                         random.nextBoolean());
         };
+    }
+
+    private List<RecordedDecision> decisions() {
+        List<RecordedDecision> decisions = new ArrayList<>();
+        for (long tick = random.nextInt(3); tick < 1000; tick += 1 + random.nextInt(200)) {
+            decisions.add(new RecordedDecision(
+                    tick, edgeValue(-1e300, 1e300), random.nextGaussian(), "S" + random.nextInt(2), name()));
+        }
+        return decisions;
     }
 
     private Expectation expectation(ControllerSpec controller) {

@@ -1,0 +1,58 @@
+package faultline.app;
+
+import faultline.external.ChildSource;
+import faultline.external.ExternalController;
+import faultline.io.DecimalText;
+import faultline.io.MessageText;
+import java.math.BigDecimal;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/**
+ * The options that go with {@code --controller}.
+ *
+ * @param patience how long a controller in a child process may take for an answer, seconds; infinite for no limit
+ * @param truth whether it is given the ground truth
+ * @param jar a jar with controllers in Java
+ */
+record ControllerOptions(double patience, boolean truth, Optional<Path> jar) {
+
+    private static final BigDecimal MAX_PATIENCE = new BigDecimal("10000000");
+
+    static ControllerOptions parse(Arguments given) throws UsageException {
+        for (String option : List.of("--patience", "--truth")) {
+            if (!given.has("--controller") && given.has(option)) {
+                throw new UsageException(option + " needs --controller COMMAND");
+            }
+        }
+        Optional<Path> jar = given.fileOption("--jar");
+        if (jar.isPresent() && !Files.isRegularFile(jar.get())) {
+            throw new UsageException(
+                    "--jar is " + MessageText.quoted(jar.get().toString()) + ", and there is no such file");
+        }
+        return new ControllerOptions(patience(given.value("--patience")), given.has("--truth"), jar);
+    }
+
+    private static double patience(Optional<String> text) throws UsageException {
+        if (text.isEmpty()) {
+            return ExternalController.Timeouts.DEFAULT.answer();
+        }
+        if (text.get().equals("none")) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return DecimalText.parse(text.get())
+                .filter(value -> value.signum() > 0 && value.compareTo(MAX_PATIENCE) <= 0)
+                .orElseThrow(() -> new UsageException("--patience is " + MessageText.quoted(text.get())
+                        + ", allowed is none or a number of seconds above 0, up to " + MAX_PATIENCE))
+                .doubleValue();
+    }
+
+    /** Returns how children are treated in the runs of a scenario. */
+    ChildSource.Terms terms(String scenario, Consumer<String> errors) {
+        return new ChildSource.Terms(
+                HelpText.version(), scenario, ExternalController.Timeouts.DEFAULT.withAnswer(patience), truth, errors);
+    }
+}

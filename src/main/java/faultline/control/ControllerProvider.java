@@ -1,0 +1,20 @@
+package faultline.control;
+
+import java.util.Map;
+
+/**
+ * Makes controllers that are written in Java and are not part of the program. A class on the class path is found by
+ * {@link java.util.ServiceLoader} if the file {@code META-INF/services/faultline.control.ControllerProvider} names it.
+ */
+public interface ControllerProvider {
+
+    /** Returns the name by which the command line and scenario files choose the controller, such as {@code bug2}. */
+    String name();
+
+    /**
+     * Makes a controller for one run. The same settings must give a controller that decides the same.
+     *
+     * @param settings what the scenario file says, by name; empty if it says nothing
+     */
+    Controller create(Map<String, String> settings);
+}

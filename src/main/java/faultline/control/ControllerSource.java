@@ -1,0 +1,34 @@
+package faultline.control;
+
+import faultline.robot.RobotSpec;
+
+/** Starts a controller that is not part of the program, once for each run. */
+public interface ControllerSource {
+
+    /**
+     * A run that is about to begin.
+     *
+     * @param seed of all random numbers
+     * @param dt the length of a tick, seconds
+     * @param periodTicks how many ticks a decision holds
+     * @param duration how long the run lasts, seconds
+     * @param robot as built
+     */
+    record Run(long seed, double dt, long periodTicks, double duration, RobotSpec robot) {}
+
+    /** Returns the name that is shown: a command or the name of a provider. */
+    String name();
+
+    /**
+     * Starts a controller. One that is {@link AutoCloseable} is closed with the run.
+     *
+     * @param run what it is started for
+     */
+    Controller start(Run run);
+
+    /**
+     * Returns whether its controllers end a run themselves if no decision comes. Others are called on a thread of their
+     * own, which the simulation does not wait for longer than its own limit.
+     */
+    boolean limitsAnswerTime();
+}

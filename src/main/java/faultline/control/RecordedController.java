@@ -1,0 +1,38 @@
+package faultline.control;
+
+/** Repeats the decisions of an earlier run, and breaks the run where the record ends. */
+public final class RecordedController implements Controller {
+
+    private final ControllerSpec.Recorded record;
+    private Telemetry telemetry;
+    private Decision decision;
+    private int next;
+
+    /**
+     * Creates a controller.
+     *
+     * @param record what to repeat
+     * @param initialState the state before the first decision
+     */
+    public RecordedController(ControllerSpec.Recorded record, ControllerState initialState) {
+        this.record = record;
+        telemetry = Telemetry.ofState(initialState);
+        decision = new Decision(0, 0, telemetry);
+    }
+
+    @Override
+    public Decision decide(Observation observation) {
+        if (observation.tick() >= record.ticks()) {
+            throw new IllegalStateException("the record of decisions ends after tick " + record.ticks());
+        }
+        while (next < record.decisions().size() && record.decisions().get(next).tick() <= observation.tick()) {
+            repeat(record.decisions().get(next++));
+        }
+        return decision;
+    }
+
+    private void repeat(RecordedDecision recorded) {
+        telemetry = telemetry.entering(recorded.state(), recorded.condition(), recorded.tick());
+        decision = new Decision(recorded.leftVolts(), recorded.rightVolts(), telemetry);
+    }
+}

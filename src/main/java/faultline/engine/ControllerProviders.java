@@ -1,0 +1,62 @@
+package faultline.engine;
+
+import faultline.control.Controller;
+import faultline.control.ControllerProvider;
+import faultline.control.StateTracker;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
+import java.util.stream.StreamSupport;
+
+/** The controllers in Java that are on the class path, or in jars that the thread's context class loader adds to it. */
+public final class ControllerProviders {
+
+    private ControllerProviders() {}
+
+    /**
+     * Returns the provider of a name, if there is one.
+     *
+     * @throws RunFailedException if a provider cannot be loaded
+     */
+    public static Optional<ControllerProvider> find(String name) {
+        return all().stream().filter(provider -> provider.name().equals(name)).findFirst();
+    }
+
+    /**
+     * Returns the names of all providers, in alphabetical order.
+     *
+     * @throws RunFailedException if a provider cannot be loaded
+     */
+    public static List<String> names() {
+        return all().stream().map(ControllerProvider::name).sorted().toList();
+    }
+
+    /**
+     * Makes a controller.
+     *
+     * @param name of its provider
+     * @param settings for it
+     * @throws RunFailedException if there is no such provider, or it fails
+     */
+    public static Controller create(String name, Map<String, String> settings) {
+        ControllerProvider provider =
+                find(name).orElseThrow(() -> new RunFailedException("there is no controller \"" + name + "\"", null));
+        try {
+            return new StateTracker(provider.create(settings));
+        } catch (RuntimeException | Error e) {
+            throw new RunFailedException("the controller \"" + name + "\" cannot be created: " + e, e);
+        }
+    }
+
+    private static List<ControllerProvider> all() {
+        try {
+            return StreamSupport.stream(
+                            ServiceLoader.load(ControllerProvider.class).spliterator(), false)
+                    .toList();
+        } catch (ServiceConfigurationError | LinkageError e) {
+            throw new RunFailedException("a controller in Java cannot be loaded: " + e.getMessage(), e);
+        }
+    }
+}

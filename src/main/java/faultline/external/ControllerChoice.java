@@ -1,0 +1,87 @@
+package faultline.external;
+
+import faultline.control.ControllerSource;
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerProviders;
+import faultline.engine.SimulationSetup;
+import faultline.io.DidYouMean;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** What a user may choose as a controller: a built-in one, the name of one in Java, or a command. */
+public final class ControllerChoice {
+
+    /** The name of the built-in wall follower; one that the scenario describes keeps its settings. */
+    public static final String WALL_FOLLOWER = "wall-follower";
+
+    private static final String NONE = "none";
+
+    private ControllerChoice() {}
+
+    /** Returns the names that are no commands: those of the program and of the class path. */
+    public static List<String> names() {
+        List<String> names = new ArrayList<>(List.of(WALL_FOLLOWER, NONE));
+        names.addAll(ControllerProviders.names());
+        return names;
+    }
+
+    /** Returns whether a choice is a command that starts a child process. */
+    public static boolean isCommand(String choice) {
+        return !names().contains(choice);
+    }
+
+    /**
+     * Returns a setup with a chosen controller.
+     *
+     * @param choice a name or a command
+     * @param setup names another controller
+     * @param commands starts a command
+     */
+    public static SimulationSetup apply(String choice, SimulationSetup setup, ControllerSource commands) {
+        ControllerSpec original = setup.controller();
+        if (choice.equals(WALL_FOLLOWER)) {
+            return original instanceof ControllerSpec.WallFollowing
+                    ? setup
+                    : setup.withController(ControllerSpec.WallFollowing.DEFAULT);
+        }
+        if (choice.equals(NONE)) {
+            return setup.withController(new ControllerSpec.None());
+        }
+        if (isCommand(choice)) {
+            return setup.withController(new ControllerSpec.Chosen(original, commands));
+        }
+        Map<String, String> settings = original instanceof ControllerSpec.Provided given
+                        && given.name().equals(choice)
+                ? given.settings()
+                : Map.of();
+        return setup.withController(new ControllerSpec.Chosen(original, new ProviderSource(choice, settings)));
+    }
+
+    /** Returns a hint for a command of one word that no program has, such as a misspelt name. */
+    static String hint(String command) {
+        List<String> names = names();
+        return command.contains(" ") || DidYouMean.nearest(command, names).isEmpty()
+                ? ""
+                : "; controllers in Java are " + String.join(", ", names) + DidYouMean.hint(command, names);
+    }
+
+    /**
+     * Adds a jar with controllers to those that the calling thread, and threads that it starts, can find.
+     *
+     * @param jar a file
+     */
+    public static void addJar(Path jar) {
+        try {
+            URL[] files = {jar.toUri().toURL()};
+            Thread thread = Thread.currentThread();
+            thread.setContextClassLoader(new URLClassLoader(files, ControllerChoice.class.getClassLoader()));
+        } catch (MalformedURLException e) {
+            throw new IllegalArgumentException("no path of a file: " + jar, e);
+        }
+    }
+}

@@ -1,0 +1,13 @@
+package faultline.external;
+
+import faultline.engine.RunFailedException;
+
+/** A controller that does not exist or cannot be started. The message is one sentence for a user. */
+public final class ControllerStartException extends RunFailedException {
+
+    private static final long serialVersionUID = 1L;
+
+    ControllerStartException(String message, Throwable cause) {
+        super(message, cause);
+    }
+}

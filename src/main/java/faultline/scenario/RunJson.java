@@ -1,0 +1,75 @@
+package faultline.scenario;
+
+import faultline.control.ControllerState;
+import faultline.engine.metrics.RunResult;
+import faultline.io.JsonWriter;
+import faultline.world.Collision;
+import java.util.List;
+import java.util.OptionalDouble;
+
+/** A run's result as one JSON object on one line, with the keys of {@link RunSummary}. */
+public final class RunJson {
+
+    private RunJson() {}
+
+    /**
+     * Returns a result as JSON; {@code null} where there is no value.
+     *
+     * @param result what a run came to
+     * @param truth whether the controller was given the ground truth
+     * @param unmet the expectations that failed, one sentence each
+     */
+    public static String format(RunResult result, boolean truth, List<String> unmet) {
+        JsonWriter json =
+                new JsonWriter().member("ticks", result.ticks()).member("simulated_s", result.simulatedSeconds());
+        writeOptional(json.name("real_time_factor"), OptionalDouble.of(result.realTimeFactor()));
+        json.member("state", result.finalState().name());
+        writeTexts(
+                json.name("states"),
+                result.visitedStates().stream().map(ControllerState::name).toList());
+        writeCollision(json, result);
+        writeOptional(json.name("coverage"), result.coverage());
+        writeOptional(json.name("distance_rms_m"), result.distanceRms());
+        json.member("trajectory_hash", RunSummary.formatHash(result)).member("seed", result.seed());
+        json.name("rung");
+        if (result.rung().isEmpty()) {
+            json.nullValue();
+        } else {
+            json.value(result.rung());
+        }
+        writeTexts(json.name("rung_changes"), RunSummary.rungChanges(result));
+        writeTexts(json.name("health_changes"), RunSummary.healthChanges(result));
+        json.member("truth", truth).member("expectations", unmet.isEmpty() ? "held" : "failed");
+        writeTexts(json.name("unmet"), unmet);
+        return json.finish();
+    }
+
+    private static void writeCollision(JsonWriter json, RunResult result) {
+        json.name("collision");
+        if (result.collision().isEmpty()) {
+            json.nullValue().name("collided_with").nullValue();
+            return;
+        }
+        Collision collision = result.collision().get();
+        json.beginObject()
+                .member("x_m", collision.point().x())
+                .member("y_m", collision.point().y())
+                .member("t_s", collision.time())
+                .endObject()
+                .member("collided_with", collision.obstacle());
+    }
+
+    private static void writeTexts(JsonWriter json, List<String> texts) {
+        json.beginArray();
+        texts.forEach(json::value);
+        json.endArray();
+    }
+
+    private static void writeOptional(JsonWriter json, OptionalDouble value) {
+        if (value.isPresent() && Double.isFinite(value.getAsDouble())) {
+            json.value(value.getAsDouble());
+        } else {
+            json.nullValue();
+        }
+    }
+}

@@ -1,0 +1,210 @@
+package faultline.external;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerProvider;
+import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
+import faultline.engine.ControllerMode;
+import faultline.engine.Journal;
+import faultline.engine.RunFailedException;
+import faultline.engine.SimulationSetup;
+import faultline.engine.TickObserver;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
+import faultline.scenario.JournalScenario;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import java.io.IOException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Controllers in Java and in child processes: chosen, recorded, and replayed without them. */
+@Timeout(120)
+class ForeignControllerTest {
+
+    @TempDir
+    private Path folder;
+
+    private final ClassLoader before = Thread.currentThread().getContextClassLoader();
+
+    @BeforeEach
+    void addProvider() throws Exception {
+        Path services = Files.createDirectories(folder.resolve("META-INF/services"));
+        Files.writeString(services.resolve(ControllerProvider.class.getName()), RightTurner.class.getName());
+        Thread.currentThread()
+                .setContextClassLoader(
+                        new URLClassLoader(new URL[] {folder.toUri().toURL()}, before));
+    }
+
+    @AfterEach
+    void removeProvider() {
+        Thread.currentThread().setContextClassLoader(before);
+    }
+
+    private static Scenario yard() throws ScenarioException {
+        Scenario yard = Scenario.load(Path.of("scenarios/yard.xml"));
+        return yard.withSetup(yard.setup().withDuration(30));
+    }
+
+    /** A run and the scenario that replays it. */
+    private record Recorded(RunResult result, Scenario replay) {}
+
+    private static Recorded record(Scenario scenario, SimulationSetup setup) {
+        AtomicReference<Journal> journal = new AtomicReference<>();
+        TickObserver last = simulation -> {
+            if (simulation.ticks() == setup.ticks()) {
+                journal.set(simulation.journal());
+            }
+        };
+        RunResult result = HeadlessRun.run(setup, ControllerMode.DIRECT, List.of(last));
+        return new Recorded(result, JournalScenario.create(scenario, journal.get()));
+    }
+
+    private void assertReplays(Recorded recorded) throws Exception {
+        Path file = folder.resolve("journal.xml");
+        recorded.replay().save(file);
+        Thread.currentThread().setContextClassLoader(before);
+        Scenario loaded = Scenario.load(file);
+        assertEquals(recorded.replay(), loaded);
+        RunResult replayed = HeadlessRun.run(loaded.setup(), ControllerMode.OWN_THREAD, List.of());
+        assertEquals(recorded.result().trajectoryHash(), replayed.trajectoryHash());
+        assertEquals(recorded.result().finalState(), replayed.finalState());
+        assertEquals(recorded.result().coverage(), replayed.coverage());
+        assertEquals(recorded.result().distanceRms(), replayed.distanceRms());
+    }
+
+    @Test
+    void aControllerInJavaIsFoundByItsNameAndReplaysWithoutIt() throws Exception {
+        SimulationSetup setup = ControllerChoice.apply("right-turner", yard().setup(), null);
+        Recorded recorded = record(yard(), setup);
+        assertTrue(recorded.result().visitedStates().contains(ControllerState.of("NEAR")), recorded.result()::toString);
+        assertEquals(
+                recorded.result().trajectoryHash(),
+                HeadlessRun.run(setup, ControllerMode.OWN_THREAD, List.of()).trajectoryHash());
+        assertReplays(recorded);
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void aChildReplaysWithoutIt() throws Exception {
+        String child = "sh -c 'read h; echo \"{\\\"type\\\":\\\"ready\\\",\\\"protocol\\\":1}\"; i=0; "
+                + "while read l; do case $l in *observe*) echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,"
+                + "\\\"v_m_s\\\":0.2,\\\"omega_rad_s\\\":0.$((i % 7)),\\\"state\\\":\\\"S$((i / 300))\\\"}\";; esac; "
+                + "i=$((i+1)); done'";
+        ChildSource.Terms terms =
+                new ChildSource.Terms("test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
+        SimulationSetup setup = yard().setup().withDuration(9);
+        Recorded recorded = record(yard(), ControllerChoice.apply(child, setup, new ChildSource(child, terms)));
+        assertEquals(
+                List.of("EXTERN", "S0", "S1", "S2"),
+                recorded.result().visitedStates().stream()
+                        .map(ControllerState::name)
+                        .toList());
+        assertReplays(recorded);
+    }
+
+    @Test
+    void theRecordOfDecisionsIsNotContinued() throws Exception {
+        SimulationSetup setup = ControllerChoice.apply("right-turner", yard().setup(), null);
+        SimulationSetup longer = record(yard(), setup).replay().setup().withDuration(30.02);
+        RunFailedException e =
+                assertThrows(RunFailedException.class, () -> HeadlessRun.run(longer, ControllerMode.DIRECT, List.of()));
+        assertTrue(e.getMessage().contains("the record of decisions ends after tick 3000"), e.getMessage());
+    }
+
+    @Test
+    void aFileNamesAControllerInJavaWithItsSettings() throws Exception {
+        Path path = fileWith("<controller type=\"right-turner\" period=\"0.02\">"
+                + "<setting name=\"volts\" value=\"2\"/></controller>");
+        Scenario scenario = Scenario.load(path);
+        assertEquals(
+                new ControllerSpec.Provided("right-turner", 0.02, Map.of("volts", "2")),
+                scenario.setup().controller());
+        scenario.save(path);
+        assertEquals(scenario, Scenario.load(path));
+        assertEquals(2, firstVolts(scenario.setup()));
+    }
+
+    private Path fileWith(String controller) throws IOException {
+        String yard = Files.readString(Path.of("scenarios/yard.xml"));
+        return Files.writeString(folder.resolve("room.xml"), yard.replace("</scenario>", controller + "</scenario>"));
+    }
+
+    private static double firstVolts(SimulationSetup setup) {
+        AtomicReference<Double> volts = new AtomicReference<>();
+        HeadlessRun.run(setup.withDuration(0.01), ControllerMode.DIRECT, List.of(run -> volts.set(run.leftVolts())));
+        return volts.get();
+    }
+
+    @Test
+    void aMisspeltNameOfAFileIsCorrected() throws Exception {
+        Path path = fileWith("<controller type=\"right-turnr\"/>");
+        ScenarioException e = assertThrows(ScenarioException.class, () -> Scenario.load(path));
+        assertTrue(e.getMessage().endsWith("did you mean \"right-turner\"?"), e.getMessage());
+    }
+
+    @Test
+    void aMisspeltNameOfTheCommandLineIsCorrected() {
+        ChildSource.Terms terms =
+                new ChildSource.Terms("test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
+        ChildSource source = new ChildSource("right-turnr", terms);
+        ControllerStartException e = assertThrows(
+                ControllerStartException.class,
+                () -> HeadlessRun.run(
+                        ControllerChoice.apply("right-turnr", yard().setup(), source),
+                        ControllerMode.DIRECT,
+                        List.of()));
+        assertTrue(e.getMessage().endsWith("did you mean \"right-turner\"?"), e.getMessage());
+    }
+
+    @Test
+    void anErrorIsReportedInDirectModeAsOnAThread() throws Exception {
+        SimulationSetup setup = broken("error");
+        for (ControllerMode mode : ControllerMode.values()) {
+            RunFailedException e =
+                    assertThrows(RunFailedException.class, () -> HeadlessRun.run(setup, mode, List.of()));
+            assertEquals(
+                    "the controller broke at tick 7: java.lang.StackOverflowError: too deep",
+                    e.getMessage(),
+                    mode.name());
+        }
+    }
+
+    @Test
+    void aControllerInJavaThatDoesNotAnswerEndsTheRunAndItsThread() throws Exception {
+        RunFailedException e = assertThrows(
+                RunFailedException.class, () -> HeadlessRun.run(broken("sleep"), ControllerMode.DIRECT, List.of()));
+        assertEquals("the controller has not answered for 10.0 s at tick 7", e.getMessage());
+        Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.getName().equals("faultline-controller"))
+                .forEach(ForeignControllerTest::assertEnds);
+    }
+
+    private static void assertEnds(Thread thread) {
+        try {
+            thread.join(5000);
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
+        }
+        assertTrue(!thread.isAlive(), thread::toString);
+    }
+
+    private static SimulationSetup broken(String deed) throws ScenarioException {
+        return yard().setup().withController(new ControllerSpec.Provided("right-turner", 0, Map.of("deed", deed)));
+    }
+}

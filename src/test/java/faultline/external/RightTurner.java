@@ -1,0 +1,48 @@
+package faultline.external;
+
+import faultline.control.Controller;
+import faultline.control.ControllerProvider;
+import faultline.control.ControllerState;
+import faultline.control.Decision;
+import faultline.control.Telemetry;
+import java.util.Map;
+
+/** A provider as a user writes one: turns right for as long as something is within range. */
+public final class RightTurner implements ControllerProvider {
+
+    /** What it does at a tick, to try controllers that misbehave. */
+    static final Map<String, Runnable> DEEDS = Map.of(
+            "error",
+            () -> {
+                throw new StackOverflowError("too deep");
+            },
+            "sleep",
+            RightTurner::sleep);
+
+    @Override
+    public String name() {
+        return "right-turner";
+    }
+
+    @Override
+    public Controller create(Map<String, String> settings) {
+        double volts = Double.parseDouble(settings.getOrDefault("volts", "3"));
+        Runnable deed = DEEDS.getOrDefault(settings.getOrDefault("deed", ""), () -> {});
+        return observation -> {
+            if (observation.tick() == 7) {
+                deed.run();
+            }
+            boolean near = java.util.Arrays.stream(observation.readings()).anyMatch(Double::isFinite);
+            Telemetry telemetry = Telemetry.ofState(ControllerState.of(near ? "NEAR" : "GO"));
+            return new Decision(volts, near ? -volts : volts, telemetry);
+        };
+    }
+
+    private static void sleep() {
+        try {
+            Thread.sleep(1_000_000);
+        } catch (InterruptedException e) {
+            throw new IllegalStateException("woken", e);
+        }
+    }
+}
