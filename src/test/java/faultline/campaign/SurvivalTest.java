@@ -4,56 +4,58 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.campaign.SurvivalStudy.Outcome;
-import faultline.campaign.SurvivalStudy.Trial;
+import faultline.campaign.SurvivalTrial.Conditions;
+import faultline.campaign.SurvivalTrial.Outcome;
+import faultline.control.WallSide;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A short version of the study of docs/faults.md, on seeds of its own. */
+/** A short version of the study of docs/faults.md, on rooms of its own. */
 class SurvivalTest {
 
-    private static Trial trial(long seed, List<String> kinds, List<Integer> sensors, int offMask) {
-        return new Trial(seed, kinds, sensors, true, offMask, 0, 0, seed % 2 == 0);
+    private static Outcome run(long room, List<DrawnFault> faults, List<Integer> sensors, int off) {
+        WallSide side = room % 2 == 0 ? WallSide.RIGHT : WallSide.LEFT;
+        return new SurvivalTrial(room, faults, sensors, off, new Conditions(true, side, 0, 0)).run();
     }
 
     @ParameterizedTest
     @CsvSource({
-        "off,0",
-        "off,2",
-        "stuck,0",
-        "stuckwanted,2",
-        "bias,2",
-        "drift,2",
-        "dropout,2",
-        "noise,2",
-        "range,2",
-        "ghost,0"
+        "OFF,0",
+        "OFF,2",
+        "STUCK,0",
+        "STUCK_WANTED,2",
+        "BIAS,2",
+        "DRIFT_FAR,2",
+        "DROPOUT,2",
+        "NOISE,2",
+        "SHORT_RANGE,2",
+        "GHOST,0"
     })
-    void aRobotWithOneFailingSensorCarriesOn(String kind, int sensor) {
-        for (long seed = 90_001; seed < 90_003; seed++) {
-            Outcome outcome = SurvivalStudy.run(trial(seed, List.of(kind), List.of(sensor), 0));
-            assertTrue(outcome.carried(), outcome::toString);
+    void aRobotWithOneFailingSensorCarriesOn(DrawnFault kind, int sensor) {
+        for (long room = 90_001; room < 90_003; room++) {
+            Outcome outcome = run(room, List.of(kind), List.of(sensor), 0);
+            assertTrue(outcome.carriedOn(), outcome::note);
         }
     }
 
     @Test
     void healthySensorsStayTrusted() {
-        for (long seed = 91_001; seed < 91_007; seed++) {
-            Outcome outcome = SurvivalStudy.run(trial(seed, List.of(), List.of(), 0));
-            assertTrue(outcome.carried(), outcome::toString);
-            assertFalse(outcome.lowerRung(), outcome::toString);
+        for (long room = 91_001; room < 91_007; room++) {
+            Outcome outcome = run(room, List.of(), List.of(), 0);
+            assertTrue(outcome.carriedOn(), outcome::note);
+            assertFalse(outcome.lowerRung(), outcome::note);
         }
     }
 
     @ParameterizedTest
     @CsvSource({"11111111", "10111111", "11110001"})
-    void withoutASensorOnTheWallsSideTheRobotStops(String offMask) {
-        int mask = Integer.parseInt(offMask, 2) | 0b1110;
-        Outcome outcome = SurvivalStudy.run(new Trial(92_001, List.of(), List.of(), true, mask, 0, 0, false));
-        assertTrue(outcome.stopped(), outcome::toString);
-        assertFalse(outcome.contact(), outcome::toString);
+    void withoutASensorOnTheWallsSideTheRobotStops(String off) {
+        int mask = Integer.parseInt(off, 2) | 0b1110;
+        Outcome outcome = new SurvivalTrial(92_001, List.of(), List.of(), mask, Conditions.USUAL).run();
+        assertTrue(outcome.stopped(), outcome::note);
+        assertFalse(outcome.contact(), outcome::note);
     }
 
     @Test
