@@ -21,14 +21,15 @@ final class ClaimTest {
     /**
      * Returns which sensors have seen all of a claimed arc free.
      *
-     * @param table of the sensor's cone
-     * @param claims of the sensor
+     * @param sensor that claims
      * @param age of the claim
      * @param oldest moment that counts
      * @param asked the sensors that count, a bit for each
      * @return their bits, 0 if none alone has seen all of it, {@link #POSSIBLE} if some of it was seen free by no one
      */
-    int contradicting(ConeTable table, ClaimRing claims, int age, int oldest, int asked) {
+    int contradicting(InspectedSensor sensor, int age, int oldest, int asked) {
+        ConeTable table = sensor.table();
+        ClaimRing claims = sensor.claims();
         double axisCos = claims.axisCos(age);
         double axisSin = claims.axisSin(age);
         double reading = claims.reading(age);
@@ -54,14 +55,14 @@ final class ClaimTest {
      * Marks the last claim in the map.
      *
      * @param sensor that claims
-     * @param table of its cone
-     * @param claims of it
      * @param now the moment
      * @param oldest moment that counts
      * @param others the sensors that count, a bit for each
      * @return whether another sensor saw a surface on the claimed arc
      */
-    boolean confirm(int sensor, ConeTable table, ClaimRing claims, int now, int oldest, int others) {
+    boolean confirm(InspectedSensor sensor, int now, int oldest, int others) {
+        ConeTable table = sensor.table();
+        ClaimRing claims = sensor.claims();
         double axisCos = claims.axisCos(0);
         double axisSin = claims.axisSin(0);
         double reading = claims.reading(0);
@@ -70,7 +71,7 @@ final class ClaimTest {
             double x = claims.x(0) + reading * table.cos(i, axisCos, axisSin);
             double y = claims.y(0) + reading * table.sin(i, axisCos, axisSin);
             found |= grid.hitBy(EvidenceGrid.cellOf(x), EvidenceGrid.cellOf(y), oldest, others);
-            grid.markHit(sensor, x, y, now);
+            grid.markHit(sensor.index(), x, y, now);
         }
         return found != 0;
     }

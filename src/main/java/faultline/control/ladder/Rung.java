@@ -13,7 +13,7 @@ public enum Rung {
     ALL("all sensors trusted", Strategy.SIX_STATES) {
         @Override
         boolean isMet(SensorDiagnosis diagnosis) {
-            return diagnosis.trusted() == (1 << diagnosis.sensors()) - 1;
+            return diagnosis.allTrusted();
         }
     },
     /** The sensors that face the wall and ahead are trusted: the six states without the others. */

@@ -1,0 +1,130 @@
+package faultline.control.diagnosis;
+
+import faultline.control.SensorFinding;
+
+/** A sensor under diagnosis: how it is mounted, what it claimed of late, and what was found against it. */
+final class InspectedSensor {
+
+    /** A sensor that is not trusted is tried again after this time, seconds; each relapse doubles it. */
+    private static final double FIRST_PENANCE = 3;
+
+    private static final double MAX_PENANCE = 48;
+
+    private final int index;
+    private final SignalTest signal;
+    private final ClaimRing claims = new ClaimRing();
+    private MountedCone cone;
+    private ConeTable table;
+    private SensorFinding finding = SensorFinding.NONE;
+    private double since;
+    private double penance = FIRST_PENANCE;
+    private boolean wasDistrusted;
+    private double confirmations;
+    private int standoff;
+    private double blindAt = -1;
+
+    InspectedSensor(int index, MountedCone cone) {
+        this.index = index;
+        this.signal = new SignalTest(cone);
+        refit(cone);
+    }
+
+    /** Takes changed settings. */
+    void refit(MountedCone newCone) {
+        if (!newCone.equals(cone)) {
+            cone = newCone;
+            table = new ConeTable(newCone);
+        }
+    }
+
+    /** Returns its place in the robot's list. */
+    int index() {
+        return index;
+    }
+
+    /** Returns its place as a bit. */
+    int bit() {
+        return 1 << index;
+    }
+
+    SignalTest signal() {
+        return signal;
+    }
+
+    ClaimRing claims() {
+        return claims;
+    }
+
+    MountedCone cone() {
+        return cone;
+    }
+
+    ConeTable table() {
+        return table;
+    }
+
+    SensorFinding finding() {
+        return finding;
+    }
+
+    boolean isTrusted() {
+        return finding == SensorFinding.NONE;
+    }
+
+    /** Returns when it was trusted or distrusted last, or failed again while it was not trusted, seconds. */
+    double since() {
+        return since;
+    }
+
+    /** Returns whether it has not been trusted for as long as its relapses ask. */
+    boolean hasDonePenance(double time) {
+        return time - since > penance;
+    }
+
+    /** Notes a reason not to trust it. */
+    void distrust(SensorFinding reason, double time) {
+        if (isTrusted()) {
+            finding = reason;
+            penance = wasDistrusted ? Math.min(MAX_PENANCE, 2 * penance) : penance;
+            wasDistrusted = true;
+            standoff = 0;
+        }
+        since = time;
+        confirmations = 0;
+    }
+
+    /** Trusts it. */
+    void trust(double time) {
+        finding = SensorFinding.NONE;
+        since = time;
+    }
+
+    /** Returns how often others saw of late what it claims; counts decay. */
+    double confirmations() {
+        return confirmations;
+    }
+
+    void confirm(double weight) {
+        confirmations += weight;
+    }
+
+    void fade(double share) {
+        confirmations *= share;
+    }
+
+    /** Counts how long it stands alone against another, and returns the count. */
+    int countStandoff(boolean stands) {
+        standoff = stands ? standoff + 1 : 0;
+        return standoff;
+    }
+
+    /** Notes that it did not see what another sensor foresaw. */
+    void missSurface(double time) {
+        blindAt = time;
+    }
+
+    /** Returns when it last did not see what another sensor foresaw, seconds. */
+    double blindAt() {
+        return blindAt;
+    }
+}

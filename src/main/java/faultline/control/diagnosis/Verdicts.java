@@ -1,0 +1,132 @@
+package faultline.control.diagnosis;
+
+import faultline.control.SensorFinding;
+
+/**
+ * Decides from contradictions which sensors are trusted. A sensor is not trusted any more when its count exceeds a
+ * threshold and is the greatest, or when it stands alone against one that others confirm more.
+ */
+final class Verdicts {
+
+    private static final double THRESHOLD = 9;
+    private static final double FORGIVEN = 0.5;
+    private static final int CONFIRMATIONS = 12;
+    private static final int MAX_STANDOFF = 25;
+
+    /** A sensor that was found contradicted less than this time ago may have been the victim, seconds. */
+    private static final double EXONERATION = 6;
+
+    /** A sensor that missed a surface less than this time ago is blind, seconds. */
+    private static final double BLINDNESS = 0.5;
+
+    private final InspectedSensor[] sensors;
+    private final ConflictCounts conflicts;
+    private int trusted;
+
+    Verdicts(InspectedSensor[] sensors) {
+        this.sensors = sensors;
+        this.conflicts = new ConflictCounts(sensors.length);
+        this.trusted = (1 << sensors.length) - 1;
+    }
+
+    /** Returns the trusted sensors, a bit for each. */
+    int trusted() {
+        return trusted;
+    }
+
+    boolean allTrusted() {
+        return trusted == (1 << sensors.length) - 1;
+    }
+
+    /** Returns the count against a sensor as a share of what it takes not to trust it. */
+    double evidence(int sensor) {
+        return conflicts.against(sensor, trusted) / THRESHOLD;
+    }
+
+    /**
+     * Counts a contradiction of a sensor's claim.
+     *
+     * @param sensor that claims
+     * @param by the sensors each of which has seen all of the claimed arc free, a bit for each; 0 if only together
+     */
+    void blame(int sensor, int by) {
+        if (by == 0) {
+            conflicts.add(sensor, sensor, 0.5);
+            return;
+        }
+        for (int rest = by; rest != 0; rest &= rest - 1) {
+            conflicts.add(sensor, Integer.numberOfTrailingZeros(rest), 1);
+        }
+    }
+
+    /** Counts a surface that a sensor should see and does not. */
+    void blameBlind(InspectedSensor sensor, double time) {
+        conflicts.add(sensor.index(), sensor.index(), 3);
+        sensor.missSurface(time);
+    }
+
+    void fade(InspectedSensor sensor, double share) {
+        conflicts.fade(sensor.index(), share);
+        sensor.fade(share);
+    }
+
+    void judge(InspectedSensor sensor, double time) {
+        double against = conflicts.against(sensor.index(), trusted);
+        if (sensor.isTrusted()) {
+            int standoff = sensor.countStandoff(hasStandoff(sensor));
+            if (against > THRESHOLD && isWorst(against) || standoff > MAX_STANDOFF) {
+                boolean own = conflicts.pair(sensor.index(), sensor.index()) > against / 2;
+                boolean blind = own && time - sensor.blindAt() < BLINDNESS;
+                distrust(
+                        sensor,
+                        blind ? SensorFinding.BLIND : own ? SensorFinding.INCONSISTENT : SensorFinding.CONTRADICTED,
+                        time);
+                exonerate(time);
+            }
+        } else if (against < FORGIVEN && sensor.hasDonePenance(time) && sensor.confirmations() > CONFIRMATIONS) {
+            trust(sensor, time);
+        }
+    }
+
+    /** Returns whether a sensor and a better confirmed one contradict each other, and neither anyone else. */
+    private boolean hasStandoff(InspectedSensor sensor) {
+        for (InspectedSensor other : sensors) {
+            if (other.isTrusted()
+                    && conflicts.isStandoff(sensor.index(), other.index())
+                    && sensor.confirmations() <= other.confirmations()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Trusts those again whom only sensors contradicted that are not trusted any more. */
+    private void exonerate(double time) {
+        for (InspectedSensor sensor : sensors) {
+            if (sensor.finding() == SensorFinding.CONTRADICTED
+                    && time - sensor.since() < EXONERATION
+                    && conflicts.against(sensor.index(), trusted) < FORGIVEN) {
+                trust(sensor, time);
+            }
+        }
+    }
+
+    private boolean isWorst(double against) {
+        for (InspectedSensor other : sensors) {
+            if (other.isTrusted() && conflicts.against(other.index(), trusted) > against) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    void distrust(InspectedSensor sensor, SensorFinding finding, double time) {
+        sensor.distrust(finding, time);
+        trusted &= ~sensor.bit();
+    }
+
+    private void trust(InspectedSensor sensor, double time) {
+        sensor.trust(time);
+        trusted |= sensor.bit();
+    }
+}
