@@ -4,7 +4,6 @@ import faultline.engine.recording.RunEvent;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
 import java.awt.Component;
-import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
 import javax.swing.JTable;
@@ -17,12 +16,10 @@ final class EventCellRenderer extends DefaultTableCellRenderer {
     private static final int ICON_SIZE = 14;
 
     private final transient EventTableModel events;
-    private final transient Icon warning =
-            new GlyphIcon(Glyph.WARNING, ICON_SIZE, colours -> Optional.of(colours.warning()));
-    private final transient Icon refusal =
-            new GlyphIcon(Glyph.REMOVE, ICON_SIZE, colours -> Optional.of(colours.warning()));
-    private final transient Icon done = new GlyphIcon(Glyph.NOTE, ICON_SIZE, colours -> Optional.of(colours.muted()));
-    private final transient Icon arrow = new GlyphIcon(Glyph.RUN, ICON_SIZE, colours -> Optional.of(colours.muted()));
+    private final transient Icon warning = new GlyphIcon(Glyph.WARNING, ICON_SIZE, colours -> colours.warning());
+    private final transient Icon refusal = new GlyphIcon(Glyph.REMOVE, ICON_SIZE, colours -> colours.warning());
+    private final transient Icon done = new GlyphIcon(Glyph.NOTE, ICON_SIZE, colours -> colours.muted());
+    private final transient Icon arrow = new GlyphIcon(Glyph.RUN, ICON_SIZE, colours -> colours.muted());
 
     EventCellRenderer(EventTableModel events) {
         this.events = events;

@@ -28,8 +28,8 @@ public final class FaultFields {
     private final JLabel lengthLabel = FormConstraints.label("faults.length", length);
     private final MutedLabel unit = new MutedLabel("m");
     private final MutedLabel lengthUnit = new MutedLabel("s");
-    private final JLabel problem = new JLabel(
-            " ", new GlyphIcon(Glyph.WARNING, 14, colours -> Optional.of(colours.warning())), JLabel.LEADING);
+    private final JLabel problem =
+            new JLabel(" ", new GlyphIcon(Glyph.WARNING, 14, colours -> colours.warning()), JLabel.LEADING);
 
     /** Creates the fields of a sensor that is stuck. */
     public FaultFields() {

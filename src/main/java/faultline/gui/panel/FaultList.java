@@ -10,7 +10,6 @@ import faultline.world.SensorSnapshot;
 import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.util.List;
-import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -19,10 +18,8 @@ import javax.swing.JPanel;
 /** The active faults, oldest first for each sensor, each with a button that repairs it. */
 final class FaultList extends JPanel {
 
-    private static final GlyphIcon WARNING_ICON =
-            new GlyphIcon(Glyph.WARNING, 16, colours -> Optional.of(colours.warning()));
-    private static final GlyphIcon REMOVE_ICON =
-            new GlyphIcon(Glyph.REMOVE, 14, colours -> Optional.of(colours.text()));
+    private static final GlyphIcon WARNING_ICON = new GlyphIcon(Glyph.WARNING, 16, colours -> colours.warning());
+    private static final GlyphIcon REMOVE_ICON = new GlyphIcon(Glyph.REMOVE, 14, colours -> colours.text());
 
     private final transient UndoController editor;
     private transient List<ActiveFault> shownFaults = List.of();

@@ -1,18 +1,29 @@
 package faultline.gui.theme;
 
 import java.awt.Graphics;
-import java.awt.Rectangle;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
+import javax.swing.JToggleButton;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicButtonUI;
 
-/** A flat button. */
+/** A flat button or toggle button. */
 public final class FlatButtonUI extends BasicButtonUI {
+
+    private final String propertyPrefix;
+
+    private FlatButtonUI(String propertyPrefix) {
+        this.propertyPrefix = propertyPrefix;
+    }
 
     /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
-        return new FlatButtonUI();
+        return new FlatButtonUI(component instanceof JToggleButton ? "ToggleButton." : "Button.");
+    }
+
+    @Override
+    protected String getPropertyPrefix() {
+        return propertyPrefix;
     }
 
     @Override
@@ -29,16 +40,5 @@ public final class FlatButtonUI extends BasicButtonUI {
     public void paint(Graphics graphics, JComponent component) {
         ButtonPainter.paint(graphics, (AbstractButton) component);
         super.paint(graphics, component);
-    }
-
-    @Override
-    protected void paintButtonPressed(Graphics graphics, AbstractButton button) {
-        // The background shows the pressed state.
-    }
-
-    @Override
-    protected void paintFocus(
-            Graphics graphics, AbstractButton button, Rectangle view, Rectangle text, Rectangle icon) {
-        // The background shows the focus.
     }
 }

@@ -2,7 +2,6 @@ package faultline.gui.theme;
 
 import java.awt.Color;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.Function;
 
 /** The icons of file choosers and option panes. */
@@ -32,10 +31,10 @@ final class FlatIcons {
     }
 
     private static GlyphIcon small(Glyph glyph) {
-        return new GlyphIcon(glyph, LIST_ICON_SIZE, colours -> Optional.empty());
+        return new GlyphIcon(glyph, LIST_ICON_SIZE, null);
     }
 
     private static GlyphIcon large(Glyph glyph, Function<ThemeColours, Color> colour) {
-        return new GlyphIcon(glyph, DIALOG_ICON_SIZE, colours -> Optional.of(colour.apply(colours)));
+        return new GlyphIcon(glyph, DIALOG_ICON_SIZE, colour);
     }
 }

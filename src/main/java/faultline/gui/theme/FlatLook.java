@@ -1,5 +1,6 @@
 package faultline.gui.theme;
 
+import java.awt.Font;
 import java.awt.RenderingHints;
 import java.awt.Toolkit;
 import java.util.List;
@@ -15,7 +16,6 @@ final class FlatLook {
     /** The UI delegates. */
     private static final List<Class<?>> DELEGATES = List.of(
             FlatButtonUI.class,
-            FlatToggleButtonUI.class,
             FlatScrollBarUI.class,
             FlatSliderUI.class,
             FlatSpinnerUI.class,
@@ -23,8 +23,7 @@ final class FlatLook {
             FlatSplitPaneUI.class,
             FlatTabbedPaneUI.class,
             FlatMenuUI.class,
-            FlatMenuItemUI.class,
-            FlatCheckBoxMenuItemUI.class);
+            FlatMenuItemUI.class);
 
     private FlatLook() {}
 
@@ -37,11 +36,13 @@ final class FlatLook {
             throw new IllegalStateException("Metal is on every machine", impossible);
         }
         UIDefaults defaults = UIManager.getLookAndFeelDefaults();
-        FontUIResource font = FlatMetalTheme.font();
+        FontUIResource font = new FontUIResource(Font.SANS_SERIF, Font.PLAIN, TextSize.scaled(13));
         List.copyOf(defaults.keySet()).stream()
-                .filter(key -> key.toString().endsWith(".font"))
+                .filter(key -> key.toString().matches(".*\\.(f|\\w+F)ont"))
                 .forEach(key -> defaults.put(key, font));
         DELEGATES.forEach(delegate -> register(defaults, delegate));
+        defaults.put("ToggleButtonUI", FlatButtonUI.class.getName());
+        defaults.put("CheckBoxMenuItemUI", FlatMenuItemUI.class.getName());
         FlatDefaults.table(theme.colours()).forEach(defaults::put);
         FlatIcons.table().forEach(defaults::put);
         enableTextAntialiasing(defaults);

@@ -1,25 +1,16 @@
 package faultline.gui.theme;
 
 import java.awt.Color;
-import java.awt.Font;
 import javax.swing.plaf.ColorUIResource;
-import javax.swing.plaf.FontUIResource;
 import javax.swing.plaf.metal.DefaultMetalTheme;
 
-/** The colours and the font of the flat look, as Metal requests them. */
+/** The colours of the flat look, as Metal requests them. */
 final class FlatMetalTheme extends DefaultMetalTheme {
-
-    private final FontUIResource font = font();
 
     private final ThemeColours colours;
 
     FlatMetalTheme(ThemeColours colours) {
         this.colours = colours;
-    }
-
-    /** Returns the font at the installed text size. */
-    static FontUIResource font() {
-        return new FontUIResource(Font.SANS_SERIF, Font.PLAIN, TextSize.scaled(13));
     }
 
     private static ColorUIResource resource(Color colour) {
@@ -94,35 +85,5 @@ final class FlatMetalTheme extends DefaultMetalTheme {
     @Override
     public ColorUIResource getSystemTextColor() {
         return resource(colours.text());
-    }
-
-    @Override
-    public FontUIResource getControlTextFont() {
-        return font;
-    }
-
-    @Override
-    public FontUIResource getMenuTextFont() {
-        return font;
-    }
-
-    @Override
-    public FontUIResource getSystemTextFont() {
-        return font;
-    }
-
-    @Override
-    public FontUIResource getUserTextFont() {
-        return font;
-    }
-
-    @Override
-    public FontUIResource getWindowTitleFont() {
-        return font;
-    }
-
-    @Override
-    public FontUIResource getSubTextFont() {
-        return font;
     }
 }

@@ -3,102 +3,64 @@ package faultline.gui.theme;
 import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.geom.Path2D;
-import java.util.Optional;
 
 /**
  * The shapes of icons, on a square of 18 by 18. A shape is written as strokes and filled areas, in {@code M x y} move,
  * {@code L x y} line, {@code C x y x y x y} curve, {@code O x y r} circle and {@code Z} close.
  */
 public enum Glyph {
-    /** Open a file. */
     OPEN("M 2 14.5 L 2 4 L 7 4 L 8.5 6 L 14 6 L 14 8 M 2 14.5 L 4.5 8 L 16.5 8 L 14 14.5 Z", ""),
-    /** Save. */
     SAVE(
             "M 3 3 L 12.5 3 L 15 5.5 L 15 15 L 3 15 Z M 6 3 L 6 7 L 11.5 7 L 11.5 3 "
                     + "M 5.5 15 L 5.5 10.5 L 12.5 10.5 L 12.5 15",
             ""),
-    /** Undo. */
     UNDO("M 6.5 3.5 L 3 7 L 6.5 10.5 M 3 7 L 10.5 7 C 16.5 7 16.5 14.5 10.5 14.5 L 7 14.5", ""),
-    /** Redo. */
     REDO("M 11.5 3.5 L 15 7 L 11.5 10.5 M 15 7 L 7.5 7 C 1.5 7 1.5 14.5 7.5 14.5 L 11 14.5", ""),
-    /** A rectangle. */
     RECTANGLE("M 2 5 L 16 5 L 16 13 L 2 13 Z", ""),
-    /** A square. */
     SQUARE("M 4 4 L 14 4 L 14 14 L 4 14 Z", ""),
-    /** A circle. */
     CIRCLE("O 9 9 6", ""),
-    /** An ellipse. */
     ELLIPSE("M 2 9 C 2 3.7 16 3.7 16 9 C 16 14.3 2 14.3 2 9 Z", ""),
-    /** A triangle. */
     TRIANGLE("M 9 3 L 16 15 L 2 15 Z", ""),
-    /** A hexagon. */
     HEXAGON("M 16 9 L 12.5 15 L 5.5 15 L 2 9 L 5.5 3 L 12.5 3 Z", ""),
-    /** An L shape. */
     ANGLE("M 3.5 3 L 8 3 L 8 10.5 L 15 10.5 L 15 15 L 3.5 15 Z", ""),
-    /** A wall of several segments. */
     WALL("M 3 14 L 3 6 L 10 6 L 15 12", "O 3 14 1.5 O 3 6 1.5 O 10 6 1.5 O 15 12 1.5"),
-    /** A free polygon. */
     POLYGON("M 3 6 L 9 3 L 15 7 L 12 15 L 8 10.5 L 4 14 Z", ""),
-    /** Run. */
     RUN("", "M 5 3 L 15 9 L 5 15 Z"),
-    /** Pause. */
     PAUSE("", "M 4.5 3.5 L 7.5 3.5 L 7.5 14.5 L 4.5 14.5 Z M 10.5 3.5 L 13.5 3.5 L 13.5 14.5 L 10.5 14.5 Z"),
-    /** Step forward. */
     STEP("", "M 4 3.5 L 11 9 L 4 14.5 Z M 12 3.5 L 14.5 3.5 L 14.5 14.5 L 12 14.5 Z"),
-    /** Record a film. */
     RECORD("O 9 9 6.5", "O 9 9 3.6"),
-    /** Step back. */
     STEP_BACK("", "M 14 3.5 L 7 9 L 14 14.5 Z M 6 3.5 L 3.5 3.5 L 3.5 14.5 L 6 14.5 Z"),
-    /** Restart. */
     RESTART(
             "M 5.2 4.4 C 8.5 1.8 13.2 2.8 14.7 6.6 C 16.2 10.6 13.4 15 9 15 C 5.7 "
                     + "15 3 12.3 3 9 M 5.4 1.2 L 5 4.7 L 8.5 5.2",
             ""),
-    /** Fit the view. */
     FIT(
             "M 2.5 6.5 L 2.5 2.5 L 6.5 2.5 M 11.5 2.5 L 15.5 2.5 L 15.5 6.5 M 15.5 11.5 L "
                     + "15.5 15.5 L 11.5 15.5 M 6.5 15.5 L 2.5 15.5 L 2.5 11.5",
             ""),
-    /** The robot's path. */
     PATH("M 2.5 14.5 C 5 14.5 6 12 7 9 C 8 6 9 3.5 11 3.5 C 13 3.5 12.5 8.5 15.5 8.5", ""),
-    /** Follow the robot. */
     FOLLOW("O 9 9 4.2 M 9 1.5 L 9 4.8 M 9 13.2 L 9 16.5 M 1.5 9 L 4.8 9 M 13.2 9 L 16.5 9", "O 9 9 1.4"),
-    /** A light theme. */
     SUN(
             "O 9 9 3.2 M 9 1.5 L 9 3 M 9 15 L 9 16.5 M 1.5 9 L 3 9 M 15 9 L 16.5 9 M 3.7 3.7 L "
                     + "4.8 4.8 M 13.2 13.2 L 14.3 14.3 M 14.3 3.7 L 13.2 4.8"
                     + " M 4.8 13.2 L 3.7 14.3",
             ""),
-    /** A dark theme. */
     MOON(
             "M 7 2.5 C 5.5 8 9.5 12.5 15.2 11 C 14 14.2 10.5 16.2 7 15.2 C 3.4 "
                     + "14.2 1.4 10.6 2.4 7 C 3 4.8 4.8 3.1 7 2.5 Z",
             ""),
-    /** A warning. */
     WARNING("M 9 2.5 L 16.2 15 L 1.8 15 Z M 9 7 L 9 10.5", "O 9 12.8 1"),
-    /** A check mark. */
     CHECK("M 3.5 9.5 L 7.5 13.5 L 14.5 4.5", ""),
-    /** Remove. */
     REMOVE("M 5 5 L 13 13 M 13 5 L 5 13", ""),
-    /** A note. */
     NOTE("O 9 9 7 M 9 8.3 L 9 12.8", "O 9 5.4 1"),
-    /** A question. */
     QUESTION("O 9 9 7 M 6.9 7 C 6.9 4.2 11.1 4.2 11.1 7 C 11.1 8.6 9 8.8 9 10.6", "O 9 13 1"),
-    /** A folder. */
     FOLDER("M 2 14.5 L 2 4 L 7 4 L 8.5 6 L 16 6 L 16 14.5 Z", ""),
-    /** A new folder. */
     NEW_FOLDER("M 2 14.5 L 2 4 L 7 4 L 8.5 6 L 16 6 L 16 14.5 Z M 9 8 L 9 12.5 M 6.8 10.2 L 11.2 10.2", ""),
-    /** A file. */
     FILE("M 4 2.5 L 10.5 2.5 L 14 6 L 14 15.5 L 4 15.5 Z M 10.5 2.5 L 10.5 6 L 14 6", ""),
-    /** The parent folder. */
     UP("M 9 14.5 L 9 3.5 M 4.5 8 L 9 3.5 L 13.5 8", ""),
-    /** The home folder. */
     HOME("M 2.5 9 L 9 3 L 15.5 9 M 4.5 7.5 L 4.5 15 L 13.5 15 L 13.5 7.5", ""),
-    /** A list. */
     LIST("M 3 5 L 15 5 M 3 9 L 15 9 M 3 13 L 15 13", ""),
-    /** A list with details. */
     DETAILS("M 7 5 L 15 5 M 7 9 L 15 9 M 7 13 L 15 13", "O 3.8 5 1 O 3.8 9 1 O 3.8 13 1"),
-    /** A drive. */
     DRIVE("M 2.5 6 L 15.5 6 L 15.5 12.5 L 2.5 12.5 Z M 5 9.3 L 9 9.3", "O 13 9.3 0.9");
 
     /** The side of the square on which glyphs are defined. */
@@ -126,6 +88,6 @@ public enum Glyph {
 
     /** Returns an icon in the foreground colour of its component, pale if that is disabled. */
     public GlyphIcon icon() {
-        return new GlyphIcon(this, SIZE, colours -> Optional.empty());
+        return new GlyphIcon(this, SIZE, null);
     }
 }

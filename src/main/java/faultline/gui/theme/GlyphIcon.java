@@ -3,7 +3,6 @@ package faultline.gui.theme;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics;
-import java.util.Optional;
 import java.util.function.Function;
 import javax.swing.Icon;
 import javax.swing.plaf.UIResource;
@@ -13,10 +12,9 @@ import javax.swing.plaf.UIResource;
  *
  * @param glyph the shape
  * @param size the width and height, pixels
- * @param colour selects a colour of the theme, empty for the component's foreground
+ * @param colour selects a colour of the theme, null for the component's foreground
  */
-public record GlyphIcon(Glyph glyph, int size, Function<ThemeColours, Optional<Color>> colour)
-        implements Icon, UIResource {
+public record GlyphIcon(Glyph glyph, int size, Function<ThemeColours, Color> colour) implements Icon, UIResource {
 
     @Override
     public int getIconWidth() {
@@ -30,9 +28,8 @@ public record GlyphIcon(Glyph glyph, int size, Function<ThemeColours, Optional<C
 
     @Override
     public void paintIcon(Component component, Graphics graphics, int x, int y) {
-        Color ownColour = component.isEnabled()
-                ? component.getForeground()
-                : Theme.currentColours().border();
-        glyph.paint(graphics, x, y, size, colour.apply(Theme.currentColours()).orElse(ownColour));
+        ThemeColours colours = Theme.currentColours();
+        Color foreground = component.isEnabled() ? component.getForeground() : colours.border();
+        glyph.paint(graphics, x, y, size, colour == null ? foreground : colour.apply(colours));
     }
 }
