@@ -26,44 +26,22 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
+import java.util.stream.Stream;
 import javax.swing.KeyStroke;
 
 /** The actions on obstacles: placing, copying, deleting, motion and snapping. */
 public final class ObstacleActions {
 
     /** The keys of the actions that place obstacles, in the order of the palette. */
-    public static final List<String> PALETTE_KEYS = List.of(
-            "placeRectangle",
-            "placeSquare",
-            "placeCircle",
-            "placeEllipse",
-            "placeTriangle",
-            "placeHexagon",
-            "placeAngle",
-            "drawWall",
-            "drawPolygon");
+    public static final List<String> PALETTE_KEYS = Stream.concat(
+                    Stream.of(ShapePreset.values()).map(shape -> UiAction.key("place", shape)),
+                    Stream.of("drawWall", "drawPolygon"))
+            .toList();
 
-    private static final Map<ShapePreset, Glyph> GLYPHS = Map.of(
-            ShapePreset.RECTANGLE,
-            Glyph.RECTANGLE,
-            ShapePreset.SQUARE,
-            Glyph.SQUARE,
-            ShapePreset.CIRCLE,
-            Glyph.CIRCLE,
-            ShapePreset.ELLIPSE,
-            Glyph.ELLIPSE,
-            ShapePreset.TRIANGLE,
-            Glyph.TRIANGLE,
-            ShapePreset.HEXAGON,
-            Glyph.HEXAGON,
-            ShapePreset.ANGLE,
-            Glyph.ANGLE);
     private static final double GRID_STEP = 0.05;
     private static final double ANGLE_STEP = Degrees.toRadians(15);
 
@@ -102,9 +80,8 @@ public final class ObstacleActions {
 
     public void addTo(ActionRegistry actions) {
         for (ShapePreset shape : ShapePreset.values()) {
-            String name = shape.name();
-            String key = "place" + name.charAt(0) + name.substring(1).toLowerCase(Locale.ROOT);
-            actions.add(createToolAction(key, () -> tools.placeShape(shape)).withIcon(GLYPHS.get(shape)));
+            actions.add(createToolAction(UiAction.key("place", shape), () -> tools.placeShape(shape))
+                    .withIcon(Glyph.valueOf(shape.name())));
         }
         actions.add(createToolAction("drawWall", tools::drawWall).withIcon(Glyph.WALL));
         actions.add(createToolAction("drawPolygon", tools::drawPolygon).withIcon(Glyph.POLYGON));
@@ -155,9 +132,8 @@ public final class ObstacleActions {
 
     /** Sets the speed of all selected obstacles that move. */
     private void editMotionSpeed() {
-        List<Obstacle> moving = tools.selected().stream()
-                .filter(obstacle -> obstacle.isMoving())
-                .toList();
+        List<Obstacle> moving =
+                tools.selected().stream().filter(Obstacle::isMoving).toList();
         if (moving.isEmpty()) {
             notifier.accept(Messages.get("note.selectMoving"));
         } else {
@@ -171,7 +147,7 @@ public final class ObstacleActions {
 
     private void removeMotion() {
         editor.send(tools.selected().stream()
-                .filter(obstacle -> obstacle.isMoving())
+                .filter(Obstacle::isMoving)
                 .<Command>map(obstacle -> new Command.PlaceObstacle(obstacle.withMotion(WaypointPath.NONE)))
                 .toList());
     }

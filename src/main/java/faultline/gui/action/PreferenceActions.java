@@ -5,9 +5,7 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import java.awt.Component;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JOptionPane;
 
@@ -29,19 +27,13 @@ public final class PreferenceActions {
                 .forEach(actions::add);
     }
 
-    /** Returns the key of the action that selects an option. */
-    static String actionKey(String group, Enum<?> option) {
-        return group + option.name().charAt(0) + option.name().substring(1).toLowerCase(Locale.ROOT);
-    }
-
     private <E extends Enum<E>> List<UiAction> toggleGroup(String group, E[] options, E current, Consumer<E> setter) {
         UiAction[] actions = new UiAction[options.length];
         for (int i = 0; i < options.length; i++) {
             E option = options[i];
-            actions[i] = UiAction.toggle(actionKey(group, option), option == current, on -> {
-                Arrays.stream(actions)
-                        .forEach(action -> action.putValue(
-                                UiAction.SELECTED_KEY, action.key().equals(actionKey(group, option))));
+            String key = UiAction.key(group, option);
+            actions[i] = UiAction.toggle(key, option == current, on -> {
+                List.of(actions).forEach(action -> action.setOn(action.key().equals(key)));
                 setter.accept(option);
                 if (option != current) {
                     JOptionPane.showMessageDialog(

@@ -3,6 +3,7 @@ package faultline.gui.action;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import java.awt.event.ActionEvent;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
@@ -32,6 +33,11 @@ public final class UiAction extends AbstractAction {
         UiAction action = new UiAction(key, self -> handler.accept(self.isOn()));
         action.putValue(SELECTED_KEY, on);
         return action;
+    }
+
+    /** Returns the key of the action that chooses an option, such as {@code languagePolish}. */
+    static String key(String group, Enum<?> option) {
+        return group + option.name().charAt(0) + option.name().substring(1).toLowerCase(Locale.ROOT);
     }
 
     /** Sets the accelerator; returns this action. */

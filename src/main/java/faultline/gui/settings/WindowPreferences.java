@@ -5,6 +5,8 @@ import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Rectangle;
 import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.UnaryOperator;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import java.util.prefs.Preferences;
@@ -36,13 +38,20 @@ public final class WindowPreferences {
 
     private final PreferenceStore store;
 
-    /** A store of texts by key. */
-    public interface PreferenceStore {
-        /** Returns the text of a key, or an empty text if there is none. */
-        String get(String key);
+    /**
+     * A store of texts by key.
+     *
+     * @param getter returns the text of a key, or an empty text if there is none
+     * @param setter stores a text under a key
+     */
+    public record PreferenceStore(UnaryOperator<String> getter, BiConsumer<String, String> setter) {
+        String get(String key) {
+            return getter.apply(key);
+        }
 
-        /** Stores a text. */
-        void put(String key, String text);
+        void put(String key, String text) {
+            setter.accept(key, text);
+        }
     }
 
     public WindowPreferences(PreferenceStore store) {
@@ -54,17 +63,7 @@ public final class WindowPreferences {
         PREFERENCES_LOG.setLevel(Level.OFF);
         try {
             Preferences preferences = Preferences.userRoot().node("faultline/window");
-            return new WindowPreferences(new PreferenceStore() {
-                @Override
-                public String get(String key) {
-                    return preferences.get(key, "");
-                }
-
-                @Override
-                public void put(String key, String text) {
-                    preferences.put(key, text);
-                }
-            });
+            return new WindowPreferences(new PreferenceStore(key -> preferences.get(key, ""), preferences::put));
         } catch (IllegalStateException | SecurityException unavailable) {
             return nonPersistent();
         }
@@ -72,17 +71,7 @@ public final class WindowPreferences {
 
     /** Returns preferences that forget everything. */
     public static WindowPreferences nonPersistent() {
-        return new WindowPreferences(new PreferenceStore() {
-            @Override
-            public String get(String key) {
-                return "";
-            }
-
-            @Override
-            public void put(String key, String text) {
-                // Not stored.
-            }
-        });
+        return new WindowPreferences(new PreferenceStore(key -> "", (key, text) -> {}));
     }
 
     /** Returns the chosen theme, light by default. */

@@ -5,7 +5,6 @@ import faultline.gui.action.ObstacleActions;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.tool.MenuTarget;
 import faultline.gui.text.Messages;
-import java.util.List;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
@@ -27,124 +26,75 @@ final class Menus {
         Menus menus = new Menus(actions);
         JMenuBar bar = new GuardedMenuBar();
         bar.add(menus.createFileMenu());
-        bar.add(menus.createEditMenu());
+        bar.add(menus.createMenu(
+                "edit", "undo redo - cut copy paste duplicate delete - selectAll selectNext selectPrevious"));
         bar.add(menus.createViewMenu());
         bar.add(menus.createSimulationMenu());
-        bar.add(menus.createObstacleMenu());
-        bar.add(menus.createMenu("help", "guide", "shortcuts", SEPARATOR, "about"));
+        String palette = String.join(" ", ObstacleActions.PALETTE_KEYS);
+        bar.add(menus.createMenu("obstacles", palette + " - drawWay waySpeed standStill - snapGrid snapAngle"));
+        bar.add(menus.createMenu("help", "guide shortcuts - about"));
         return bar;
     }
 
-    private JMenu createEditMenu() {
-        return createMenu(
-                "edit",
-                "undo",
-                "redo",
-                SEPARATOR,
-                "cut",
-                "copy",
-                "paste",
-                "duplicate",
-                "delete",
-                SEPARATOR,
-                "selectAll",
-                "selectNext",
-                "selectPrevious");
+    private JMenu createFileMenu() {
+        JMenu file = createMenu("file", "open examples revert - save saveAs saveJournal -");
+        file.add(createMenu("export", "exportPng exportSvg exportGif exportCsv - exportDark"));
+        addItems(file, "copyPicture print - quit");
+        return file;
     }
 
     private JMenu createViewMenu() {
         JMenu view = createMenu(
                 "view",
-                "fit",
-                "zoomIn",
-                "zoomOut",
-                "follow",
-                "measure",
-                SEPARATOR,
-                "path",
-                "cones",
-                "hits",
-                "routes",
-                "labels",
-                "grid",
-                "scaleBar",
-                SEPARATOR,
-                "instruments",
-                "nextArea",
-                "previousArea",
-                "dark");
-        view.add(createMenu("language", "languageEnglish", "languagePolish"));
-        view.add(createMenu("textSize", "textSizeNormal", "textSizeLarge", "textSizeLargest"));
+                "fit zoomIn zoomOut follow measure - path cones hits routes labels grid scaleBar -"
+                        + " instruments nextArea previousArea dark");
+        view.add(createMenu("language", "languageEnglish languagePolish"));
+        view.add(createMenu("textSize", "textSizeNormal textSizeLarge textSizeLargest"));
         return view;
     }
 
     private JMenu createSimulationMenu() {
         JMenu simulation = createMenu(
                 "simulation",
-                "run",
-                "step",
-                "stepBack",
-                "restart",
-                SEPARATOR,
-                "keepGhost",
-                "openGhost",
-                "removeGhost",
-                SEPARATOR,
-                "record",
-                SEPARATOR,
-                "slower",
-                "faster",
-                "realTime",
-                SEPARATOR);
+                "run step stepBack restart - keepGhost openGhost removeGhost - record - slower faster realTime -");
         simulation.add(createSensorMenu());
-        simulation.add(createMenu("presets", "sensorsTwo", "sensorsThree", "sensorsAll"));
+        simulation.add(createPresetMenu());
         return simulation;
     }
 
-    private JMenu createObstacleMenu() {
-        JMenu obstacles = createMenu("obstacles", ObstacleActions.PALETTE_KEYS.toArray(String[]::new));
-        addItems(obstacles, SEPARATOR, "drawWay", "waySpeed", "standStill", SEPARATOR, "snapGrid", "snapAngle");
-        return obstacles;
+    private JMenu createSensorMenu() {
+        return createMenu("sensors", "sensor1 sensor2 sensor3 sensor4 sensor5 sensor6 sensor7 sensor8");
+    }
+
+    private JMenu createPresetMenu() {
+        return createMenu("presets", "sensorsTwo sensorsThree sensorsAll");
     }
 
     /** Creates the context menu of the canvas for what is under the cursor. */
     static JPopupMenu createCanvasPopup(ActionRegistry actions, MenuTarget target) {
         Menus menus = new Menus(actions);
         JPopupMenu popup = new JPopupMenu();
-        for (String key : popupKeys(target)) {
+        for (String key : popupKeys(target).split(" ")) {
             popup.add(key.equals(SEPARATOR) ? new JPopupMenu.Separator() : createItem(actions.get(key)));
         }
         if (target == MenuTarget.ROBOT || target == MenuTarget.SENSOR) {
             popup.add(menus.createSensorMenu());
-            popup.add(menus.createMenu("presets", "sensorsTwo", "sensorsThree", "sensorsAll"));
+            popup.add(menus.createPresetMenu());
         }
         return popup;
     }
 
-    private static List<String> popupKeys(MenuTarget target) {
+    private static String popupKeys(MenuTarget target) {
         return switch (target) {
-            case OBSTACLE ->
-                List.of("drawWay", "waySpeed", "standStill", SEPARATOR, "cut", "copy", "paste", "duplicate", "delete");
-            case ROBOT -> List.of("follow", "path", "cones", SEPARATOR);
-            case SENSOR -> List.of("cones", "hits", SEPARATOR);
-            case FLOOR -> List.of("paste", "selectAll", SEPARATOR, "fit", "zoomIn", "zoomOut", "measure", "grid");
+            case OBSTACLE -> "drawWay waySpeed standStill - cut copy paste duplicate delete";
+            case ROBOT -> "follow path cones -";
+            case SENSOR -> "cones hits -";
+            case FLOOR -> "paste selectAll - fit zoomIn zoomOut measure grid";
         };
     }
 
-    private JMenu createSensorMenu() {
-        return createMenu(
-                "sensors", "sensor1", "sensor2", "sensor3", "sensor4", "sensor5", "sensor6", "sensor7", "sensor8");
-    }
-
-    private JMenu createFileMenu() {
-        JMenu file =
-                createMenu("file", "open", "examples", "revert", SEPARATOR, "save", "saveAs", "saveJournal", SEPARATOR);
-        file.add(createMenu("export", "exportPng", "exportSvg", "exportGif", "exportCsv", SEPARATOR, "exportDark"));
-        addItems(file, "copyPicture", "print", SEPARATOR, "quit");
-        return file;
-    }
-
-    private JMenu createMenu(String key, String... items) {
+    /** Creates a menu; {@code items} are the keys of its actions, separated by spaces. */
+    private JMenu createMenu(String key, String items) {
         String name = Messages.get("menu." + key);
         JMenu menu = new JMenu(name.replace("&", ""));
         menu.setMnemonic(name.charAt(name.indexOf('&') + 1));
@@ -152,8 +102,8 @@ final class Menus {
         return menu;
     }
 
-    private void addItems(JMenu menu, String... items) {
-        for (String item : items) {
+    private void addItems(JMenu menu, String items) {
+        for (String item : items.split(" ")) {
             if (item.equals(SEPARATOR)) {
                 menu.addSeparator();
             } else {

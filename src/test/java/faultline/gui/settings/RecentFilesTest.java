@@ -16,18 +16,13 @@ import org.junit.jupiter.api.Test;
 class RecentFilesTest {
 
     private final Map<String, String> texts = new HashMap<>();
-    private final RecentFiles recent = new RecentFiles(new PreferenceStore() {
-        @Override
-        public String get(String key) {
-            return texts.getOrDefault(key, "");
-        }
+    private final RecentFiles recent =
+            new RecentFiles(new PreferenceStore(key -> texts.getOrDefault(key, ""), this::put));
 
-        @Override
-        public void put(String key, String text) {
-            assertTrue(text.length() <= Preferences.MAX_VALUE_LENGTH, "the preferences would refuse it");
-            texts.put(key, text);
-        }
-    });
+    private void put(String key, String text) {
+        assertTrue(text.length() <= Preferences.MAX_VALUE_LENGTH, "the preferences would refuse it");
+        texts.put(key, text);
+    }
 
     private static Path file(String name) {
         return Path.of(name).toAbsolutePath();

@@ -15,17 +15,8 @@ import org.junit.jupiter.api.Test;
 class WindowPreferencesTest {
 
     private final Map<String, String> store = new HashMap<>();
-    private final WindowPreferences preferences = new WindowPreferences(new WindowPreferences.PreferenceStore() {
-        @Override
-        public String get(String key) {
-            return store.getOrDefault(key, "");
-        }
-
-        @Override
-        public void put(String key, String text) {
-            store.put(key, text);
-        }
-    });
+    private final WindowPreferences preferences = new WindowPreferences(
+            new WindowPreferences.PreferenceStore(key -> store.getOrDefault(key, ""), store::put));
 
     @Test
     void whatIsKeptComesBack() {

@@ -54,7 +54,12 @@ class OpenRobotTest {
     void open() throws IOException {
         office = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("office.xml"));
         square = Files.copy(Path.of("scenarios/collision-on-purpose.xml"), folder.resolve("square.xml"));
-        driver = WindowDriver.open(Theme.LIGHT, office, new WindowPreferences(new InMemoryStore()));
+        Map<String, String> texts = new HashMap<>();
+        driver = WindowDriver.open(
+                Theme.LIGHT,
+                office,
+                new WindowPreferences(
+                        new WindowPreferences.PreferenceStore(key -> texts.getOrDefault(key, ""), texts::put)));
     }
 
     @AfterEach
@@ -215,20 +220,5 @@ class OpenRobotTest {
     private void edit() {
         driver.drag(0, 0, 30);
         driver.waitForTitle("office.xml*");
-    }
-
-    /** A store that lasts as long as the test. */
-    private static final class InMemoryStore implements WindowPreferences.PreferenceStore {
-        private final Map<String, String> texts = new HashMap<>();
-
-        @Override
-        public String get(String key) {
-            return texts.getOrDefault(key, "");
-        }
-
-        @Override
-        public void put(String key, String text) {
-            texts.put(key, text);
-        }
     }
 }
