@@ -3,6 +3,7 @@ package faultline.gui.export;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.ErrorMessages;
@@ -12,11 +13,15 @@ import faultline.io.FileTarget;
 import faultline.io.MessageException;
 import faultline.io.WriteProblem;
 import faultline.paint.export.PngImage;
+import faultline.paint.export.PrintablePage;
 import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Palette;
+import faultline.scenario.Scenario;
 import java.awt.Component;
 import java.awt.Toolkit;
 import java.awt.event.KeyEvent;
+import java.awt.print.PrinterAbortException;
+import java.awt.print.PrinterJob;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
@@ -104,7 +109,10 @@ public final class ExportController implements WorkspaceListener {
     }
 
     private void exportCsv() {
-        workspace.replayScenario().ifPresent(run -> write("exportCsv", ".csv", new TraceExport(run)));
+        workspace
+                .replayScenario()
+                .ifPresent(run ->
+                        write("exportCsv", ".csv", (out, progress) -> HeadlessReplay.writeTrace(run, out, progress)));
     }
 
     private void recordGif(boolean on) {
@@ -126,13 +134,30 @@ public final class ExportController implements WorkspaceListener {
     }
 
     private void copyImage(RenderRequest request) {
-        CopyImageTask.start(
+        TransferableImage.copy(
                 request, RESOLUTION_SCALE, Toolkit.getDefaultToolkit().getSystemClipboard(), this::showError);
     }
 
     private void print(RenderRequest request) {
-        PrintTask.showDialogAndPrint(
-                request, workspace.scenario().map(scenario -> scenario.name()).orElse(""), this::showError);
+        PrinterJob job = PrinterJob.getPrinterJob();
+        job.setJobName(workspace.scenario().map(Scenario::name).orElse(""));
+        job.setPrintable(new PrintablePage(request));
+        if (job.printDialog()) {
+            BackgroundTasks.run(
+                    () -> {
+                        job.print();
+                        return job;
+                    },
+                    done -> {},
+                    this::printFailed);
+        }
+    }
+
+    private void printFailed(Throwable failure) {
+        // The user aborts a job on purpose.
+        if (!(failure instanceof PrinterAbortException)) {
+            showError(failure);
+        }
     }
 
     private void write(String action, String extension, FileExport export) {

@@ -3,10 +3,16 @@ package faultline.gui.export;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.TraceWriter;
 import faultline.gui.document.TaskProgress;
 import faultline.scenario.Scenario;
+import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -34,6 +40,14 @@ final class HeadlessReplay {
         } catch (UncheckedIOException failure) {
             throw failure.getCause();
         }
+    }
+
+    /** Writes one row for every tick of a scenario, as {@code run --trace} does. */
+    static void writeTrace(CompletableFuture<Scenario> scenario, OutputStream out, TaskProgress progress)
+            throws IOException {
+        Writer text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+        run(scenario, new TraceWriter(text)::observe, progress);
+        text.flush();
     }
 
     private static Scenario join(CompletableFuture<Scenario> scenario) throws IOException {

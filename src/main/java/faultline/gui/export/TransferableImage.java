@@ -1,9 +1,14 @@
 package faultline.gui.export;
 
+import faultline.gui.document.BackgroundTasks;
+import faultline.gui.text.Messages;
+import faultline.paint.export.RenderRequest;
 import java.awt.Image;
+import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
+import java.util.function.Consumer;
 
 /**
  * An image for the clipboard.
@@ -11,6 +16,20 @@ import java.awt.datatransfer.UnsupportedFlavorException;
  * @param image the image
  */
 record TransferableImage(Image image) implements Transferable {
+
+    /** Renders an image in the background, because that takes as long as several frames, and copies it. */
+    static void copy(RenderRequest request, double resolutionScale, Clipboard clipboard, Consumer<Throwable> onFailed) {
+        BackgroundTasks.run(
+                () -> request.toImage(resolutionScale),
+                image -> {
+                    try {
+                        clipboard.setContents(new TransferableImage(image), null);
+                    } catch (IllegalStateException busy) {
+                        onFailed.accept(new IllegalStateException(Messages.get("note.clipboardBusy"), busy));
+                    }
+                },
+                onFailed);
+    }
 
     @Override
     public DataFlavor[] getTransferDataFlavors() {

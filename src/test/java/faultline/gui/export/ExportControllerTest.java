@@ -168,7 +168,7 @@ class ExportControllerTest {
                 List.of(new TraceWriter(expected)));
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         TaskProgress progress = new TaskProgress();
-        new TraceExport(callOnEdt(() -> workspace.replayScenario().orElseThrow())).write(out, progress);
+        HeadlessReplay.writeTrace(callOnEdt(() -> workspace.replayScenario().orElseThrow()), out, progress);
         assertEquals(OptionalDouble.of(1), progress.fraction());
         assertEquals(expected.toString(), out.toString(StandardCharsets.UTF_8));
     }
@@ -309,7 +309,7 @@ class ExportControllerTest {
 
     private void copyTo(Clipboard clipboard) {
         runOnEdt(() ->
-                CopyImageTask.start(canvas.renderRequest(Palette.LIGHT).orElseThrow(), 2, clipboard, failures::add));
+                TransferableImage.copy(canvas.renderRequest(Palette.LIGHT).orElseThrow(), 2, clipboard, failures::add));
     }
 
     private Path exportToFile(String action, String extension) {
