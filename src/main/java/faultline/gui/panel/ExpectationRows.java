@@ -8,7 +8,6 @@ import faultline.gui.theme.GlyphIcon;
 import java.awt.GridBagLayout;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import javax.swing.Icon;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -17,10 +16,9 @@ import javax.swing.JPanel;
 final class ExpectationRows extends JPanel {
 
     private static final int ICON_SIZE = 14;
-    private static final Icon MET = new GlyphIcon(Glyph.CHECK, ICON_SIZE, colours -> Optional.of(colours.accent()));
-    private static final Icon OPEN = new GlyphIcon(Glyph.CIRCLE, ICON_SIZE, colours -> Optional.of(colours.muted()));
-    private static final Icon FAILED =
-            new GlyphIcon(Glyph.REMOVE, ICON_SIZE, colours -> Optional.of(colours.warning()));
+    private static final Icon MET = new GlyphIcon(Glyph.CHECK, ICON_SIZE, colours -> colours.accent());
+    private static final Icon OPEN = new GlyphIcon(Glyph.CIRCLE, ICON_SIZE, colours -> colours.muted());
+    private static final Icon FAILED = new GlyphIcon(Glyph.REMOVE, ICON_SIZE, colours -> colours.warning());
 
     private final List<JLabel> labels = new ArrayList<>();
     private final List<ValueLabel> values = new ArrayList<>();

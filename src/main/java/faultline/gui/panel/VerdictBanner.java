@@ -25,9 +25,8 @@ public final class VerdictBanner extends JPanel {
 
     private static final int GAP = 8;
     private static final int MIN_WIDTH = 200;
-    private static final GlyphIcon SUCCESS = new GlyphIcon(Glyph.CHECK, 18, colours -> Optional.of(colours.accent()));
-    private static final GlyphIcon FAILURE =
-            new GlyphIcon(Glyph.WARNING, 18, colours -> Optional.of(colours.warning()));
+    private static final GlyphIcon SUCCESS = new GlyphIcon(Glyph.CHECK, 18, colours -> colours.accent());
+    private static final GlyphIcon FAILURE = new GlyphIcon(Glyph.WARNING, 18, colours -> colours.warning());
 
     private final JLabel title = new JLabel();
     private final JTextArea detail = new JTextArea();
@@ -45,7 +44,7 @@ public final class VerdictBanner extends JPanel {
      */
     public VerdictBanner(LongConsumer seek) {
         super(new BorderLayout(GAP, 0));
-        JButton close = new JButton(new GlyphIcon(Glyph.REMOVE, 14, colours -> Optional.empty()));
+        JButton close = new JButton(new GlyphIcon(Glyph.REMOVE, 14, null));
         close.getAccessibleContext().setAccessibleName(Messages.get("verdict.close"));
         close.setToolTipText(Messages.get("verdict.close"));
         close.setBorder(BorderFactory.createEmptyBorder(3, 5, 3, 5));
