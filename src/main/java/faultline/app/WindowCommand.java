@@ -24,12 +24,13 @@ final class WindowCommand {
 
     /** Opens the default scenario. */
     int run() throws ScenarioException {
-        return openWindow(Optional.empty(), Scenario.loadShipped(DEFAULT_SCENARIO), DEFAULT_SCENARIO);
+        return openWindow(
+                () -> GuiLauncher.open(Optional.empty()), Scenario.loadShipped(DEFAULT_SCENARIO), DEFAULT_SCENARIO);
     }
 
     /** Opens a file. The file is read first, so that its problems are reported here and not in a window. */
     int run(Path file) throws ScenarioException {
-        return openWindow(Optional.of(file), Scenario.load(file), file.toString());
+        return openWindow(() -> GuiLauncher.open(Optional.of(file)), Scenario.load(file), file.toString());
     }
 
     /** Opens the window and closes it after its first frame. */
@@ -50,9 +51,9 @@ final class WindowCommand {
         return ExitCode.SUCCESS;
     }
 
-    private int openWindow(Optional<Path> file, Scenario scenario, String name) {
+    private int openWindow(Runnable window, Scenario scenario, String name) {
         if (hasDisplay()) {
-            GuiLauncher.open(file);
+            window.run();
             return ExitCode.SUCCESS;
         }
         output.println("There is no display here: running " + name + " without a window.");

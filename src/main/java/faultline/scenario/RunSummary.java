@@ -10,7 +10,6 @@ import faultline.world.Collision;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
@@ -38,8 +37,8 @@ public final class RunSummary {
                 "collision: "
                         + result.collision().map(RunSummary::formatCollision).orElse("none"),
                 "collided_with: " + result.collision().map(Collision::obstacle).orElse("none"),
-                "coverage: " + formatOptional(result.coverage(), "%.4f"),
-                "distance_rms_m: " + formatOptional(result.distanceRms(), "%.6f"),
+                "coverage: " + formatNumber(result.coverageOrNaN(), "%.4f"),
+                "distance_rms_m: " + formatNumber(result.distanceRmsOrNaN(), "%.6f"),
                 "trajectory_hash: " + formatHash(result),
                 "seed: " + result.seed(),
                 "rung: " + (result.rung().isEmpty() ? "none" : result.rung()),
@@ -107,7 +106,7 @@ public final class RunSummary {
         return Optional.of(health.sensor() + " " + verdict + " at " + DecimalText.format(change.time()));
     }
 
-    private static String formatOptional(OptionalDouble value, String format) {
-        return value.isPresent() ? String.format(Locale.ROOT, format, value.getAsDouble()) : "none";
+    private static String formatNumber(double value, String format) {
+        return Double.isNaN(value) ? "none" : String.format(Locale.ROOT, format, value);
     }
 }

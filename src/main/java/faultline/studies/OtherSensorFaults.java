@@ -57,14 +57,14 @@ final class OtherSensorFaults implements Figure {
                     sensor.id(),
                     kind.fileName(),
                     late.orElse(Double.NaN),
-                    isSame(late, sound),
+                    isSame(late.orElse(Double.NaN), sound),
                     early.orElse(Double.NaN),
-                    isSame(early, sound));
+                    isSame(early.orElse(Double.NaN), sound));
         }
     }
 
-    private static boolean isSame(OptionalDouble value, double sound) {
-        return value.isPresent() && Double.doubleToLongBits(value.getAsDouble()) == Double.doubleToLongBits(sound);
+    private static boolean isSame(double value, double sound) {
+        return !Double.isNaN(value) && Double.doubleToLongBits(value) == Double.doubleToLongBits(sound);
     }
 
     private static SimulationSetup withFault(SimulationSetup setup, double at, Command fault) {

@@ -11,7 +11,6 @@ import faultline.scenario.RunSummary;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.OptionalDouble;
 
 /** The columns of {@code runs.csv}: the run, what varies, and what the run came to. */
 public final class ResultColumns {
@@ -64,27 +63,27 @@ public final class ResultColumns {
                     "wall_share",
                     "",
                     "share of the wall that was passed within 0.15 m of the wanted path since the clock started",
-                    (result, carry, diagnosis) -> fixed(carry.share(), 4)),
+                    (result, carry, diagnosis) -> fixed(carry.share().orElse(Double.NaN), 4)),
             new Result(
                     "laps",
                     "",
                     "how often the wall was passed since the clock started, on average over its length",
-                    (result, carry, diagnosis) -> fixed(carry.laps(), 3)),
+                    (result, carry, diagnosis) -> fixed(carry.laps().orElse(Double.NaN), 3)),
             new Result(
                     "clock_start_s",
                     "s",
                     "start of the clock: the last fault to begin, or the first meeting with a wall if that is later",
-                    (result, carry, diagnosis) -> fixed(carry.clockStart(), 3)),
+                    (result, carry, diagnosis) -> fixed(carry.clockStart().orElse(Double.NaN), 3)),
             new Result(
                     "coverage",
                     "",
                     "share of the wall that was followed within 0.05 m in the whole run",
-                    (result, carry, diagnosis) -> fixed(result.coverage(), 4)),
+                    (result, carry, diagnosis) -> fixed(result.coverage().orElse(Double.NaN), 4)),
             new Result(
                     "distance_rms_m",
                     "m",
                     "distance error on straight walls, root mean square",
-                    (result, carry, diagnosis) -> fixed(result.distanceRms(), 6)),
+                    (result, carry, diagnosis) -> fixed(result.distanceRms().orElse(Double.NaN), 6)),
             new Result(
                     "final_state", "", "last state of the controller", (result, carry, diagnosis) -> result.finalState()
                             .name()),
@@ -97,7 +96,8 @@ public final class ResultColumns {
                     "detection_delay_s",
                     "s",
                     "time from the first fault until the diagnosis does not trust its sensor, empty if it always does",
-                    (result, carry, diagnosis) -> fixed(diagnosis.detectionDelay(), 3)),
+                    (result, carry, diagnosis) ->
+                            fixed(diagnosis.detectionDelay().orElse(Double.NaN), 3)),
             new Result(
                     "false_alarms",
                     "",
@@ -124,12 +124,11 @@ public final class ResultColumns {
         return outcome == Outcome.UNDECIDED ? "" : outcome == Outcome.CARRIED_ON ? "1" : "0";
     }
 
-    private static String fixed(OptionalDouble value, int digits) {
-        return value.isPresent() ? fixed(value.getAsDouble(), digits) : "";
-    }
-
+    /** Returns a rounded number; empty for NaN. */
     private static String fixed(double value, int digits) {
-        return DecimalText.format(Double.parseDouble(String.format(Locale.ROOT, "%." + digits + "f", value)));
+        return Double.isNaN(value)
+                ? ""
+                : DecimalText.format(Double.parseDouble(String.format(Locale.ROOT, "%." + digits + "f", value)));
     }
 
     /** Returns all columns of a plan's table. */

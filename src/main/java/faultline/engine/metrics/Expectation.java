@@ -4,7 +4,6 @@ import faultline.control.ControllerState;
 import faultline.io.DecimalText;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 
 /**
@@ -38,8 +37,8 @@ public record Expectation(List<Condition> conditions) {
             return Optional.of("expected " + wanted + ", but " + found);
         }
 
-        private static String describe(OptionalDouble value, String otherwise) {
-            return value.isPresent() ? "it is " + DecimalText.format(value.getAsDouble()) : otherwise;
+        private static String describe(double value, String otherwise) {
+            return Double.isNaN(value) ? otherwise : "it is " + DecimalText.format(value);
         }
     }
 
@@ -72,7 +71,7 @@ public record Expectation(List<Condition> conditions) {
                     ? Optional.empty()
                     : Condition.expected(
                             "a coverage of at least " + DecimalText.format(share),
-                            Condition.describe(result.coverage(), "no wall was followed"));
+                            Condition.describe(result.coverageOrNaN(), "no wall was followed"));
         }
     }
 
@@ -85,7 +84,7 @@ public record Expectation(List<Condition> conditions) {
                     ? Optional.empty()
                     : Condition.expected(
                             "a distance error of at most " + DecimalText.format(metres) + " m RMS",
-                            Condition.describe(result.distanceRms(), "no straight wall was followed"));
+                            Condition.describe(result.distanceRmsOrNaN(), "no straight wall was followed"));
         }
     }
 

@@ -74,11 +74,11 @@ public final class ComparisonActions {
         return new ReferenceOverlay(
                 reference.run(),
                 reference.dt(),
-                comparison.divergence(),
                 captionLines(comparison),
-                divergenceEvent(comparison)
-                        .map(event -> Messages.get("ghost.mark", secondsText(event.time())))
-                        .orElse(""));
+                divergenceEvent(comparison).stream()
+                        .map(event -> new ReferenceOverlay.Mark(
+                                event.tick(), Messages.get("ghost.mark", secondsText(event.time()))))
+                        .toList());
     }
 
     private static List<String> captionLines(RunComparison comparison) {

@@ -102,7 +102,7 @@ public final class SimulationCanvas extends JComponent {
                 camera(),
                 newPalette,
                 new ScenePainter(layers, LocalizedLabels.create(DrawContext.DEFAULT_FONT)),
-                model.referenceOverlay().get()));
+                model.referenceOverlay().get().stream().toList()));
     }
 
     /** Sets the colours. */

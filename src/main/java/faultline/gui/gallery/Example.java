@@ -17,7 +17,7 @@ import faultline.scenario.xml.ScenarioException;
 import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.util.EnumSet;
-import java.util.Optional;
+import java.util.List;
 import java.util.Set;
 
 /**
@@ -66,11 +66,7 @@ record Example(String file, String title, String description, BufferedImage thum
     private static BufferedImage thumbnail(Frame frame, Palette palette) {
         Camera camera = FrameRenderer.fitCamera(frame.snapshot(), WIDTH * RESOLUTION_SCALE, HEIGHT * RESOLUTION_SCALE);
         return new RenderRequest(
-                        frame,
-                        camera,
-                        palette,
-                        new ScenePainter(LAYERS, LocalizedLabels.create(FONT)),
-                        Optional.empty())
+                        frame, camera, palette, new ScenePainter(LAYERS, LocalizedLabels.create(FONT)), List.of())
                 .toImage(1);
     }
 }

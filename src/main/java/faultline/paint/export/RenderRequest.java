@@ -11,7 +11,7 @@ import faultline.paint.surface.Palette;
 import faultline.paint.surface.SvgSurface;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
-import java.util.Optional;
+import java.util.List;
 import java.util.Set;
 
 /**
@@ -22,10 +22,14 @@ import java.util.Set;
  * @param camera the part of the world and the size of the picture
  * @param palette the colours; {@link Palette#LIGHT} for files
  * @param painter the layers and the texts
- * @param reference a reference run, empty for none
+ * @param references the reference runs to show
  */
 public record RenderRequest(
-        Frame frame, Camera camera, Palette palette, ScenePainter painter, Optional<ReferenceOverlay> reference) {
+        Frame frame, Camera camera, Palette palette, ScenePainter painter, List<ReferenceOverlay> references) {
+
+    public RenderRequest {
+        references = List.copyOf(references);
+    }
 
     /**
      * Creates a request without a reference run, in English.
@@ -36,12 +40,12 @@ public record RenderRequest(
      * @param layers the layers to show
      */
     public RenderRequest(Frame frame, Camera camera, Palette palette, Set<Layer> layers) {
-        this(frame, camera, palette, new ScenePainter(layers, SceneLabels.ENGLISH), Optional.empty());
+        this(frame, camera, palette, new ScenePainter(layers, SceneLabels.ENGLISH), List.of());
     }
 
     /** Returns the same request for another frame. */
     public RenderRequest withFrame(Frame other) {
-        return new RenderRequest(other, camera, palette, painter, reference);
+        return new RenderRequest(other, camera, palette, painter, references);
     }
 
     /** Paints the picture on graphics whose user space is the picture. */
@@ -50,7 +54,7 @@ public record RenderRequest(
     }
 
     private void paint(DrawContext brush) {
-        painter.paint(brush, frame, reference);
+        painter.paint(brush, frame, references);
     }
 
     /**

@@ -55,14 +55,14 @@ public final class ReferenceOverlayPainter {
         context.draw(context.toScreen(arrow(robot), frame), colour, SOLID_STROKE);
     }
 
-    /** Paints the mark at the first difference, if there is one, and the caption. */
+    /** Paints the marks and the caption. */
     public static void paintAnnotations(DrawContext context, ReferenceOverlay reference) {
-        reference
-                .divergenceTick()
-                .ifPresent(tick -> paintMark(
-                        context,
-                        reference.divergenceLabel(),
-                        context.camera().toScreen(reference.run().pose(tick).position())));
+        for (ReferenceOverlay.Mark mark : reference.marks()) {
+            paintMark(
+                    context,
+                    mark.label(),
+                    context.camera().toScreen(reference.run().pose(mark.tick()).position()));
+        }
         paintCaption(context, reference);
     }
 

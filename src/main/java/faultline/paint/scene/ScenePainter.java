@@ -8,7 +8,6 @@ import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 
@@ -30,17 +29,17 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
      *
      * @param context the target
      * @param frame the frame
-     * @param reference a reference run, empty for none
+     * @param references the reference runs to show
      */
-    public void paint(DrawContext context, Frame frame, Optional<ReferenceOverlay> reference) {
+    public void paint(DrawContext context, Frame frame, List<ReferenceOverlay> references) {
         Predicate<Obstacle> moves = obstacle -> obstacle.isMoving();
         List<Obstacle> obstacles = frame.snapshot().obstacles();
         paintBackground(context, frame.snapshot());
         obstacles.stream().filter(moves.negate()).forEach(obstacle -> paintObstacle(context, obstacle));
-        reference.ifPresent(earlier -> paintReference(context, earlier, frame.snapshot()));
+        references.forEach(earlier -> paintReference(context, earlier, frame.snapshot()));
         paintDynamic(context, frame, obstacles.stream().filter(moves).toList(), 0);
         paintOverlays(context, frame.snapshot());
-        reference.ifPresent(earlier -> ReferenceOverlayPainter.paintAnnotations(context, earlier));
+        references.forEach(earlier -> ReferenceOverlayPainter.paintAnnotations(context, earlier));
     }
 
     private void paintReference(DrawContext context, ReferenceOverlay reference, Snapshot world) {

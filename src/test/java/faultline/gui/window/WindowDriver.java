@@ -11,7 +11,6 @@ import faultline.gui.GuiRobot;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Theme;
-import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Palette;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -92,7 +91,7 @@ final class WindowDriver implements AutoCloseable {
     /** Waits until a reference run is visible. */
     void waitForReferenceRun() {
         robot.waitFor("the ghost is there", () -> canvas().renderRequest(Palette.LIGHT)
-                .flatMap(RenderRequest::reference)
+                .flatMap(request -> request.references().stream().findFirst())
                 .isPresent());
     }
 

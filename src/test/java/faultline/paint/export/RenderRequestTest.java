@@ -20,7 +20,6 @@ import java.awt.print.Printable;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.IntStream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
@@ -80,7 +79,7 @@ class RenderRequestTest {
                         without.camera(),
                         Palette.LIGHT,
                         new ScenePainter(Layer.defaults(), SceneLabels.ENGLISH),
-                        Optional.of(overlay))
+                        List.of(overlay))
                 .toSvg());
         List<Element> strokes = elements(svg, "path")
                 .filter(path -> path.getAttribute("stroke").equals("#7a4fa3"))

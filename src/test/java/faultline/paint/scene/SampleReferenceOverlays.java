@@ -5,7 +5,6 @@ import faultline.engine.session.ReferenceRun;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.util.List;
-import java.util.OptionalLong;
 
 /** Reference runs for tests of painters. */
 public final class SampleReferenceOverlays {
@@ -20,9 +19,8 @@ public final class SampleReferenceOverlays {
             return new ReferenceOverlay(
                     run,
                     office.setup().dt(),
-                    OptionalLong.of(1000),
                     List.of("Ghost: Office", "Differs from 10 s on"),
-                    "differs from 10 s");
+                    List.of(new ReferenceOverlay.Mark(1000, "differs from 10 s")));
         } catch (ScenarioException impossible) {
             throw new AssertionError("shipped", impossible);
         }

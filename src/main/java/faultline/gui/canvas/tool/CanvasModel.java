@@ -19,12 +19,12 @@ public final class CanvasModel {
     private final ObservableValue<Optional<String>> sensor = new ObservableValue<>(Optional.empty());
     private final ObservableValue<Optional<ReferenceOverlay>> referenceOverlay =
             new ObservableValue<>(Optional.empty());
-    private Optional<Frame> frame = Optional.empty();
+    private Frame frame;
     private Set<String> pendingSelection = Set.of();
 
     /** Sets the frame; selected objects that it lacks are deselected, and awaited ones selected. */
     public void setFrame(Frame newest) {
-        frame = Optional.of(newest);
+        frame = newest;
         if (!pendingSelection.isEmpty() && hasAll(pendingSelection)) {
             select(pendingSelection);
         } else if (!hasAll(selection.get())) {
@@ -36,7 +36,7 @@ public final class CanvasModel {
     }
 
     public Optional<Frame> frame() {
-        return frame;
+        return Optional.ofNullable(frame);
     }
 
     public ObservableValue<Set<String>> selection() {
@@ -93,7 +93,7 @@ public final class CanvasModel {
     }
 
     public List<Obstacle> obstacles() {
-        return frame.map(f -> f.snapshot().obstacles()).orElse(List.of());
+        return frame == null ? List.of() : frame.snapshot().obstacles();
     }
 
     public Set<String> obstacleIds() {
@@ -112,7 +112,7 @@ public final class CanvasModel {
     }
 
     public List<SensorSnapshot> sensors() {
-        return frame.map(f -> f.snapshot().sensors()).orElse(List.of());
+        return frame == null ? List.of() : frame.snapshot().sensors();
     }
 
     public Optional<SensorSnapshot> sensor(String id) {

@@ -31,7 +31,9 @@ public final class CanvasMouse extends MouseAdapter {
     private final CanvasListeners listeners;
     private final ObservableValue<Optional<Vector2>> cursorPoint = new ObservableValue<>(Optional.empty());
     private final ObservableValue<Optional<Tool>> tool = new ObservableValue<>(Optional.empty());
-    private Optional<Gesture> gesture = Optional.empty();
+    /** Null if no button is down. */
+    private Gesture gesture;
+
     private Vector2 pressPoint = Vector2.ZERO;
     /** The button that has started the gesture. */
     private int button;
@@ -65,30 +67,34 @@ public final class CanvasMouse extends MouseAdapter {
 
     /** Cancels the gesture and the tool; returns whether there was one. */
     boolean cancel() {
-        boolean busy = gesture.isPresent() || tool.get().isPresent();
-        gesture.ifPresent(Gesture::cancel);
-        gesture = Optional.empty();
+        boolean busy = gesture != null || tool.get().isPresent();
+        if (gesture != null) {
+            gesture.cancel();
+            gesture = null;
+        }
         tool.set(Optional.empty());
         return busy;
     }
 
     /** Ends a gesture whose objects no longer exist. */
     public void releaseIfTargetGone() {
-        if (gesture.filter(Gesture::isTargetGone).isPresent()) {
-            gesture.ifPresent(Gesture::release);
-            gesture = Optional.empty();
+        if (gesture != null && gesture.isTargetGone()) {
+            gesture.release();
+            gesture = null;
         }
     }
 
     public void paint(DrawContext brush) {
-        gesture.ifPresent(held -> held.paint(brush));
+        if (gesture != null) {
+            gesture.paint(brush);
+        }
         tool.get().ifPresent(t -> t.paint(brush));
     }
 
     @Override
     public void mousePressed(MouseEvent event) {
         event.getComponent().requestFocusInWindow();
-        if (gesture.isPresent()) {
+        if (gesture != null) {
             return;
         }
         if (event.getButton() > MouseEvent.BUTTON3) {
@@ -99,12 +105,11 @@ public final class CanvasMouse extends MouseAdapter {
         button = event.getButton();
         boolean left = SwingUtilities.isLeftMouseButton(event);
         if (SwingUtilities.isMiddleMouseButton(event)) {
-            gesture = Optional.of(new PanGesture(viewport, pressPoint, () -> {}));
+            gesture = new PanGesture(viewport, pressPoint, () -> {});
         } else if (tool.get().isPresent()) {
             useTool(event, left);
         } else {
-            gesture = Optional.of(
-                    gesturePicker.pick(pressPoint, left, !left || event.isControlDown(), event.isShiftDown()));
+            gesture = gesturePicker.pick(pressPoint, left, !left || event.isControlDown(), event.isShiftDown());
         }
     }
 
@@ -123,8 +128,9 @@ public final class CanvasMouse extends MouseAdapter {
 
     @Override
     public void mouseDragged(MouseEvent event) {
-        gesture.ifPresent(held -> held.moveTo(screenPoint(event), snap(event)));
-        if (gesture.isEmpty() && SwingUtilities.isLeftMouseButton(event)) {
+        if (gesture != null) {
+            gesture.moveTo(screenPoint(event), snap(event));
+        } else if (SwingUtilities.isLeftMouseButton(event)) {
             tool.get().ifPresent(t -> t.move(snappedPoint(event), true));
         }
         cursorPoint.set(Optional.of(toWorld(screenPoint(event))));
@@ -133,19 +139,20 @@ public final class CanvasMouse extends MouseAdapter {
 
     @Override
     public void mouseReleased(MouseEvent event) {
-        if (gesture.isPresent() && event.getButton() != button) {
+        if (gesture != null && event.getButton() != button) {
             return;
         }
-        gesture.ifPresent(Gesture::release);
-        if (gesture.isEmpty() && SwingUtilities.isLeftMouseButton(event)) {
+        if (gesture != null) {
+            gesture.release();
+        } else if (SwingUtilities.isLeftMouseButton(event)) {
             tool.get().ifPresent(t -> t.release(snappedPoint(event)));
             clearFinishedTool();
         }
         boolean clicked = screenPoint(event).distanceTo(pressPoint) < Gesture.CLICK_TOLERANCE;
-        if (gesture.isPresent() && clicked && SwingUtilities.isRightMouseButton(event)) {
+        if (gesture != null && clicked && SwingUtilities.isRightMouseButton(event)) {
             listeners.fireMenuRequested(event.getPoint());
         }
-        gesture = Optional.empty();
+        gesture = null;
         event.getComponent().repaint();
     }
 

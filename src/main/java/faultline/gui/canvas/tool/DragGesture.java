@@ -8,7 +8,6 @@ import faultline.paint.scene.InteractionPainter;
 import faultline.paint.surface.DrawContext;
 import faultline.world.Obstacle;
 import java.util.List;
-import java.util.Optional;
 
 /** One drag, from the press of the button on. It has no effect until the mouse has moved further than a click. */
 public final class DragGesture implements Gesture {
@@ -21,7 +20,7 @@ public final class DragGesture implements Gesture {
     private final CanvasModel model;
     private final Viewport viewport;
     private final UndoController editor;
-    private Optional<DragPreview> preview = Optional.empty();
+    private DragPreview preview;
     private Vector2 last;
 
     DragGesture(DragOperation drag, Vector2 pressed, CanvasModel scene, Viewport viewpoint, UndoController editor) {
@@ -37,15 +36,14 @@ public final class DragGesture implements Gesture {
     @Override
     public void moveTo(Vector2 screen, SnapSettings snap) {
         last = screen;
-        if (preview.isPresent() || screen.distanceTo(pressed) >= CLICK_TOLERANCE) {
+        if (preview != null || screen.distanceTo(pressed) >= CLICK_TOLERANCE) {
             applyPreview(operation.preview(viewport.camera().get().toWorld(screen), snap));
         }
     }
 
     private void applyPreview(DragPreview wanted) {
-        boolean isNew = preview.filter(before -> before.commands().equals(wanted.commands()))
-                .isEmpty();
-        preview = Optional.of(wanted);
+        boolean isNew = preview == null || !preview.commands().equals(wanted.commands());
+        preview = wanted;
         if (isNew) {
             editor.send(wanted.commands());
         }
@@ -58,7 +56,7 @@ public final class DragGesture implements Gesture {
 
     @Override
     public void cancel() {
-        if (preview.isPresent()) {
+        if (preview != null) {
             editor.send(operation.restoreCommands());
         }
         editor.endGesture();
@@ -72,18 +70,19 @@ public final class DragGesture implements Gesture {
 
     @Override
     public void paint(DrawContext brush) {
-        preview.ifPresent(wanted -> {
-            List<Obstacle> blocked = wanted.obstacles().stream()
-                    .filter(obstacle -> PlacementCheck.overlapsRobot(model, obstacle))
-                    .toList();
-            paint(brush, wanted.obstacles(), blocked);
-            if (blocked.isEmpty()) {
-                InteractionPainter.paintValues(brush, wanted.valueText(), wanted.obstacles(), last);
-            } else {
-                InteractionPainter.paintRefusal(
-                        brush, Messages.get("refused.robot", blocked.get(0).id()), wanted.obstacles(), last);
-            }
-        });
+        if (preview == null) {
+            return;
+        }
+        List<Obstacle> blocked = preview.obstacles().stream()
+                .filter(obstacle -> PlacementCheck.overlapsRobot(model, obstacle))
+                .toList();
+        paint(brush, preview.obstacles(), blocked);
+        if (blocked.isEmpty()) {
+            InteractionPainter.paintValues(brush, preview.valueText(), preview.obstacles(), last);
+        } else {
+            InteractionPainter.paintRefusal(
+                    brush, Messages.get("refused.robot", blocked.get(0).id()), preview.obstacles(), last);
+        }
     }
 
     private static void paint(DrawContext brush, List<Obstacle> there, List<Obstacle> blocked) {

@@ -10,15 +10,16 @@ import faultline.paint.surface.DrawContext;
 import faultline.world.Obstacle;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 
 /** Places a shape by a click, or by a drag from corner to corner. */
 public final class PlaceTool implements Tool {
 
     private final ShapePreset shape;
     private final ToolContext context;
-    private Optional<Vector2> pressed = Optional.empty();
-    private Optional<Obstacle> preview = Optional.empty();
+    /** Null while the button is up. */
+    private Vector2 pressed;
+
+    private Obstacle preview;
     private boolean done;
 
     public PlaceTool(ShapePreset shape, ToolContext context) {
@@ -33,30 +34,28 @@ public final class PlaceTool implements Tool {
 
     @Override
     public void press(Vector2 at, boolean twice) {
-        pressed = Optional.of(at);
+        pressed = at;
         move(at, true);
     }
 
     @Override
     public void move(Vector2 at, boolean down) {
-        boolean drawn =
-                pressed.filter(from -> context.isBeyondClickTolerance(from, at)).isPresent();
-        preview = Optional.of(
-                drawn
-                        ? shape.createBetween(newId(), pressed.orElseThrow(), at)
-                        : shape.createAt(newId(), pressed.orElse(at)));
+        boolean drawn = pressed != null && context.isBeyondClickTolerance(pressed, at);
+        preview = drawn
+                ? shape.createBetween(newId(), pressed, at)
+                : shape.createAt(newId(), pressed == null ? at : pressed);
     }
 
     @Override
     public void release(Vector2 at) {
         move(at, true);
-        done = preview.filter(context::placeObstacle).isPresent();
-        pressed = Optional.empty();
+        done = context.placeObstacle(preview);
+        pressed = null;
     }
 
     @Override
     public void confirm(Vector2 at) {
-        pressed = Optional.empty();
+        pressed = null;
         release(at);
     }
 
@@ -72,16 +71,16 @@ public final class PlaceTool implements Tool {
 
     @Override
     public void paint(DrawContext brush) {
-        preview.ifPresent(obstacle -> {
-            boolean blocked = PlacementCheck.overlapsRobot(context.model(), obstacle);
-            InteractionPainter.paintPreview(brush, obstacle, blocked);
-            if (blocked) {
-                InteractionPainter.paintRefusal(
-                        brush, Messages.get("refused.robot", obstacle.id()), List.of(obstacle), Vector2.ZERO);
-            } else if (pressed.isPresent()) {
-                InteractionPainter.paintValues(
-                        brush, ShapeHandles.sizeText(obstacle, 0), List.of(obstacle), Vector2.ZERO);
-            }
-        });
+        if (preview == null) {
+            return;
+        }
+        boolean blocked = PlacementCheck.overlapsRobot(context.model(), preview);
+        InteractionPainter.paintPreview(brush, preview, blocked);
+        if (blocked) {
+            InteractionPainter.paintRefusal(
+                    brush, Messages.get("refused.robot", preview.id()), List.of(preview), Vector2.ZERO);
+        } else if (pressed != null) {
+            InteractionPainter.paintValues(brush, ShapeHandles.sizeText(preview, 0), List.of(preview), Vector2.ZERO);
+        }
     }
 }

@@ -20,7 +20,7 @@ public final class StartPoseGesture implements Gesture {
     private final Vector2 pressed;
     private final Viewport viewport;
     private final CanvasListeners listeners;
-    private Optional<Pose> startPose = Optional.empty();
+    private Pose startPose;
     private Vector2 last;
 
     public StartPoseGesture(
@@ -36,9 +36,9 @@ public final class StartPoseGesture implements Gesture {
     @Override
     public void moveTo(Vector2 screen, SnapSettings snap) {
         last = screen;
-        if (startPose.isPresent() || screen.distanceTo(pressed) >= CLICK_TOLERANCE) {
+        if (startPose != null || screen.distanceTo(pressed) >= CLICK_TOLERANCE) {
             Vector2 mouse = viewport.camera().get().toWorld(screen);
-            startPose = Optional.of(rotating ? rotatedPose(mouse, snap) : movedPose(mouse, snap));
+            startPose = rotating ? rotatedPose(mouse, snap) : movedPose(mouse, snap);
         }
     }
 
@@ -55,21 +55,23 @@ public final class StartPoseGesture implements Gesture {
 
     @Override
     public void release() {
-        startPose.ifPresent(pose -> PlacementCheck.findObstruction(world, pose)
-                .ifPresentOrElse(
-                        obstacle -> listeners.fireNote(Messages.get("refused.start", obstacle)),
-                        () -> listeners.fireStartRequested(pose)));
+        if (startPose != null) {
+            PlacementCheck.findObstruction(world, startPose)
+                    .ifPresentOrElse(
+                            obstacle -> listeners.fireNote(Messages.get("refused.start", obstacle)),
+                            () -> listeners.fireStartRequested(startPose));
+        }
     }
 
     @Override
     public void paint(DrawContext brush) {
-        startPose.ifPresent(pose -> {
-            Optional<String> obstructing = PlacementCheck.findObstruction(world, pose);
-            InteractionPainter.paintRobotPreview(brush, world.robot(), pose, obstructing.isPresent());
+        if (startPose != null) {
+            Optional<String> obstructing = PlacementCheck.findObstruction(world, startPose);
+            InteractionPainter.paintRobotPreview(brush, world.robot(), startPose, obstructing.isPresent());
             obstructing.ifPresentOrElse(
                     id -> InteractionPainter.paintRefusal(brush, Messages.get("refused.start", id), List.of(), last),
-                    () -> InteractionPainter.paintValues(brush, poseText(pose), List.of(), last));
-        });
+                    () -> InteractionPainter.paintValues(brush, poseText(startPose), List.of(), last));
+        }
     }
 
     private String poseText(Pose pose) {

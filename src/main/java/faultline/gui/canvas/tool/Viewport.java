@@ -4,7 +4,6 @@ import faultline.geometry.Vector2;
 import faultline.paint.export.FrameRenderer;
 import faultline.paint.surface.Camera;
 import faultline.world.Snapshot;
-import java.util.Optional;
 import java.util.function.UnaryOperator;
 
 /**
@@ -18,7 +17,7 @@ public final class Viewport {
     private static final double MAX_OFFSET = 0.2;
 
     private final ObservableValue<Camera> camera = new ObservableValue<>(new Camera(0, 0, 100, 1, 1));
-    private Optional<Snapshot> world = Optional.empty();
+    private Snapshot world;
     private boolean fitting = true;
     private boolean following;
 
@@ -28,9 +27,8 @@ public final class Viewport {
 
     /** Sets the newest world; one of another size than the last is fitted. */
     public void setWorld(Snapshot newest) {
-        boolean known = world.filter(old -> old.width() == newest.width() && old.height() == newest.height())
-                .isPresent();
-        world = Optional.of(newest);
+        boolean known = world != null && world.width() == newest.width() && world.height() == newest.height();
+        world = newest;
         if (!known) {
             fit();
         }
@@ -47,7 +45,9 @@ public final class Viewport {
     public void fit() {
         fitting = true;
         Camera now = camera.get();
-        world.ifPresent(w -> camera.set(FrameRenderer.fitCamera(w, now.width(), now.height())));
+        if (world != null) {
+            camera.set(FrameRenderer.fitCamera(world, now.width(), now.height()));
+        }
     }
 
     /** Moves the camera as the user wants. */
@@ -70,8 +70,8 @@ public final class Viewport {
     }
 
     private void followRobot() {
-        if (following) {
-            world.ifPresent(w -> keepRobotInMiddle(w.pose().position()));
+        if (following && world != null) {
+            keepRobotInMiddle(world.pose().position());
         }
     }
 
