@@ -93,7 +93,8 @@ class RenderRequestTest {
                         .anyMatch(path -> !path.getAttribute("stroke-dasharray").isEmpty()),
                 "its outline");
         assertTrue(
-                elements(svg, "text").anyMatch(text -> text.getTextContent().equals(overlay.divergenceLabel())),
+                elements(svg, "text").anyMatch(text -> text.getTextContent()
+                        .equals(overlay.marks().get(0).label())),
                 "the mark");
         assertTrue(
                 elements(svg, "text").anyMatch(text -> text.getTextContent()
