@@ -71,7 +71,7 @@ public record Expectation(List<Condition> conditions) {
                     ? Optional.empty()
                     : Condition.expected(
                             "a coverage of at least " + DecimalText.format(share),
-                            Condition.describe(result.coverageOrNaN(), "no wall was followed"));
+                            Condition.describe(result.coverage().orElse(Double.NaN), "no wall was followed"));
         }
     }
 
@@ -84,7 +84,8 @@ public record Expectation(List<Condition> conditions) {
                     ? Optional.empty()
                     : Condition.expected(
                             "a distance error of at most " + DecimalText.format(metres) + " m RMS",
-                            Condition.describe(result.distanceRmsOrNaN(), "no straight wall was followed"));
+                            Condition.describe(
+                                    result.distanceRms().orElse(Double.NaN), "no straight wall was followed"));
         }
     }
 
