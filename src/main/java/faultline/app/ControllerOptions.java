@@ -16,9 +16,9 @@ import java.util.function.Consumer;
  *
  * @param patience how long a controller in a child process may take for an answer, seconds; infinite for no limit
  * @param truth whether it is given the ground truth
- * @param jar a jar with controllers in Java
+ * @param jars jars with controllers in Java, at most one
  */
-record ControllerOptions(double patience, boolean truth, Optional<Path> jar) {
+record ControllerOptions(double patience, boolean truth, List<Path> jars) {
 
     private static final BigDecimal MAX_PATIENCE = new BigDecimal("10000000");
 
@@ -33,10 +33,12 @@ record ControllerOptions(double patience, boolean truth, Optional<Path> jar) {
             throw new UsageException(
                     "--jar is " + MessageText.quoted(jar.get().toString()) + ", and there is no such file");
         }
-        return new ControllerOptions(patience(given.value("--patience")), given.has("--truth"), jar);
+        return new ControllerOptions(
+                patience(given), given.has("--truth"), jar.stream().toList());
     }
 
-    private static double patience(Optional<String> text) throws UsageException {
+    private static double patience(Arguments given) throws UsageException {
+        Optional<String> text = given.value("--patience");
         if (text.isEmpty()) {
             return ExternalController.Timeouts.DEFAULT.answer();
         }

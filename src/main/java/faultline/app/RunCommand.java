@@ -29,7 +29,7 @@ final class RunCommand {
 
     int run(List<String> arguments) throws UsageException, ScenarioException, IOException {
         RunOptions options = RunOptions.parse(arguments);
-        options.child().jar().ifPresent(ControllerChoice::addJar);
+        options.child().jars().forEach(ControllerChoice::addJar);
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
         requireController(scenario, options.controller().isPresent());
         try (RunOutputs outputs = new RunOutputs(options)) {

@@ -5,7 +5,6 @@ import faultline.engine.metrics.RunResult;
 import faultline.io.JsonWriter;
 import faultline.world.Collision;
 import java.util.List;
-import java.util.OptionalDouble;
 
 /** A run's result as one JSON object on one line, with the keys of {@link RunSummary}. */
 public final class RunJson {
@@ -22,14 +21,14 @@ public final class RunJson {
     public static String format(RunResult result, boolean truth, List<String> unmet) {
         JsonWriter json =
                 new JsonWriter().member("ticks", result.ticks()).member("simulated_s", result.simulatedSeconds());
-        writeOptional(json.name("real_time_factor"), OptionalDouble.of(result.realTimeFactor()));
+        writeNumber(json.name("real_time_factor"), result.realTimeFactor());
         json.member("state", result.finalState().name());
         writeTexts(
                 json.name("states"),
                 result.visitedStates().stream().map(ControllerState::name).toList());
         writeCollision(json, result);
-        writeOptional(json.name("coverage"), result.coverage());
-        writeOptional(json.name("distance_rms_m"), result.distanceRms());
+        writeNumber(json.name("coverage"), result.coverageOrNaN());
+        writeNumber(json.name("distance_rms_m"), result.distanceRmsOrNaN());
         json.member("trajectory_hash", RunSummary.formatHash(result)).member("seed", result.seed());
         json.name("rung");
         if (result.rung().isEmpty()) {
@@ -65,9 +64,10 @@ public final class RunJson {
         json.endArray();
     }
 
-    private static void writeOptional(JsonWriter json, OptionalDouble value) {
-        if (value.isPresent() && Double.isFinite(value.getAsDouble())) {
-            json.value(value.getAsDouble());
+    /** Writes a number, or null if it is not finite. */
+    private static void writeNumber(JsonWriter json, double value) {
+        if (Double.isFinite(value)) {
+            json.value(value);
         } else {
             json.nullValue();
         }
