@@ -1,5 +1,7 @@
 package faultline.control;
 
+import faultline.robot.RobotSpec;
+
 /**
  * What the controller wants of the motors until its next decision, and what it says of itself.
  *
@@ -13,5 +15,27 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
         if (!(Double.isFinite(leftVolts) && Double.isFinite(rightVolts))) {
             throw new IllegalArgumentException("voltages must be finite: " + leftVolts + ", " + rightVolts);
         }
+    }
+
+    /**
+     * Returns a decision for a controller that thinks in velocities and names its state.
+     *
+     * @param robot whose motors turn velocities into voltages
+     * @param v forward, metres per second
+     * @param omega the turn rate, radians per second, positive to the left
+     * @param state the name of the controller's state
+     * @param why the reason for that state, may be empty
+     */
+    public static Decision ofVelocities(RobotSpec robot, double v, double omega, String state, String why) {
+        double half = omega * robot.track() / 2;
+        Telemetry telemetry = new Telemetry(
+                ControllerState.of(state),
+                why,
+                0,
+                0,
+                Telemetry.WallControl.NONE,
+                Telemetry.EdgeTimes.NONE,
+                Telemetry.Diagnosis.NONE);
+        return new Decision(robot.motor().voltageFor(v - half), robot.motor().voltageFor(v + half), telemetry);
     }
 }

@@ -1,0 +1,126 @@
+package faultline.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerProvider;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.jar.JarEntry;
+import java.util.jar.JarOutputStream;
+import java.util.stream.Stream;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The Java project of the examples, built as its users build it, and run from its jar. */
+class JavaExampleTest {
+
+    private static final Path PROJECT = Path.of("docs/examples/java/src/main");
+
+    @TempDir
+    private Path folder;
+
+    private final ClassLoader before = Thread.currentThread().getContextClassLoader();
+    private Path jar;
+
+    @BeforeEach
+    void build() throws Exception {
+        Path classes = Files.createDirectory(folder.resolve("classes"));
+        List<String> arguments = new ArrayList<>(List.of(
+                "-Xlint:all",
+                "-Werror",
+                "-cp",
+                Path.of(ControllerProvider.class
+                                .getProtectionDomain()
+                                .getCodeSource()
+                                .getLocation()
+                                .toURI())
+                        .toString(),
+                "-d",
+                classes.toString()));
+        files(PROJECT.resolve("java")).forEach(file -> arguments.add(file.toString()));
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, arguments.toArray(new String[0])));
+        jar = folder.resolve("my-controller.jar");
+        try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar))) {
+            add(classes, out);
+            add(PROJECT.resolve("resources"), out);
+        }
+    }
+
+    @AfterEach
+    void forgetJar() {
+        Thread.currentThread().setContextClassLoader(before);
+    }
+
+    private static List<Path> files(Path root) throws IOException {
+        try (Stream<Path> files = Files.walk(root)) {
+            return files.filter(Files::isRegularFile).sorted().toList();
+        }
+    }
+
+    private static void add(Path root, JarOutputStream out) throws IOException {
+        for (Path file : files(root)) {
+            out.putNextEntry(new JarEntry(root.relativize(file).toString().replace('\\', '/')));
+            out.write(Files.readAllBytes(file));
+        }
+    }
+
+    private static String run(String... arguments) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        PrintStream stream = new PrintStream(out, true, StandardCharsets.UTF_8);
+        new CommandLine(new CommandOutput(stream, stream)).run(arguments);
+        return out.toString(StandardCharsets.UTF_8);
+    }
+
+    private static String value(String output, String key) {
+        return output.lines()
+                .filter(line -> line.startsWith(key + ": "))
+                .findFirst()
+                .orElseThrow(() -> new AssertionError(output))
+                .substring(key.length() + 2);
+    }
+
+    @Test
+    void theExampleFollowsTheWallOfTheYard() {
+        String output = run("run", "scenarios/yard.xml", "--controller", "my-follower", "--jar", jar.toString());
+        assertEquals("none", value(output, "collision"));
+        assertTrue(Double.parseDouble(value(output, "coverage")) > 0.8, output);
+        assertEquals("EXTERN SEARCH TURN FOLLOW", value(output, "states"));
+        assertEquals(
+                value(output, "trajectory_hash"),
+                value(
+                        run(
+                                "run",
+                                "scenarios/yard.xml",
+                                "--threads",
+                                "controller",
+                                "--controller",
+                                "my-follower",
+                                "--jar",
+                                jar.toString()),
+                        "trajectory_hash"));
+    }
+
+    @Test
+    void aFileGivesTheExampleItsSettings() throws Exception {
+        String yard = Files.readString(Path.of("scenarios/yard.xml"));
+        Path file = Files.writeString(
+                folder.resolve("yard.xml"),
+                yard.replace(
+                        "</scenario>",
+                        "<controller type=\"my-follower\"><setting name=\"distance\" value=\"0.35\"/></controller>"
+                                + "</scenario>"));
+        String output = run("run", file.toString(), "--jar", jar.toString());
+        assertEquals("none", value(output, "collision"));
+        assertTrue(Double.parseDouble(value(output, "distance_rms_m")) > 0.08, "wanted are 0.25 m: " + output);
+    }
+}
