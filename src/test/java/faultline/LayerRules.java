@@ -47,6 +47,7 @@ final class LayerRules {
             "gui.canvas",
             "gui.panel",
             "gui.action",
+            "gui.timeline",
             "gui.instrument",
             "gui.gallery",
             "gui.export",

@@ -5,6 +5,7 @@ import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
+import faultline.gui.timeline.CommandText;
 import faultline.world.Command;
 import java.util.Locale;
 

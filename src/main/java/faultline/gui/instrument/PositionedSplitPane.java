@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.IntUnaryOperator;
 import javax.swing.BorderFactory;
 import javax.swing.JSplitPane;
+import javax.swing.KeyStroke;
 
 /**
  * A split pane whose divider can be placed before the pane has a size, and which keeps that position when the pane is
@@ -30,6 +31,8 @@ public final class PositionedSplitPane extends JSplitPane {
         setResizeWeight(weight);
         setContinuousLayout(true);
         setBorder(BorderFactory.createEmptyBorder());
+        // Swing would move the focus between both sides of the pane; the window moves it between all areas.
+        getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("F6"), "none");
         addPropertyChangeListener(DIVIDER_LOCATION_PROPERTY, moved -> {
             if (!placing) {
                 rememberPosition(getDividerLocation(), availableSize());

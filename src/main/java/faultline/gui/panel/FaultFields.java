@@ -3,11 +3,15 @@ package faultline.gui.panel;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorFaultKind;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import java.awt.Component;
 import java.awt.GridBagConstraints;
 import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Function;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -15,13 +19,19 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
 
-/** The fields of a fault: its kind, its number and, if the kind has one, its mean length. */
-public final class FaultFields {
+/**
+ * The fields of a fault: its kind, its number and, if the kind has one, its mean length.
+ *
+ * @param <K> the type of the kinds
+ * @param <F> the type of the faults
+ */
+public final class FaultFields<K, F> {
 
     private static final double MIN_LENGTH = 0.001;
     private static final int COLUMNS = 5;
 
-    private final JComboBox<FaultKind> kind = new JComboBox<>(FaultKind.values());
+    private final JComboBox<K> kind;
+    private final Function<K, Rules<F>> rules;
     private final NumberSpinner value = new NumberSpinner("0.00##", 0, 1, 0.05, ignored -> {});
     private final NumberSpinner length =
             new NumberSpinner("0.00##", MIN_LENGTH, FaultKind.MAX_LENGTH, 0.1, ignored -> {});
@@ -31,24 +41,89 @@ public final class FaultFields {
     private final JLabel problem =
             new JLabel(" ", new GlyphIcon(Glyph.WARNING, 14, colours -> colours.warning()), JLabel.LEADING);
 
+    /**
+     * What the fields know about a kind.
+     *
+     * @param name the name that the window shows
+     * @param unit the unit of the number
+     * @param min the smallest number
+     * @param max the largest number
+     * @param initial the number to start with
+     * @param takesValue whether there is a number
+     * @param takesLength whether there is a length
+     * @param factory makes a fault of a number and a length
+     */
+    private record Rules<F>(
+            String name,
+            String unit,
+            double min,
+            double max,
+            double initial,
+            boolean takesValue,
+            boolean takesLength,
+            BiFunction<Double, Double, F> factory) {}
+
+    private FaultFields(K[] kinds, K initial, Function<K, Rules<F>> rules) {
+        this.kind = new JComboBox<>(kinds);
+        this.rules = rules;
+        configureKind(kinds.length);
+        configure(value, "faults.value");
+        configure(length, "faults.length");
+        kind.setSelectedItem(initial);
+        problem.setVisible(false);
+    }
+
     /** Creates the fields of a sensor that is stuck. */
-    public FaultFields() {
+    public static FaultFields<FaultKind, Fault> forSensors() {
+        return new FaultFields<>(
+                FaultKind.values(),
+                FaultKind.STUCK,
+                kind -> new Rules<>(
+                        FaultNames.nameOf(kind),
+                        kind.unit(),
+                        kind.minValue(),
+                        kind.maxValue(),
+                        kind.defaultValue(),
+                        kind.takesValue(),
+                        kind.takesLength(),
+                        kind::createFault));
+    }
+
+    /** Creates the fields of motors that are weak. */
+    public static FaultFields<MotorFaultKind, MotorFault> forMotors() {
+        return new FaultFields<>(
+                MotorFaultKind.values(),
+                MotorFaultKind.WEAK,
+                kind -> new Rules<>(
+                        Messages.get("motorFault." + kind.fileName()),
+                        kind.unit(),
+                        kind.minValue(),
+                        kind.maxValue(),
+                        kind.defaultValue(),
+                        kind.takesValue(),
+                        false,
+                        (number, unused) -> kind.createFault(number)));
+    }
+
+    @SuppressWarnings("unchecked")
+    private Rules<F> rules() {
+        return rules.apply((K) kind.getSelectedItem());
+    }
+
+    private void configureKind(int count) {
         kind.setRenderer(new DefaultListCellRenderer() {
             @Override
             public Component getListCellRendererComponent(
                     JList<?> items, Object item, int index, boolean selected, boolean focused) {
-                return super.getListCellRendererComponent(
-                        items, FaultNames.nameOf((FaultKind) item), index, selected, focused);
+                @SuppressWarnings("unchecked")
+                String name = rules.apply((K) item).name();
+                return super.getListCellRendererComponent(items, name, index, selected, focused);
             }
         });
-        kind.setMaximumRowCount(FaultKind.values().length);
+        kind.setMaximumRowCount(count);
         kind.addActionListener(event -> updateKind());
         kind.getAccessibleContext().setAccessibleName(Messages.get("faults.kind"));
         kind.setToolTipText(Messages.get("faults.kind"));
-        configure(value, "faults.value");
-        configure(length, "faults.length");
-        kind.setSelectedItem(FaultKind.STUCK);
-        problem.setVisible(false);
     }
 
     private void configure(NumberSpinner spinner, String key) {
@@ -79,37 +154,33 @@ public final class FaultFields {
         form.add(problem, FormConstraints.fillRow(1, row + 3));
     }
 
-    private FaultKind kind() {
-        return (FaultKind) kind.getSelectedItem();
-    }
-
     private void updateKind() {
-        value.setEnabled(kind().takesValue());
-        value.setLimits(kind().minValue(), kind().maxValue(), kind().defaultValue());
+        value.setEnabled(rules().takesValue());
+        value.setLimits(rules().min(), rules().max(), rules().initial());
         length.setLimits(MIN_LENGTH, FaultKind.MAX_LENGTH, FaultKind.DEFAULT_LENGTH);
         for (JComponent part : new JComponent[] {lengthLabel, length, lengthUnit}) {
-            part.setVisible(kind().takesLength());
+            part.setVisible(rules().takesLength());
         }
-        boolean share = kind().unit().isEmpty() && kind().maxValue() == 1;
-        unit.setText(share ? Messages.get("faults.share") : kind().unit());
+        boolean share = rules().unit().isEmpty() && rules().max() == 1;
+        unit.setText(share ? Messages.get("faults.share") : rules().unit());
         updateProblem();
     }
 
-    /** Shows a fault. */
-    public void setFault(Fault fault) {
-        kind.setSelectedItem(fault.kind());
-        value.setLimits(fault.kind().minValue(), fault.kind().maxValue(), fault.value());
-        if (fault.kind().takesLength()) {
-            length.setLimits(MIN_LENGTH, FaultKind.MAX_LENGTH, fault.length());
+    /** Shows a fault; {@code newLength} is used only if its kind has a length. */
+    public void setFault(K newKind, double newValue, double newLength) {
+        kind.setSelectedItem(newKind);
+        value.setLimits(rules().min(), rules().max(), newValue);
+        if (rules().takesLength()) {
+            length.setLimits(MIN_LENGTH, FaultKind.MAX_LENGTH, newLength);
         }
     }
 
     /** Returns the fault, or moves the focus to the invalid number and returns nothing. */
-    public Optional<Fault> commitFault() {
-        if (kind().takesValue() && !isCommitted(value) || kind().takesLength() && !isCommitted(length)) {
+    public Optional<F> commitFault() {
+        if (rules().takesValue() && !isCommitted(value) || rules().takesLength() && !isCommitted(length)) {
             return Optional.empty();
         }
-        return Optional.of(kind().createFault(value.doubleValue(), length.doubleValue()));
+        return Optional.of(rules().factory().apply(value.doubleValue(), length.doubleValue()));
     }
 
     private boolean isCommitted(NumberSpinner spinner) {
@@ -122,8 +193,8 @@ public final class FaultFields {
     }
 
     private void updateProblem() {
-        boolean wrongValue = kind().takesValue() && !value.textField().isEditValid();
-        boolean wrongLength = kind().takesLength() && !length.textField().isEditValid();
+        boolean wrongValue = rules().takesValue() && !value.textField().isEditValid();
+        boolean wrongLength = rules().takesLength() && !length.textField().isEditValid();
         if (wrongValue || wrongLength) {
             problem.setText(Messages.get("faults.invalid", (wrongValue ? value : length).limitsText()));
         }

@@ -11,12 +11,13 @@ import java.util.function.DoubleConsumer;
 import javax.swing.JButton;
 import javax.swing.JFormattedTextField;
 import javax.swing.JSpinner;
+import javax.swing.KeyStroke;
 import javax.swing.SpinnerNumberModel;
 import javax.swing.SwingConstants;
 import javax.swing.text.DefaultFormatterFactory;
 
 /** A field for one number, which shows the value of the world unless the user is typing. */
-final class NumberSpinner extends JSpinner {
+public final class NumberSpinner extends JSpinner {
 
     private final transient DecimalFormatter formatter;
     private final SpinnerNumberModel model;
@@ -32,7 +33,7 @@ final class NumberSpinner extends JSpinner {
      * @param step the step of the arrows
      * @param onChange receives every number that the user enters
      */
-    NumberSpinner(String pattern, double min, double max, double step, DoubleConsumer onChange) {
+    public NumberSpinner(String pattern, double min, double max, double step, DoubleConsumer onChange) {
         formatter = new DecimalFormatter(pattern, min, max);
         model = new SpinnerNumberModel(Math.max(min, Math.min(max, 0)), min, max, step);
         setModel(model);
@@ -61,7 +62,7 @@ final class NumberSpinner extends JSpinner {
     }
 
     /** Sets the accessible name, and shows the limits as a tool tip. */
-    NumberSpinner withName(String newName) {
+    public NumberSpinner withName(String newName) {
         name = newName;
         updateAccessibleText();
         return this;
@@ -86,7 +87,7 @@ final class NumberSpinner extends JSpinner {
     }
 
     /** Sets other limits and a value within them, without notifying the listener. */
-    void setLimits(double min, double max, double value) {
+    public void setLimits(double min, double max, double value) {
         formatter.setLimits(min, max);
         model.setMinimum(min);
         model.setMaximum(max);
@@ -114,13 +115,18 @@ final class NumberSpinner extends JSpinner {
     }
 
     /** Leaves invalid text in the field when the focus moves on, so that the user sees what is wrong. */
-    NumberSpinner keepInvalidText() {
+    public NumberSpinner keepInvalidText() {
         textField().setFocusLostBehavior(JFormattedTextField.COMMIT);
         return this;
     }
 
+    /** Lets Enter press the default button of a dialog, which commits the text. */
+    public void passEnterOn() {
+        textField().getInputMap().put(KeyStroke.getKeyStroke("ENTER"), "none");
+    }
+
     /** Commits the text and returns true, or returns false if it is invalid. */
-    boolean commitValidEdit() {
+    public boolean commitValidEdit() {
         try {
             commitEdit();
             return true;
@@ -144,16 +150,18 @@ final class NumberSpinner extends JSpinner {
         return textField().isFocusOwner() && !textField().getText().equals(formatter.format(doubleValue()));
     }
 
-    double doubleValue() {
+    /** Returns the number. */
+    public double doubleValue() {
         return model.getNumber().doubleValue();
     }
 
-    JFormattedTextField textField() {
+    /** Returns the text field. */
+    public JFormattedTextField textField() {
         return ((JSpinner.DefaultEditor) getEditor()).getTextField();
     }
 
     /** Sets the width in digits. */
-    NumberSpinner withColumns(int digits) {
+    public NumberSpinner withColumns(int digits) {
         textField().setColumns(0);
         int width = getFontMetrics(getFont()).stringWidth("0".repeat(digits)) + 32;
         setPreferredSize(new Dimension(width, getPreferredSize().height));

@@ -2,6 +2,8 @@ package faultline.gui.panel;
 
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
+import faultline.sensor.Fault;
+import faultline.sensor.FaultKind;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
@@ -27,7 +29,7 @@ public final class SensorDetailsPanel extends JPanel {
     private final transient SensorMountFields mountFields;
     private final transient List<Consumer<Optional<String>>> listeners = new ArrayList<>();
     private final JComboBox<String> sensorChoice = new JComboBox<>();
-    private final transient FaultFields fault = new FaultFields();
+    private final transient FaultFields<FaultKind, Fault> fault = FaultFields.forSensors();
     private final JButton inject = new JButton(Messages.get("faults.inject"));
     private final FaultList faultList;
     private List<String> ids = List.of();

@@ -35,6 +35,7 @@ public final class WindowPreferences {
     private static final String DOCK = "dock";
     private static final String CHART = "chart";
     private static final String DOCK_HIDDEN = "dock.hidden";
+    private static final String TIMELINE = "timeline";
 
     private final PreferenceStore store;
 
@@ -185,6 +186,15 @@ public final class WindowPreferences {
         store.put(DOCK_HIDDEN, Boolean.toString(!shown));
         storePixels(DOCK, height);
         storePixels(CHART, chartWidth);
+    }
+
+    /** Returns whether the fault time line is visible, true by default. */
+    public boolean isTimelineShown() {
+        return !store.get(TIMELINE).equals(HIDDEN);
+    }
+
+    public void setTimelineShown(boolean shown) {
+        store.put(TIMELINE, shown ? "" : HIDDEN);
     }
 
     private Optional<Integer> readPixels(String key) {

@@ -24,6 +24,10 @@ public final class FlatSliderUI extends BasicSliderUI {
 
     private static final int MARK_SIZE = 5;
     private static final int THUMB_SIZE = 15;
+
+    /** The distance of the ends of the track from those of the slider, half a thumb, pixels. */
+    public static final int TRACK_INSET = THUMB_SIZE / 2;
+
     private static final int TRACK_HEIGHT = 4;
     private static final int FOCUS_ALPHA = 90;
 

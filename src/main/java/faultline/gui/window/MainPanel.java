@@ -14,6 +14,9 @@ import faultline.gui.panel.RunVerdict;
 import faultline.gui.panel.VerdictBanner;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.gui.timeline.LaneView;
+import faultline.gui.timeline.TimelineEditor;
+import faultline.gui.timeline.TimelinePanel;
 import faultline.paint.scene.ReferenceOverlay;
 import faultline.scenario.Scenario;
 import java.awt.BorderLayout;
@@ -50,7 +53,7 @@ final class MainPanel extends JPanel {
     private final ControlPanel controlPanel;
     private final StatusBar statusBar = new StatusBar();
     private final InstrumentDock instruments;
-    private final TimeBar timeBar;
+    private final TimelinePanel timeline;
     private final VerdictBanner banner;
     private final PositionedSplitPane dockSplit;
     private final PositionedSplitPane panelSplit;
@@ -65,25 +68,27 @@ final class MainPanel extends JPanel {
      * @param actions the actions of the window
      * @param speed positions of {@link SpeedScale}
      * @param jump receives the tick of an event to go to
+     * @param timelineEditor changes the scenario's timeline
      */
     MainPanel(
             SimulationCanvas canvas,
             UndoController editor,
             ActionRegistry actions,
             BoundedRangeModel speed,
-            LongConsumer jump) {
+            LongConsumer jump,
+            TimelineEditor timelineEditor) {
         super(new BorderLayout());
         this.canvas = canvas;
         controlPanel = new ControlPanel(editor, actions.get("path"));
         instruments = new InstrumentDock(jump);
         dockHeight = instruments.getPreferredSize().height;
-        timeBar = new TimeBar(jump, canvas::setFrame);
+        timeline = new TimelinePanel(jump, canvas::setFrame, timelineEditor);
         banner = new VerdictBanner(jump);
         canvas.setLayout(new BorderLayout());
         canvas.add(banner, BorderLayout.NORTH);
         JPanel stage = new JPanel(new BorderLayout());
         stage.add(canvas, BorderLayout.CENTER);
-        stage.add(timeBar, BorderLayout.SOUTH);
+        stage.add(timeline, BorderLayout.SOUTH);
         stage.setMinimumSize(new Dimension(0, MIN_STAGE_HEIGHT));
         dockSplit = new PositionedSplitPane(JSplitPane.VERTICAL_SPLIT, stage, instruments, 1);
         setDockHeight(dockHeight);
@@ -105,7 +110,7 @@ final class MainPanel extends JPanel {
     /** Shows a frame; the canvas is repainted only if the frame is new. */
     void setFrame(SessionFrame frame, Session.Status now) {
         assert EventQueue.isDispatchThread();
-        if (!timeBar.isAdjusting() && (shownFrame.isEmpty() || shownFrame.get() != frame)) {
+        if (!timeline.bar().isAdjusting() && (shownFrame.isEmpty() || shownFrame.get() != frame)) {
             shownFrame = Optional.of(frame);
             canvas.setFrame(frame.frame());
         }
@@ -125,12 +130,12 @@ final class MainPanel extends JPanel {
     /** Shows a reference run beside the current one, and where the two first differ. */
     void setReferenceRun(Optional<ReferenceOverlay> overlay, Optional<RunEvent.Diverged> divergence) {
         canvas.setReferenceOverlay(overlay);
-        timeBar.setDivergence(divergence);
+        timeline.bar().setDivergence(divergence);
         instruments.setDivergence(divergence);
     }
 
-    TimeBar timeBar() {
-        return timeBar;
+    TimelinePanel timeline() {
+        return timeline;
     }
 
     InstrumentDock instruments() {
@@ -160,10 +165,12 @@ final class MainPanel extends JPanel {
         setDockHeight(dockHeight);
     }
 
-    /** Moves the focus to the next area, or to the previous one: canvas, time line, instruments, control panel. */
+    /**
+     * Moves the focus to the next area, or to the previous one: canvas, time slider, lanes, instruments, control panel.
+     */
     void focusArea(int step) {
-        List<? extends Container> areas = Stream.of(canvas, timeBar, instruments, controlPanel)
-                .filter(Component::isVisible)
+        List<? extends Container> areas = Stream.of(canvas, timeline.bar(), timeline.lanes(), instruments, controlPanel)
+                .filter(area -> area.isShowing())
                 .toList();
         Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
         int current = IntStream.range(0, areas.size())
@@ -174,7 +181,7 @@ final class MainPanel extends JPanel {
     }
 
     private static void focusFirstComponent(Container area) {
-        Component first = area.isFocusable() && area instanceof SimulationCanvas
+        Component first = area instanceof SimulationCanvas || area instanceof LaneView
                 ? area
                 : new LayoutFocusTraversalPolicy().getFirstComponent(area);
         if (first != null) {

@@ -34,6 +34,7 @@ import faultline.gui.export.ExportController;
 import faultline.gui.gallery.Gallery;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
+import faultline.gui.timeline.TimelineEditor;
 import java.awt.EventQueue;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -88,7 +89,13 @@ public final class MainWindow extends JFrame {
                 new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
         runActions = new RunActions(runController, speed);
         addActions();
-        mainPanel = new MainPanel(canvas, undoController, actionRegistry, speed, runController.navigator()::seek);
+        mainPanel = new MainPanel(
+                canvas,
+                undoController,
+                actionRegistry,
+                speed,
+                runController.navigator()::seek,
+                new TimelineEditor(workspace, runController, undoController));
         comparisonActions = new ComparisonActions(
                 new ComparisonController(workspace, runController.navigator()), mainPanel::setReferenceRun);
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
@@ -100,6 +107,7 @@ public final class MainWindow extends JFrame {
         setTitle(fileController.documentTitle());
         windowBounds = new WindowBounds(this, mainPanel, preferences);
         windowBounds.restore();
+        mainPanel.timeline().setLanesShown(preferences.isTimelineShown());
         installCloseHandler();
         installCanvasListeners();
         new SpaceKeyDispatcher(this, runController::toggleRunning).install(this);
@@ -133,6 +141,8 @@ public final class MainWindow extends JFrame {
         ViewActions.bindTo(getRootPane(), actionRegistry);
         actionRegistry.add(UiAction.toggle("instruments", preferences.isDockShown(), this::setDockShown)
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_I)));
+        actionRegistry.add(UiAction.toggle("timeline", preferences.isTimelineShown(), this::setTimelineShown)
+                .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_T)));
         actionRegistry.add(UiAction.of("nextArea", () -> mainPanel().focusArea(1))
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F6)));
         actionRegistry.add(UiAction.of("previousArea", () -> mainPanel().focusArea(-1))
@@ -181,6 +191,11 @@ public final class MainWindow extends JFrame {
 
     private void updateEditActions() {
         editActions.update();
+    }
+
+    private void setTimelineShown(boolean shown) {
+        mainPanel.timeline().setLanesShown(shown);
+        preferences.setTimelineShown(shown);
     }
 
     private void setDockShown(boolean shown) {
@@ -279,10 +294,12 @@ public final class MainWindow extends JFrame {
             workspace.scenario().ifPresent(open -> {
                 mainPanel.setRun(frame, status, open);
                 mainPanel
-                        .timeBar()
+                        .timeline()
                         .setFrame(
                                 frame,
-                                runController.navigator().furthestTick(),
+                                Math.max(
+                                        runController.navigator().furthestTick(),
+                                        open.setup().ticks()),
                                 open.setup().dt());
             });
             runActions.update(status);

@@ -47,7 +47,7 @@ final class Menus {
         JMenu view = createMenu(
                 "view",
                 "fit zoomIn zoomOut follow measure - path cones hits routes labels grid scaleBar -"
-                        + " instruments nextArea previousArea dark");
+                        + " timeline instruments nextArea previousArea dark");
         view.add(createMenu("language", "languageEnglish languagePolish"));
         view.add(createMenu("textSize", "textSizeNormal textSizeLarge textSizeLargest"));
         return view;

@@ -35,6 +35,7 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.gui.timeline.TimelineEditor;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -117,11 +118,11 @@ class MainPanelTest {
             actions.add(UiAction.toggle("dark", false, on -> {}));
             new RunActions(run, speed).addTo(actions);
             new Dialogs(null).addTo(actions);
-            actions.add(UiAction.toggle("instruments", true, shown -> {}));
+            Stream.of("instruments", "timeline").forEach(key -> actions.add(UiAction.toggle(key, true, shown -> {})));
             actions.add(UiAction.of("nextArea", () -> {}));
             actions.add(UiAction.of("previousArea", () -> {}));
             new PreferenceActions(null, WindowPreferences.nonPersistent()).addTo(actions);
-            mainPanel = new MainPanel(canvas, edits, actions, speed, tick -> {});
+            mainPanel = new MainPanel(canvas, edits, actions, speed, tick -> {}, new TimelineEditor(bench, run, edits));
             new ComparisonActions(new ComparisonController(bench, run.navigator()), mainPanel::setReferenceRun)
                     .addTo(actions, Optional::empty);
             menus = Menus.createMenuBar(actions);

@@ -1,4 +1,4 @@
-package faultline.gui.instrument;
+package faultline.gui.timeline;
 
 import faultline.gui.panel.ReadingText;
 import faultline.gui.text.Messages;
@@ -7,19 +7,19 @@ import faultline.world.Command;
 import java.util.Locale;
 
 /** Describes commands in the user's language. */
-final class CommandText implements Command.Visitor<String> {
+public final class CommandText implements Command.Visitor<String> {
 
     private static final CommandText INSTANCE = new CommandText();
 
     private CommandText() {}
 
     /** Returns what a command does, as one sentence. */
-    static String format(Command command) {
+    public static String format(Command command) {
         return command.accept(INSTANCE);
     }
 
     /** Returns whether a command adds or removes a fault. */
-    static boolean isFaultChange(Command command) {
+    public static boolean isFaultChange(Command command) {
         return command instanceof Command.InjectFault
                 || command instanceof Command.ClearFault
                 || command instanceof Command.ClearFaults

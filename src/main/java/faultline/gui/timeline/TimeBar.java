@@ -1,12 +1,12 @@
-package faultline.gui.window;
+package faultline.gui.timeline;
 
 import faultline.engine.Frame;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.FlatSliderUI;
-import faultline.gui.theme.SeparatorBorder;
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.Locale;
 import java.util.Optional;
@@ -17,10 +17,12 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 
 /**
- * The time line of the run. While the thumb is dragged, the nearest keyframe before it is shown immediately; when it is
- * released, the run goes to exactly that tick.
+ * The slider of the run's time. While the thumb is dragged, the nearest keyframe before it is shown immediately; when
+ * it is released, the run goes to exactly that tick.
  */
-final class TimeBar extends JPanel {
+public final class TimeBar extends JPanel {
+
+    private static final int GAP = 10;
 
     private final JSlider slider = new JSlider(0, 0, 0);
     private final JLabel currentTimeLabel = new JLabel(timeText(0));
@@ -38,10 +40,9 @@ final class TimeBar extends JPanel {
      * @param preview receives keyframes while the thumb is dragged
      */
     TimeBar(LongConsumer jump, Consumer<Frame> preview) {
-        super(new BorderLayout(10, 0));
+        super(new BorderLayout(GAP, 0));
         this.seekHandler = jump;
         this.previewHandler = preview;
-        setBorder(SeparatorBorder.above(3, 14, 3));
         slider.setEnabled(false);
         slider.setToolTipText(Messages.get("time.tip"));
         slider.getAccessibleContext().setAccessibleName(Messages.get("time"));
@@ -51,8 +52,29 @@ final class TimeBar extends JPanel {
         add(endTimeLabel, BorderLayout.LINE_END);
     }
 
+    /** Sets the least width of the label before the slider, pixels. */
+    void setLeadingWidth(int width) {
+        currentTimeLabel.setMinimumSize(new Dimension(width, 0));
+        currentTimeLabel.setPreferredSize(null);
+        currentTimeLabel.setPreferredSize(new Dimension(
+                Math.max(width, currentTimeLabel.getPreferredSize().width),
+                currentTimeLabel.getPreferredSize().height));
+    }
+
+    /** Returns the axis of the slider's track, in the coordinates of this bar. */
+    TimeAxis axis() {
+        int inset = FlatSliderUI.TRACK_INSET;
+        return new TimeAxis(
+                slider.getX() + inset, slider.getX() + slider.getWidth() - inset - 1.0, slider.getMaximum() * dt);
+    }
+
+    /** Returns the tick that the slider shows. */
+    double shownTime() {
+        return slider.getValue() * dt;
+    }
+
     /** Returns whether the user drags the thumb, so that frames of the run must wait. */
-    boolean isAdjusting() {
+    public boolean isAdjusting() {
         return slider.getValueIsAdjusting();
     }
 
@@ -76,7 +98,7 @@ final class TimeBar extends JPanel {
     }
 
     /** Marks the moment at which the run differs from the reference run. */
-    void setDivergence(Optional<RunEvent.Diverged> divergence) {
+    public void setDivergence(Optional<RunEvent.Diverged> divergence) {
         slider.putClientProperty(
                 FlatSliderUI.MARK_PROPERTY,
                 divergence.map(event -> toSliderValue(event.tick())).orElse(null));

@@ -1,0 +1,198 @@
+package faultline.gui.timeline;
+
+import faultline.geometry.Pose;
+import faultline.gui.panel.FaultFields;
+import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.NumberSpinner;
+import faultline.gui.text.Messages;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorFaultKind;
+import faultline.sensor.Fault;
+import faultline.sensor.FaultKind;
+import faultline.world.Command;
+import java.awt.Component;
+import java.awt.GridBagLayout;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+
+/** Asks for the details of an item: the sensor and the fault, or the pose of a move, and the times. */
+final class ItemDialog {
+
+    private static final double MAX_TIME = 1e6;
+    private static final int COLUMNS = 8;
+    private static final int FAULT_ROWS = 4;
+
+    private final TimelineItem item;
+    private final double tick;
+    private final JPanel form = new JPanel(new GridBagLayout());
+    private final JComboBox<Lane> lane = new JComboBox<>();
+    private final FaultFields<FaultKind, Fault> fault = FaultFields.forSensors();
+    private final FaultFields<MotorFaultKind, MotorFault> motorFault = FaultFields.forMotors();
+    private final List<NumberSpinner> pose = new ArrayList<>();
+    private final NumberSpinner from = time("timeline.start");
+    private final NumberSpinner until = time("timeline.end");
+    private final JCheckBox ends = new JCheckBox(Messages.get("timeline.end"));
+    private int row;
+
+    private ItemDialog(List<Lane> lanes, TimelineItem item, double tick) {
+        this.item = item;
+        this.tick = tick;
+        lanes.stream().filter(other -> item.inLane(other).lane().equals(other)).forEach(lane::addItem);
+        addFaultFields();
+        addPoseFields();
+        addField(FormConstraints.label("timeline.start", from), from, "s");
+        from.setLimits(0, MAX_TIME, item.start());
+        if (item.isInterval()) {
+            addField(ends, until, "s");
+            until.setLimits(0, MAX_TIME, item.isOpen() ? item.start() : item.end());
+            ends.setSelected(!item.isOpen());
+            until.setEnabled(ends.isSelected());
+            ends.addActionListener(event -> until.setEnabled(ends.isSelected()));
+        }
+        Stream.of(form.getComponents())
+                .filter(NumberSpinner.class::isInstance)
+                .map(NumberSpinner.class::cast)
+                .forEach(NumberSpinner::passEnterOn);
+    }
+
+    /**
+     * Shows the dialog and waits for the answer.
+     *
+     * @param parent the component behind the dialog
+     * @param lanes the lanes to choose from
+     * @param item the initial values
+     * @param tick the length of a tick, the shortest interval, seconds
+     * @return the item with other values, empty if cancelled
+     */
+    static Optional<TimelineItem> showDialog(Component parent, List<Lane> lanes, TimelineItem item, double tick) {
+        return new ItemDialog(lanes, item, tick).show(parent);
+    }
+
+    private Optional<TimelineItem> show(Component parent) {
+        // The start has the focus initially: the kind would take the arrow keys.
+        JOptionPane pane = new JOptionPane(form, JOptionPane.PLAIN_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
+            @Override
+            public void selectInitialValue() {
+                super.selectInitialValue();
+                from.textField().requestFocusInWindow();
+            }
+        };
+        Optional<TimelineItem> result = Optional.empty();
+        do {
+            pane.setValue(JOptionPane.UNINITIALIZED_VALUE);
+            JDialog dialog = pane.createDialog(parent, TimelineText.name(item));
+            dialog.setVisible(true);
+            dialog.dispose();
+            result = Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue()) ? read() : Optional.empty();
+        } while (result.isEmpty() && Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue()));
+        return result;
+    }
+
+    private static NumberSpinner time(String key) {
+        return new NumberSpinner("0.00##", 0, MAX_TIME, 1, ignored -> {})
+                .withName(Messages.get(key))
+                .withColumns(COLUMNS)
+                .keepInvalidText();
+    }
+
+    private void addField(Component label, Component field, String unit) {
+        form.add(label, FormConstraints.cell(0, row));
+        form.add(field, FormConstraints.cell(1, row));
+        form.add(new JLabel(unit), FormConstraints.fillCell(2, row));
+        row++;
+    }
+
+    private void addFaultFields() {
+        if (!item.isInterval()) {
+            return;
+        }
+        String name = item.lane() instanceof Lane.OfSensor ? "faults.sensor" : "timeline.motors";
+        lane.setSelectedItem(item.lane());
+        lane.getAccessibleContext().setAccessibleName(Messages.get(name));
+        lane.setRenderer(new DefaultListCellRenderer() {
+            @Override
+            public Component getListCellRendererComponent(
+                    JList<?> items, Object value, int index, boolean selected, boolean focused) {
+                return super.getListCellRendererComponent(items, ((Lane) value).label(), index, selected, focused);
+            }
+        });
+        form.add(FormConstraints.label(name, lane), FormConstraints.cell(0, row));
+        form.add(lane, FormConstraints.fillRow(1, row));
+        row++;
+        if (item.command() instanceof Command.InjectFault inject) {
+            fault.setFault(
+                    inject.fault().kind(),
+                    inject.fault().value(),
+                    inject.fault().length());
+            fault.addTo(form, row, 0);
+        } else if (item.command() instanceof Command.InjectMotorFault inject) {
+            motorFault.setFault(inject.fault().kind(), inject.fault().value(), 0);
+            motorFault.addTo(form, row, 0);
+        }
+        row += FAULT_ROWS;
+    }
+
+    private void addPoseFields() {
+        if (item.command() instanceof Command.MoveObstacle move) {
+            addPoseField("timeline.x", "m", move.pose().x());
+            addPoseField("timeline.y", "m", move.pose().y());
+            addPoseField("timeline.heading", "°", Math.toDegrees(move.pose().heading()));
+        }
+    }
+
+    private void addPoseField(String key, String unit, double value) {
+        NumberSpinner field = time(key);
+        field.setLimits(-MAX_TIME, MAX_TIME, value);
+        addField(FormConstraints.label(key, field), field, unit);
+        pose.add(field);
+    }
+
+    /** Returns the item, or moves the focus to a field with an invalid value and returns nothing. */
+    private Optional<TimelineItem> read() {
+        for (NumberSpinner field : pose) {
+            field.commitValidEdit();
+        }
+        if (!from.commitValidEdit() || !until.commitValidEdit()) {
+            return Optional.empty();
+        }
+        double start = from.doubleValue();
+        double end = ends.isSelected() ? Math.max(until.doubleValue(), start + tick) : Double.POSITIVE_INFINITY;
+        return readCommand()
+                .map(command -> new TimelineItem(command, start, start).withTimes(start, end))
+                .map(read -> item.isInterval() ? read.inLane((Lane) lane.getSelectedItem()) : read);
+    }
+
+    private Optional<? extends Command> readCommand() {
+        if (item.command() instanceof Command.InjectFault inject) {
+            return fault.commitFault().map(valid -> new Command.InjectFault(inject.sensor(), valid));
+        }
+        if (item.command() instanceof Command.InjectMotorFault inject) {
+            return motorFault.commitFault().map(valid -> new Command.InjectMotorFault(inject.motor(), valid));
+        }
+        if (item.command() instanceof Command.MoveObstacle move) {
+            return Optional.of(new Command.MoveObstacle(
+                    move.obstacle(),
+                    new Pose(
+                            pose.get(0).doubleValue(),
+                            pose.get(1).doubleValue(),
+                            heading(move.pose().heading()))));
+        }
+        return Optional.of(item.command());
+    }
+
+    /** Returns the heading of the field; the old one, to the bit, if the field has not been changed. */
+    private double heading(double before) {
+        double degrees = pose.get(2).doubleValue();
+        return degrees == Math.toDegrees(before) ? before : Math.toRadians(degrees);
+    }
+}

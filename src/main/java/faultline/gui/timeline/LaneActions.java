@@ -1,0 +1,165 @@
+package faultline.gui.timeline;
+
+import faultline.gui.text.Messages;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorFaultKind;
+import faultline.sensor.Fault;
+import faultline.sensor.FaultKind;
+import faultline.world.Command;
+import java.awt.Component;
+import java.util.Optional;
+import javax.swing.JMenuItem;
+import javax.swing.JPopupMenu;
+
+/** What can be done with the selected lane and item. */
+final class LaneActions {
+
+    /** The number of steps that a new fault lasts initially. */
+    private static final int NEW_STEPS = 20;
+
+    private final LaneView view;
+    private final TimelineEditor editor;
+    /** The kind and numbers of a new fault: those of the last one. */
+    private Fault lastFault = FaultKind.STUCK.createFault(FaultKind.STUCK.defaultValue());
+
+    private MotorFault lastMotorFault = MotorFaultKind.WEAK.createFault(MotorFaultKind.WEAK.defaultValue());
+
+    LaneActions(LaneView view, TimelineEditor editor) {
+        this.view = view;
+        this.editor = editor;
+    }
+
+    /** Edits the selected item; without one, adds a fault at the present time. */
+    void editOrAdd() {
+        view.selectedItem().ifPresentOrElse(this::edit, () -> addFault(view.now()));
+    }
+
+    private void edit(TimelineItem item) {
+        int index = view.selection();
+        ItemDialog.showDialog(view, view.allLanes(), item, editor.tickLength()).ifPresent(changed -> {
+            editor.replace(index, changed);
+            view.select(changed);
+        });
+    }
+
+    /** Asks for a new fault in the selected lane that starts at a time. */
+    void addFault(double start) {
+        newFault(start, editor.roundToTick(start + NEW_STEPS * step())).ifPresent(this::add);
+    }
+
+    /** Returns a fault in the selected lane; empty in the lane of everything else. */
+    Optional<TimelineItem> newFault(double start, double end) {
+        if (view.selectedLane() instanceof Lane.OfSensor sensor) {
+            return Optional.of(new TimelineItem(new Command.InjectFault(sensor.id(), lastFault), start, end));
+        }
+        return view.selectedLane() instanceof Lane.OfMotors motors
+                ? Optional.of(new TimelineItem(new Command.InjectMotorFault(motors.side(), lastMotorFault), start, end))
+                : Optional.empty();
+    }
+
+    /** Asks for the details of a new item and adds it. */
+    void add(TimelineItem item) {
+        Optional<TimelineItem> wanted = ItemDialog.showDialog(view, view.allLanes(), item, editor.tickLength());
+        view.setPreview(null);
+        wanted.ifPresent(this::addAndSelect);
+    }
+
+    private void addAndSelect(TimelineItem item) {
+        if (item.command() instanceof Command.InjectFault inject) {
+            lastFault = inject.fault();
+        } else if (item.command() instanceof Command.InjectMotorFault inject) {
+            lastMotorFault = inject.fault();
+        }
+        editor.add(item);
+        view.select(item);
+    }
+
+    /** Asks for the time at which the sensor of the selected lane is switched off and on again. */
+    void addSwitch(double start) {
+        if (view.selectedLane() instanceof Lane.OfSensor sensor) {
+            add(TimelineItem.from(new Command.SwitchSensor(sensor.id(), false), start));
+        }
+    }
+
+    void delete() {
+        if (view.selection() != LaneLayout.NONE) {
+            editor.remove(view.selection());
+            view.select(view.lane(), LaneLayout.NONE);
+        }
+    }
+
+    void copy() {
+        if (view.selection() != LaneLayout.NONE) {
+            editor.copy(view.selection());
+        }
+    }
+
+    void cut() {
+        copy();
+        delete();
+    }
+
+    /** Adds the copied item at a time, in the selected lane if it can be there. */
+    void paste(double start) {
+        editor.clipboard()
+                .map(item -> item.startingAt(editor.roundToTick(start)))
+                .map(item -> item.inLane(view.selectedLane()))
+                .ifPresent(this::addAndSelect);
+    }
+
+    /** Adds a copy of the selected item directly after it. */
+    void duplicate() {
+        view.selectedItem()
+                .map(item -> item.startingAt(
+                        editor.roundToTick(item.isOpen() || !item.isInterval() ? item.start() + step() : item.end())))
+                .ifPresent(this::addAndSelect);
+    }
+
+    /** Moves the start and the end of the selected item by a number of steps each. */
+    void move(int startSteps, int endSteps) {
+        view.selectedItem().ifPresent(item -> {
+            double start = editor.roundToTick(item.start() + startSteps * step());
+            double end = item.end() + (startSteps == endSteps ? start - item.start() : endSteps * step());
+            TimelineItem moved = withEnds(item, start, end);
+            editor.replace(view.selection(), moved);
+            view.select(moved);
+        });
+    }
+
+    /** Returns an item with other times, at least a tick long. */
+    TimelineItem withEnds(TimelineItem item, double start, double end) {
+        double tick = editor.tickLength();
+        double latest = item.isInterval() ? Math.max(0, item.end() - tick) : start;
+        double newStart = start == item.start() || end != item.end() ? start : Math.min(start, latest);
+        double newEnd = Double.isInfinite(end) ? end : editor.roundToTick(Math.max(end, newStart + tick));
+        return item.withTimes(editor.roundToTick(newStart), newEnd);
+    }
+
+    double step() {
+        return view.axis().step(editor.tickLength());
+    }
+
+    /** Shows the context menu of the selected lane and item. */
+    void showMenu(Component invoker, int x, int y, double time) {
+        JPopupMenu menu = new JPopupMenu();
+        boolean item = view.selection() != LaneLayout.NONE;
+        boolean sensorLane = view.selectedLane() instanceof Lane.OfSensor;
+        add(menu, "timeline.menu.edit", item, this::editOrAdd);
+        add(menu, "timeline.menu.fault", view.selectedLane() != Lane.OTHER, () -> addFault(time));
+        add(menu, "timeline.menu.switch", sensorLane, () -> addSwitch(time));
+        menu.addSeparator();
+        add(menu, "timeline.menu.cut", item, this::cut);
+        add(menu, "timeline.menu.copy", item, this::copy);
+        add(menu, "timeline.menu.paste", editor.clipboard().isPresent(), () -> paste(time));
+        add(menu, "timeline.menu.duplicate", item, this::duplicate);
+        add(menu, "timeline.menu.delete", item, this::delete);
+        menu.show(invoker, x, y);
+    }
+
+    private static void add(JPopupMenu menu, String key, boolean enabled, Runnable action) {
+        JMenuItem item = new JMenuItem(Messages.get(key));
+        item.setEnabled(enabled);
+        item.addActionListener(event -> action.run());
+        menu.add(item);
+    }
+}

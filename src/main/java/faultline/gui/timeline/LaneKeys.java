@@ -1,0 +1,82 @@
+package faultline.gui.timeline;
+
+import java.awt.event.ActionEvent;
+import java.util.List;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+
+/**
+ * The keys of the lanes: arrow keys select a lane and an item; with Shift they move the end of the item, with Alt its
+ * start, with Ctrl both. Enter edits.
+ */
+final class LaneKeys {
+
+    private final LaneView view;
+    private final LaneActions actions;
+
+    LaneKeys(LaneView view, LaneActions actions) {
+        this.view = view;
+        this.actions = actions;
+    }
+
+    void install() {
+        bind("UP", () -> selectLane(view.lane() - 1));
+        bind("DOWN", () -> selectLane(view.lane() + 1));
+        bind("LEFT", () -> selectItem(-1));
+        bind("RIGHT", () -> selectItem(1));
+        bind("shift LEFT", () -> actions.move(0, -1));
+        bind("shift RIGHT", () -> actions.move(0, 1));
+        bind("alt LEFT", () -> actions.move(-1, 0));
+        bind("alt RIGHT", () -> actions.move(1, 0));
+        bind("ctrl LEFT", () -> actions.move(-1, -1));
+        bind("ctrl RIGHT", () -> actions.move(1, 1));
+        bind("ENTER", actions::editOrAdd);
+        bind("INSERT", () -> actions.addFault(view.now()));
+        bind("DELETE", actions::delete);
+        bind("BACK_SPACE", actions::delete);
+        bind("ctrl C", actions::copy);
+        bind("ctrl X", actions::cut);
+        bind("ctrl V", () -> actions.paste(view.now()));
+        bind("ctrl D", actions::duplicate);
+        bind("ESCAPE", this::escape);
+        bind("CONTEXT_MENU", this::showMenu);
+        bind("shift F10", this::showMenu);
+    }
+
+    private void bind(String stroke, Runnable action) {
+        view.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(stroke), stroke);
+        view.getActionMap().put(stroke, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                action.run();
+            }
+        });
+    }
+
+    private void selectLane(int lane) {
+        int last = view.lanes().lanes().size() - 1;
+        view.select(Math.max(0, Math.min(last, lane)), LaneLayout.NONE);
+    }
+
+    /** Selects the next item of the lane, or the previous one. */
+    private void selectItem(int step) {
+        List<Integer> items = view.lanes().itemsIn(view.lane());
+        if (!items.isEmpty()) {
+            int current = items.indexOf(view.selection());
+            int next = current < 0 && step < 0 ? items.size() - 1 : current + step;
+            view.select(view.lane(), items.get(Math.max(0, Math.min(items.size() - 1, next))));
+        }
+    }
+
+    private void escape() {
+        view.setPreview(null);
+        view.select(view.lane(), LaneLayout.NONE);
+    }
+
+    private void showMenu() {
+        LaneLayout lanes = view.lanes();
+        double x = lanes.axis().x(view.selectedItem().map(TimelineItem::start).orElse(view.now()));
+        actions.showMenu(view, (int) x, lanes.laneTop(view.lane()), view.now());
+    }
+}

@@ -1,0 +1,127 @@
+package faultline.gui.timeline;
+
+import java.awt.Cursor;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.Optional;
+import javax.swing.SwingUtilities;
+
+/**
+ * The mouse on the lanes: a drag in a lane draws a fault, a drag of a bar moves it, a drag of its end moves the end. A
+ * double click edits.
+ */
+final class LaneMouse extends MouseAdapter {
+
+    private static final int DRAG_DISTANCE = 4;
+
+    private final LaneView view;
+    private final TimelineEditor editor;
+    private final LaneActions actions;
+    private MouseEvent pressed;
+    private LaneLayout.Hit hit;
+
+    LaneMouse(LaneView view, TimelineEditor editor, LaneActions actions) {
+        this.view = view;
+        this.editor = editor;
+        this.actions = actions;
+    }
+
+    void install() {
+        view.addMouseListener(this);
+        view.addMouseMotionListener(this);
+    }
+
+    @Override
+    public void mousePressed(MouseEvent event) {
+        view.requestFocusInWindow();
+        LaneLayout lanes = view.lanes();
+        hit = lanes.hit(event.getX(), event.getY());
+        int lane = hit == null
+                ? lanes.laneAt(event.getY())
+                : lanes.laneOf(lanes.items().get(hit.index()));
+        if (lane != LaneLayout.NONE) {
+            view.select(lane, hit == null ? LaneLayout.NONE : hit.index());
+            pressed = SwingUtilities.isLeftMouseButton(event) && !event.isPopupTrigger() ? event : null;
+        }
+        showMenuIfWanted(event);
+    }
+
+    private void showMenuIfWanted(MouseEvent event) {
+        if (event.isPopupTrigger()) {
+            actions.showMenu(view, event.getX(), event.getY(), snapped(event.getX()));
+        }
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent event) {
+        boolean dragging = pressed != null
+                && (view.preview().isPresent() || Math.abs(event.getX() - pressed.getX()) >= DRAG_DISTANCE);
+        if (dragging) {
+            dragged(event).ifPresent(view::setPreview);
+        }
+    }
+
+    private Optional<TimelineItem> dragged(MouseEvent event) {
+        double from = snapped(pressed.getX());
+        double to = snapped(event.getX());
+        if (hit == null) {
+            return actions.newFault(Math.min(from, to), Math.max(from, to))
+                    .map(item -> actions.withEnds(item, item.start(), item.end()));
+        }
+        double by = view.axis().timeAt(event.getX()) - view.axis().timeAt(pressed.getX());
+        return view.selectedItem().map(item -> switch (hit.part()) {
+            case START -> actions.withEnds(item, snap(item.start() + by), item.end());
+            case END -> actions.withEnds(item, item.start(), to);
+            case BODY -> {
+                double start = snap(Math.max(0, item.start() + by));
+                yield actions.withEnds(item, start, item.end() + start - item.start());
+            }
+        });
+    }
+
+    private double snapped(double x) {
+        return snap(view.axis().timeAt(x));
+    }
+
+    private double snap(double time) {
+        double step = actions.step();
+        return editor.roundToTick(Math.round(Math.max(0, time) / step) * step);
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent event) {
+        pressed = null;
+        view.preview().ifPresent(this::commit);
+        showMenuIfWanted(event);
+    }
+
+    private void commit(TimelineItem item) {
+        if (view.selection() == LaneLayout.NONE) {
+            actions.add(item);
+        } else {
+            editor.replace(view.selection(), item);
+            view.select(item);
+        }
+    }
+
+    @Override
+    public void mouseClicked(MouseEvent event) {
+        if (SwingUtilities.isLeftMouseButton(event)
+                && event.getClickCount() == 2
+                && view.lanes().laneAt(event.getY()) != LaneLayout.NONE) {
+            if (hit == null) {
+                actions.addFault(snapped(event.getX()));
+            } else {
+                actions.editOrAdd();
+            }
+        }
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent event) {
+        LaneLayout.Hit under = view.lanes().hit(event.getX(), event.getY());
+        boolean edge = under != null && under.part() != LaneLayout.Part.BODY;
+        view.setCursor(Cursor.getPredefinedCursor(
+                edge ? Cursor.E_RESIZE_CURSOR : under == null ? Cursor.DEFAULT_CURSOR : Cursor.HAND_CURSOR));
+    }
+}

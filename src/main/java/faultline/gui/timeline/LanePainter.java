@@ -1,0 +1,243 @@
+package faultline.gui.timeline;
+
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Antialiasing;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
+import faultline.paint.chart.Axis;
+import faultline.paint.surface.Palette;
+import faultline.paint.surface.SensorColours;
+import faultline.world.Command;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.geom.RoundRectangle2D;
+import javax.swing.SwingUtilities;
+
+/** Paints the lanes of the time line. */
+final class LanePainter {
+
+    private static final int BAR_ALPHA = 120;
+    private static final int BAND_ALPHA = 40;
+    private static final int LABEL_ROOM = 6;
+    private static final int HANDLE = 3;
+    private static final int SWATCH = 7;
+    private static final int MIN_TICK_DISTANCE = 56;
+
+    private final Graphics2D g;
+    private final LaneView view;
+    private final LaneLayout lanes;
+    private final Theme theme = Theme.current();
+    private final Font font;
+
+    LanePainter(Graphics2D g, LaneView view) {
+        this.g = g;
+        this.view = view;
+        this.lanes = view.lanes();
+        this.font = new Font(Font.SANS_SERIF, Font.PLAIN, Math.min(TextSize.scaled(11), lanes.rowHeight() - 2));
+    }
+
+    void paint() {
+        g.setColor(theme.palette().canvas());
+        g.fillRect(0, 0, view.getWidth(), view.getHeight());
+        paintLanes();
+        paintRuler();
+        for (int i = 0; i < lanes.items().size(); i++) {
+            paintItem(i);
+        }
+        if (lanes.items().isEmpty() && lanes.lanes().size() > 1) {
+            paintHint();
+        }
+        paintNow();
+        view.preview().ifPresent(this::paintTimes);
+    }
+
+    private void paintLanes() {
+        for (int lane = 0; lane < lanes.lanes().size(); lane++) {
+            int y = lanes.laneTop(lane);
+            if (lane == view.lane() && view.isFocusOwner()) {
+                g.setColor(theme.colours().hover());
+                g.fillRect(0, y, view.getWidth(), lanes.rowHeight());
+                g.setColor(theme.colours().accent());
+                g.fillRect(0, y, 3, lanes.rowHeight());
+            }
+            g.setColor(theme.palette().grid());
+            g.fillRect(0, y, view.getWidth(), 1);
+            String name = lanes.lanes().get(lane).label();
+            double room = lanes.axis().left() - 3 * LABEL_ROOM - SWATCH;
+            paintText(
+                    name, 2.0 * LABEL_ROOM + SWATCH, lane, room, theme.palette().text());
+            if (lanes.lanes().get(lane) instanceof Lane.OfSensor) {
+                paintSwatch(lane);
+            }
+        }
+    }
+
+    private void paintSwatch(int lane) {
+        SensorColours colours = theme.palette().sensorColours(lane);
+        Shape swatch = new Ellipse2D.Double(
+                LABEL_ROOM, lanes.laneTop(lane) + (lanes.rowHeight() - SWATCH) / 2.0, SWATCH, SWATCH);
+        g.setColor(colours.fill());
+        g.fill(swatch);
+        g.setColor(colours.outline());
+        g.setStroke(new BasicStroke(1));
+        g.draw(swatch);
+    }
+
+    /** Paints a text in a lane, shortened to a width. */
+    private void paintText(String text, double x, int lane, double width, Color colour) {
+        g.setFont(font);
+        FontMetrics metrics = g.getFontMetrics();
+        String shown = SwingUtilities.layoutCompoundLabel(
+                metrics,
+                text,
+                null,
+                0,
+                0,
+                0,
+                0,
+                new Rectangle(0, 0, (int) width, metrics.getHeight()),
+                new Rectangle(),
+                new Rectangle(),
+                0);
+        g.setColor(colour);
+        g.drawString(shown, (float) x, baseline(lanes.laneTop(lane), lanes.rowHeight(), metrics));
+    }
+
+    private static float baseline(double top, double height, FontMetrics metrics) {
+        return (float) (top + (height + metrics.getAscent() - metrics.getDescent()) / 2);
+    }
+
+    private void paintRuler() {
+        g.setFont(font);
+        FontMetrics metrics = g.getFontMetrics();
+        double last = Double.NEGATIVE_INFINITY;
+        for (double tick : lanes.axis().ticks().ticks()) {
+            double x = lanes.axis().x(tick);
+            g.setColor(theme.palette().gridMajor());
+            g.fill(new Rectangle2D.Double(
+                    x, lanes.top(), 1, (double) lanes.lanes().size() * lanes.rowHeight()));
+            String text = Axis.formatTick(tick) + " s";
+            double left = Math.min(x - metrics.stringWidth(text) / 2.0, view.getWidth() - metrics.stringWidth(text));
+            if (left - last >= LABEL_ROOM && x - last >= MIN_TICK_DISTANCE - metrics.stringWidth(text)) {
+                g.setColor(theme.palette().muted());
+                g.drawString(text, (float) left, baseline(0, lanes.top(), metrics));
+                last = left + metrics.stringWidth(text);
+            }
+        }
+    }
+
+    private void paintItem(int index) {
+        TimelineItem item = lanes.items().get(index);
+        Rectangle2D bounds = lanes.bounds(index);
+        boolean selected = view.preview().map(item::equals).orElse(index == view.selection());
+        if (item.isInterval()) {
+            paintBar(item, bounds, selected);
+        } else {
+            paintMark(bounds, selected);
+        }
+    }
+
+    private void paintBar(TimelineItem item, Rectangle2D bounds, boolean selected) {
+        SensorColours colours = colours(item);
+        Shape bar = new RoundRectangle2D.Double(
+                bounds.getX() + 0.5, bounds.getY() + 0.5, bounds.getWidth() - 1, bounds.getHeight() - 1, 5, 5);
+        g.setColor(Palette.withAlpha(colours.fill(), BAR_ALPHA));
+        g.fill(bar);
+        g.setColor(selected ? theme.colours().accent() : colours.outline());
+        g.setStroke(new BasicStroke(selected ? 2 : 1));
+        g.draw(bar);
+        if (selected) {
+            paintHandle(bounds.getMinX(), bounds);
+            paintHandle(bounds.getMaxX(), bounds);
+        }
+        paintLabel(item, bounds);
+    }
+
+    /** Returns the colours of an item's sensor or motors, grey for a sensor that is switched off. */
+    private SensorColours colours(TimelineItem item) {
+        if (item.command() instanceof Command.SwitchSensor) {
+            return new SensorColours(theme.palette().muted(), theme.palette().muted());
+        }
+        return item.lane() instanceof Lane.OfSensor
+                ? theme.palette().sensorColours(lanes.laneOf(item))
+                : new SensorColours(theme.palette().robot(), theme.palette().robotOutline());
+    }
+
+    private void paintHandle(double x, Rectangle2D bounds) {
+        g.fill(new Rectangle2D.Double(
+                x - HANDLE / 2.0 - 0.5, bounds.getCenterY() - HANDLE, HANDLE + 1.0, 2.0 * HANDLE));
+    }
+
+    private void paintLabel(TimelineItem item, Rectangle2D bounds) {
+        int lane = lanes.laneOf(item);
+        double room = bounds.getWidth() - 2 * LABEL_ROOM;
+        g.setFont(font);
+        if (bounds.getHeight() >= lanes.rowHeight() / 2.0 + 2
+                && g.getFontMetrics().stringWidth("mm…") < room) {
+            paintText(
+                    TimelineText.label(item),
+                    bounds.getX() + LABEL_ROOM,
+                    lane,
+                    room,
+                    theme.palette().text());
+        }
+    }
+
+    private void paintMark(Rectangle2D bounds, boolean selected) {
+        Path2D diamond = new Path2D.Double();
+        diamond.moveTo(bounds.getMinX(), bounds.getCenterY());
+        diamond.lineTo(bounds.getCenterX(), bounds.getMinY());
+        diamond.lineTo(bounds.getMaxX(), bounds.getCenterY());
+        diamond.lineTo(bounds.getCenterX(), bounds.getMaxY());
+        diamond.closePath();
+        g.setColor(theme.palette().canvas());
+        g.fill(diamond);
+        g.setColor(selected ? theme.colours().accent() : theme.palette().text());
+        g.setStroke(Antialiasing.roundStroke(selected ? 2.5 : 1.5));
+        g.draw(diamond);
+    }
+
+    private void paintHint() {
+        double width = lanes.axis().right() - lanes.axis().left();
+        int lane = Math.min(1, lanes.lanes().size() - 1);
+        paintText(
+                Messages.get("timeline.hint"),
+                lanes.axis().left() + LABEL_ROOM,
+                lane,
+                width - LABEL_ROOM,
+                theme.palette().muted());
+    }
+
+    private void paintNow() {
+        double x = lanes.axis().x(view.now());
+        g.setColor(theme.colours().accent());
+        g.setStroke(new BasicStroke(1.5f));
+        g.draw(new Line2D.Double(x, lanes.top(), x, view.getHeight()));
+    }
+
+    /** Paints the times of the item that is being dragged in the ruler. */
+    private void paintTimes(TimelineItem item) {
+        double from = lanes.axis().x(item.start());
+        double to = lanes.axis().x(item.end());
+        g.setColor(Palette.withAlpha(theme.colours().accent(), BAND_ALPHA));
+        g.fill(new Rectangle2D.Double(from, lanes.top(), Math.max(1, to - from), view.getHeight()));
+        g.setFont(font.deriveFont(Font.BOLD));
+        FontMetrics metrics = g.getFontMetrics();
+        String text = TimelineText.times(item);
+        double width = metrics.stringWidth(text) + 2.0 * LABEL_ROOM;
+        double left = Math.max(0, Math.min(view.getWidth() - width, (from + to - width) / 2));
+        g.setColor(theme.colours().accent());
+        g.fill(new RoundRectangle2D.Double(left, 0, width, lanes.top(), 5, 5));
+        g.setColor(theme.colours().onAccent());
+        g.drawString(text, (float) (left + LABEL_ROOM), baseline(0, lanes.top(), metrics));
+    }
+}

@@ -1,0 +1,249 @@
+package faultline.gui.timeline;
+
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Antialiasing;
+import faultline.gui.theme.TextSize;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.Graphics;
+import java.awt.Rectangle;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
+import javax.swing.JComponent;
+import javax.swing.JViewport;
+import javax.swing.Scrollable;
+
+/** The lanes of the time line: one for each sensor, and one for everything else. */
+public final class LaneView extends JComponent implements Scrollable {
+
+    private static final int MIN_ROW_HEIGHT = 12;
+    private static final int MAX_ROW_HEIGHT = 17;
+    private static final int RULER_HEIGHT = 14;
+
+    private final transient TimelineEditor editor;
+    private transient List<Lane> allLanes = List.of(Lane.OTHER);
+    private transient TimeAxis axis = new TimeAxis(0, 1, 1);
+    private transient TimelineModel model = TimelineModel.EMPTY;
+    private double now;
+    private int lane;
+    /** The index of the selected item, or {@link LaneLayout#NONE}. */
+    private int selection = LaneLayout.NONE;
+    /** What the selected item, or a new one, will be when a drag ends; null if nothing is dragged. */
+    private transient TimelineItem preview;
+
+    /** Creates a view without a scenario; {@code editor} makes the changes. */
+    LaneView(TimelineEditor editor) {
+        this.editor = editor;
+        setFocusable(true);
+        setOpaque(true);
+        setToolTipText("");
+        getAccessibleContext().setAccessibleName(Messages.get("timeline"));
+        addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                describe();
+            }
+
+            @Override
+            public void focusLost(FocusEvent event) {
+                repaint();
+            }
+        });
+        LaneActions actions = new LaneActions(this, editor);
+        new LaneMouse(this, editor, actions).install();
+        new LaneKeys(this, actions).install();
+    }
+
+    /** Shows the scenario's timeline in lanes. */
+    void update(List<Lane> newLanes, TimeAxis newAxis, double newNow) {
+        assert EventQueue.isDispatchThread();
+        TimelineModel newest = editor.model();
+        if (newest != model || !newLanes.equals(allLanes) || !newAxis.equals(axis) || newNow != now) {
+            if (newest != model && preview == null) {
+                selection = LaneLayout.NONE;
+            }
+            boolean lanesChanged = newLanes.size() != allLanes.size();
+            model = newest;
+            allLanes = List.copyOf(newLanes);
+            axis = newAxis;
+            now = newNow;
+            lane = Math.min(lane, allLanes.size() - 1);
+            if (lanesChanged) {
+                revalidate();
+            }
+            repaint();
+        }
+    }
+
+    /** Returns the places of lanes and items. */
+    LaneLayout lanes() {
+        return new LaneLayout(allLanes, shownItems(), axis, TextSize.scaled(RULER_HEIGHT), rowHeight());
+    }
+
+    private List<TimelineItem> shownItems() {
+        if (preview == null) {
+            return model.items();
+        }
+        List<TimelineItem> items = new ArrayList<>(model.items());
+        if (selection == LaneLayout.NONE) {
+            items.add(preview);
+        } else {
+            items.set(selection, preview);
+        }
+        return items;
+    }
+
+    private int rowHeight() {
+        int available = (getHeight() - TextSize.scaled(RULER_HEIGHT)) / allLanes.size();
+        return Math.max(TextSize.scaled(MIN_ROW_HEIGHT), Math.min(TextSize.scaled(MAX_ROW_HEIGHT), available));
+    }
+
+    TimeAxis axis() {
+        return axis;
+    }
+
+    double now() {
+        return now;
+    }
+
+    int lane() {
+        return lane;
+    }
+
+    int selection() {
+        return selection;
+    }
+
+    Optional<TimelineItem> selectedItem() {
+        return selection == LaneLayout.NONE
+                ? Optional.empty()
+                : Optional.of(model.items().get(selection));
+    }
+
+    Lane selectedLane() {
+        return allLanes.get(lane);
+    }
+
+    List<Lane> allLanes() {
+        return allLanes;
+    }
+
+    Optional<TimelineItem> preview() {
+        return Optional.ofNullable(preview);
+    }
+
+    /** Sets what the selected item, or a new one if none is selected, will be when a drag ends; null ends the drag. */
+    void setPreview(TimelineItem newPreview) {
+        preview = newPreview;
+        repaint();
+    }
+
+    /** Selects a lane and one of its items, or {@link LaneLayout#NONE}. */
+    void select(int newLane, int item) {
+        lane = newLane;
+        selection = item;
+        describe();
+    }
+
+    /** Selects an item by its value after an edit; none if the timeline does not contain it. */
+    void select(TimelineItem item) {
+        preview = null;
+        model = editor.model();
+        selection = model.items().lastIndexOf(item);
+        if (selection != LaneLayout.NONE) {
+            lane = lanes().laneOf(item);
+        }
+        describe();
+    }
+
+    /** Makes the selection visible, and readable for a screen reader. */
+    private void describe() {
+        getAccessibleContext()
+                .setAccessibleDescription(selectedItem()
+                        .map(TimelineText::description)
+                        .orElseGet(() -> Messages.get(
+                                "timeline.lane",
+                                selectedLane().label(),
+                                Integer.toString(lanes().itemsIn(lane).size()))));
+        scrollRectToVisible(new Rectangle(0, lanes().laneTop(lane), 1, lanes().rowHeight()));
+        repaint();
+    }
+
+    @Override
+    public String getToolTipText(MouseEvent event) {
+        LaneLayout lanes = lanes();
+        LaneLayout.Hit hit = lanes.hit(event.getX(), event.getY());
+        if (hit != null) {
+            return TimelineText.description(lanes.items().get(hit.index()));
+        }
+        return lanes.laneAt(event.getY()) < allLanes.size() - 1 ? Messages.get("timeline.tip") : null;
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Antialiasing.paint(graphics, g -> new LanePainter(g, this).paint());
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        Dimension size = height(MAX_ROW_HEIGHT);
+        boolean scrolled = getParent() instanceof JViewport viewport
+                && viewport.getHeight() > 0
+                && viewport.getHeight() < size.height;
+        return scrolled ? getMinimumSize() : size;
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return height(MIN_ROW_HEIGHT);
+    }
+
+    private Dimension height(int rowHeight) {
+        return new Dimension(
+                0, TextSize.scaled(RULER_HEIGHT) + Math.max(3, allLanes.size()) * TextSize.scaled(rowHeight));
+    }
+
+    @Override
+    public Dimension getPreferredScrollableViewportSize() {
+        return height(MAX_ROW_HEIGHT);
+    }
+
+    @Override
+    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+        return rowHeight();
+    }
+
+    @Override
+    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+        return visible.height;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+        return true;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportHeight() {
+        return getParent().getHeight() >= getMinimumSize().height;
+    }
+
+    @Override
+    public AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new AccessibleJComponent() {
+                @Override
+                public AccessibleRole getAccessibleRole() {
+                    return AccessibleRole.LIST;
+                }
+            };
+        }
+        return accessibleContext;
+    }
+}

@@ -1,0 +1,43 @@
+package faultline.gui.timeline;
+
+import faultline.paint.chart.Axis;
+
+/**
+ * The horizontal axis of the time line, from time 0.
+ *
+ * @param left the x coordinate of time 0, pixels
+ * @param right the x coordinate of the end, pixels
+ * @param end the time at the end, seconds
+ */
+record TimeAxis(double left, double right, double end) {
+
+    private static final double MIN_STEP_PIXELS = 2;
+
+    TimeAxis {
+        right = Math.max(left + 1, right);
+        end = Math.max(1e-3, end);
+    }
+
+    /** Returns the x coordinate of a time; times after the end are at the end. */
+    double x(double time) {
+        return left + Math.min(time, end) / end * (right - left);
+    }
+
+    /** Returns the time at an x coordinate, within the axis. */
+    double timeAt(double x) {
+        return Math.max(0, Math.min(1, (x - left) / (right - left))) * end;
+    }
+
+    /** Returns a round step of at least two pixels and at least the length of a tick, seconds. */
+    double step(double tick) {
+        double least = Math.max(tick, MIN_STEP_PIXELS * end / (right - left));
+        double power = Math.pow(10, Math.floor(Math.log10(least)));
+        double leading = least / power;
+        return power * (leading <= 1 ? 1 : leading <= 2 ? 2 : leading <= 5 ? 5 : 10);
+    }
+
+    /** Returns the labelled axis. */
+    Axis ticks() {
+        return Axis.linear("s", 0, end);
+    }
+}

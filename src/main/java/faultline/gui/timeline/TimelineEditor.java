@@ -1,0 +1,96 @@
+package faultline.gui.timeline;
+
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.document.RunController;
+import faultline.gui.document.Workspace;
+import faultline.gui.edit.UndoController;
+import faultline.gui.text.Messages;
+import java.util.List;
+import java.util.Optional;
+
+/** Changes the timeline of the open scenario; every change can be undone. Event dispatch thread only. */
+public final class TimelineEditor {
+
+    private final Workspace workspace;
+    private final RunController run;
+    private final UndoController undo;
+    private TimelineModel model = TimelineModel.EMPTY;
+    private TimelineItem clipboard;
+
+    /**
+     * Creates an editor.
+     *
+     * @param workspace holds the scenario
+     * @param run simulates it again
+     * @param undo records the changes
+     */
+    public TimelineEditor(Workspace workspace, RunController run, UndoController undo) {
+        this.workspace = workspace;
+        this.run = run;
+        this.undo = undo;
+    }
+
+    /** Returns the timeline of the open scenario; the same object as before if nothing has changed. */
+    public TimelineModel model() {
+        List<TimedCommand> commands = setup().map(SimulationSetup::timeline).orElse(List.of());
+        if (commands != model.commands() && !commands.equals(model.commands())) {
+            model = TimelineModel.of(commands);
+        }
+        return model;
+    }
+
+    private Optional<SimulationSetup> setup() {
+        return workspace.scenario().map(scenario -> scenario.setup());
+    }
+
+    /** Returns the time of the tick nearest to a time, seconds. */
+    double roundToTick(double time) {
+        return setup().map(now -> now.timeOf(Math.round(Math.max(0, time) / now.dt())))
+                .orElse(time);
+    }
+
+    /** Returns the length of a tick, seconds. */
+    double tickLength() {
+        return setup().map(SimulationSetup::dt).orElse(0.01);
+    }
+
+    void add(TimelineItem item) {
+        commit("timeline.add", item, item, model().with(item));
+    }
+
+    /** Replaces an item, given its index; changes of the same item in quick succession are one edit. */
+    void replace(int index, TimelineItem changed) {
+        commit("timeline.change", changed, index, model().with(index, changed));
+    }
+
+    void remove(int index) {
+        TimelineItem item = model().items().get(index);
+        commit("timeline.remove", item, item, model().without(index));
+    }
+
+    void copy(int index) {
+        clipboard = model().items().get(index);
+    }
+
+    /** Returns the item that was copied last; empty if none was. */
+    Optional<TimelineItem> clipboard() {
+        return Optional.ofNullable(clipboard);
+    }
+
+    private void commit(String key, TimelineItem item, Object target, List<TimedCommand> after) {
+        List<TimedCommand> before = model().commands();
+        if (!after.equals(before)) {
+            undo.addSetupEdit(
+                    Messages.get(key, TimelineText.name(item)),
+                    target,
+                    () -> setTimeline(before),
+                    () -> setTimeline(after));
+            setTimeline(after);
+        }
+    }
+
+    private void setTimeline(List<TimedCommand> commands) {
+        run.change(old -> old.withSetup(old.setup().withTimeline(commands)));
+    }
+}

@@ -1,0 +1,106 @@
+package faultline.gui.timeline;
+
+import faultline.engine.Frame;
+import faultline.engine.session.SessionFrame;
+import faultline.gui.theme.SeparatorBorder;
+import faultline.gui.theme.TextSize;
+import faultline.robot.MotorSide;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.LongConsumer;
+import javax.swing.BorderFactory;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
+
+/** The time line: the slider of the run, and below it the lanes, whose times are aligned with the slider. */
+public final class TimelinePanel extends JPanel {
+
+    /** The largest share of the height of canvas and time line that the lanes take. */
+    private static final double MAX_SHARE = 0.3;
+
+    private static final int LANE_NAME_WIDTH = 80;
+
+    private final TimeBar bar;
+    private final LaneView lanes;
+    private final JScrollPane scroll;
+
+    /**
+     * Creates a time line without a run.
+     *
+     * @param jump receives the tick to go to
+     * @param preview receives keyframes while the thumb is dragged
+     * @param editor changes the scenario's timeline
+     */
+    public TimelinePanel(LongConsumer jump, Consumer<Frame> preview, TimelineEditor editor) {
+        super(new BorderLayout(0, 1));
+        bar = new TimeBar(jump, preview);
+        bar.setLeadingWidth(TextSize.scaled(LANE_NAME_WIDTH));
+        lanes = new LaneView(editor);
+        scroll = new JScrollPane(
+                lanes,
+                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        setBorder(SeparatorBorder.above(3, 14, 3));
+        add(bar, BorderLayout.NORTH);
+        add(scroll, BorderLayout.CENTER);
+    }
+
+    /** Returns the slider. */
+    public TimeBar bar() {
+        return bar;
+    }
+
+    /** Returns the lanes. */
+    public LaneView lanes() {
+        return lanes;
+    }
+
+    /** Shows or hides the lanes. */
+    public void setLanesShown(boolean shown) {
+        scroll.setVisible(shown);
+        revalidate();
+    }
+
+    /**
+     * Shows the current tick and the last one.
+     *
+     * @param end the last tick
+     * @param dt the length of a tick, seconds
+     */
+    public void setFrame(SessionFrame frame, long end, double dt) {
+        bar.setFrame(frame, end, dt);
+        if (scroll.isVisible()) {
+            lanes.update(lanesOf(frame), bar.axis(), bar.shownTime());
+        }
+    }
+
+    private static List<Lane> lanesOf(SessionFrame frame) {
+        List<Lane> result = new ArrayList<>();
+        frame.snapshot()
+                .sensors()
+                .forEach(sensor -> result.add(new Lane.OfSensor(sensor.spec().id())));
+        for (MotorSide side : MotorSide.values()) {
+            result.add(new Lane.OfMotors(side));
+        }
+        result.add(Lane.OTHER);
+        return result;
+    }
+
+    /** Gives the lanes at most a share of the height that they have in common with the canvas. */
+    @Override
+    public Dimension getPreferredSize() {
+        Dimension size = super.getPreferredSize();
+        int excess = scroll.isVisible() && getParent() != null
+                ? Math.max(
+                        0,
+                        lanes.getPreferredScrollableViewportSize().height
+                                - (int) (MAX_SHARE * getParent().getHeight()))
+                : 0;
+        return new Dimension(size.width, size.height - excess);
+    }
+}

@@ -1,0 +1,48 @@
+package faultline.gui.timeline;
+
+import faultline.gui.panel.ReadingText;
+import faultline.gui.text.Messages;
+import faultline.gui.text.MotorFaultText;
+import faultline.world.Command;
+import java.util.Locale;
+
+/** Describes the items of the time line in the user's language. */
+final class TimelineText {
+
+    private TimelineText() {}
+
+    /** Returns a short name: the fault, or what the command does. */
+    static String label(TimelineItem item) {
+        if (item.command() instanceof Command.InjectFault inject) {
+            return ReadingText.format(inject.fault());
+        }
+        if (item.command() instanceof Command.InjectMotorFault inject) {
+            return MotorFaultText.format(inject.fault());
+        }
+        return item.isInterval() ? Messages.get("timeline.off") : CommandText.format(item.command());
+    }
+
+    /** Returns the label with its sensor or motors. */
+    static String name(TimelineItem item) {
+        return item.isInterval() ? item.lane().label() + ": " + label(item) : label(item);
+    }
+
+    /** Returns the name and the times. */
+    static String description(TimelineItem item) {
+        return name(item) + ", " + times(item);
+    }
+
+    /** Returns the times, for example "20.00 – 40.00 s". */
+    static String times(TimelineItem item) {
+        if (!item.isInterval()) {
+            return seconds(item.start()) + " s";
+        }
+        return item.isOpen()
+                ? Messages.get("timeline.from", seconds(item.start()))
+                : seconds(item.start()) + " – " + seconds(item.end()) + " s";
+    }
+
+    private static String seconds(double time) {
+        return String.format(Locale.ROOT, "%.2f", time);
+    }
+}

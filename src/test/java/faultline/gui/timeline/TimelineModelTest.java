@@ -1,0 +1,132 @@
+package faultline.gui.timeline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Pose;
+import faultline.robot.MotorFault;
+import faultline.robot.MotorSide;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Commands of a timeline as items, and edits of items as commands. */
+class TimelineModelTest {
+
+    private static final double END_OF_RUN = Double.POSITIVE_INFINITY;
+    private static final Fault STUCK = new Fault.Stuck(0.3);
+    private static final Fault DEAD = new Fault.Dead();
+
+    private static TimedCommand inject(double time, String sensor, Fault fault) {
+        return new TimedCommand(time, new Command.InjectFault(sensor, fault));
+    }
+
+    private static TimedCommand clear(double time, String sensor, Fault fault) {
+        return new TimedCommand(time, new Command.ClearFault(sensor, fault));
+    }
+
+    private static TimedCommand clearAll(double time, String sensor) {
+        return new TimedCommand(time, new Command.ClearFaults(sensor));
+    }
+
+    private static TimedCommand turn(double time, String sensor, boolean on) {
+        return new TimedCommand(time, new Command.SwitchSensor(sensor, on));
+    }
+
+    private static TimedCommand move(double time) {
+        return new TimedCommand(time, new Command.MoveObstacle("desk", new Pose(1, 2, 0)));
+    }
+
+    private static List<String> spans(List<TimedCommand> commands) {
+        return TimelineModel.of(commands).items().stream()
+                .map(item -> item.lane().label() + " " + item.start() + " " + item.end())
+                .toList();
+    }
+
+    @Test
+    void aFaultAndItsRemovalAreOneItemWhereverTheyStandInTheFile() {
+        List<TimedCommand> commands =
+                List.of(clear(8, "left", STUCK), inject(9, "front", DEAD), move(3), inject(2, "left", STUCK));
+        assertEquals(List.of("left 2.0 8.0", "other 3.0 3.0", "front 9.0 Infinity"), spans(commands));
+    }
+
+    @Test
+    void aRemovalEndsTheOldestEqualFaultAsTheWorldDoes() {
+        List<TimedCommand> commands = List.of(
+                inject(1, "left", STUCK), inject(2, "left", DEAD), inject(3, "left", STUCK), clear(4, "left", STUCK));
+        assertEquals(List.of("left 1.0 4.0", "left 2.0 Infinity", "left 3.0 Infinity"), spans(commands));
+    }
+
+    @Test
+    void aRemovalOfAllFaultsEndsThoseOfItsSensorOnly() {
+        List<TimedCommand> commands = List.of(
+                inject(1, "left", STUCK), inject(2, "left", DEAD), inject(2, "rear", DEAD), clearAll(5, "left"));
+        assertEquals(List.of("left 1.0 5.0", "left 2.0 5.0", "rear 2.0 Infinity"), spans(commands));
+    }
+
+    @Test
+    void aSensorThatIsSwitchedOffAndOnAgainIsOneItem() {
+        List<TimedCommand> commands = List.of(turn(1, "left", true), turn(2, "left", false), turn(4, "left", true));
+        assertEquals(List.of("left 1.0 1.0", "left 2.0 4.0"), spans(commands));
+        assertTrue(TimelineModel.of(commands).items().get(1).isInterval());
+    }
+
+    @Test
+    void aRemovalWithoutAFaultIsAMark() {
+        assertEquals(List.of("left 3.0 3.0"), spans(List.of(clear(3, "left", DEAD))));
+    }
+
+    @Test
+    void aChangedItemKeepsTheOrderOfAllOtherCommands() {
+        List<TimedCommand> commands =
+                List.of(move(1), inject(2, "left", STUCK), move(3), clear(4, "left", STUCK), move(5));
+        TimelineModel model = TimelineModel.of(commands);
+        TimelineItem fault = model.items().get(1);
+        assertEquals(
+                List.of(move(1), inject(2.5, "left", STUCK), clear(6, "left", STUCK), move(3), move(5)),
+                model.with(1, fault.withTimes(2.5, 6)));
+        assertEquals(
+                List.of(move(1), inject(2, "left", STUCK), move(3), move(5)),
+                model.with(1, fault.withTimes(2, END_OF_RUN)));
+        assertEquals(List.of(move(1), move(3), move(5)), model.without(1));
+        assertEquals(commands, model.commands());
+    }
+
+    @Test
+    void movingOneEndOfSeveralFaultsThatEndTogetherLeavesTheOthers() {
+        List<TimedCommand> commands = List.of(inject(1, "left", STUCK), inject(2, "left", DEAD), clearAll(5, "left"));
+        TimelineModel model = TimelineModel.of(commands);
+        List<TimedCommand> changed = model.with(0, model.items().get(0).withTimes(1, 7));
+        assertEquals(List.of("left 1.0 7.0", "left 2.0 5.0"), spans(changed));
+        assertEquals(List.of("left 2.0 5.0"), spans(model.without(0)));
+    }
+
+    @Test
+    void anItemCanBeCopiedToAnotherSensorAndTime() {
+        TimelineItem item = TimelineModel.of(List.of(inject(1, "left", STUCK), clear(3, "left", STUCK)))
+                .items()
+                .get(0);
+        TimelineItem copy = item.inLane(new Lane.OfSensor("rear")).startingAt(10);
+        List<TimedCommand> both = new ArrayList<>(item.commands());
+        both.addAll(copy.commands());
+        assertEquals(List.of("left 1.0 3.0", "rear 10.0 12.0"), spans(both));
+        assertEquals(both, TimelineModel.of(item.commands()).with(copy));
+    }
+
+    @Test
+    void faultsOfMotorsHaveLanesOfTheirOwn() {
+        MotorFault weak = new MotorFault.Weak(0.7);
+        Command inject = new Command.InjectMotorFault(MotorSide.LEFT, weak);
+        List<TimedCommand> commands =
+                List.of(new TimedCommand(2, inject), new TimedCommand(4, new Command.ClearMotorFaults(MotorSide.LEFT)));
+        assertEquals(List.of("left motors 2.0 4.0"), spans(commands));
+        TimelineItem item = TimelineModel.of(commands).items().get(0);
+        assertEquals(
+                "right motors",
+                item.inLane(new Lane.OfMotors(MotorSide.RIGHT)).lane().label());
+        assertEquals(item, item.inLane(new Lane.OfSensor("left")), "a fault of motors is none of a sensor");
+    }
+}
