@@ -75,6 +75,9 @@ public enum FaultKind {
     /** The mean length of a burst that is given none, seconds. */
     public static final double DEFAULT_LENGTH = 0.5;
 
+    /** The shortest mean length of a burst, seconds. */
+    public static final double MIN_LENGTH = 0.001;
+
     /** The longest mean length of a burst, seconds. */
     public static final double MAX_LENGTH = 1000;
 

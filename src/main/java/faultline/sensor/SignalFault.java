@@ -107,8 +107,8 @@ public final class SignalFault {
      */
     public record Bursts(double value, double length) implements Fault {
         public Bursts {
-            if (!(length > 0 && length <= FaultKind.MAX_LENGTH)) {
-                throw new IllegalArgumentException("the length of bursts must be positive: " + length);
+            if (!(length >= FaultKind.MIN_LENGTH && length <= FaultKind.MAX_LENGTH)) {
+                throw new IllegalArgumentException("the length of bursts is out of range: " + length);
             }
         }
 

@@ -27,14 +27,13 @@ import javax.swing.JPanel;
  */
 public final class FaultFields<K, F> {
 
-    private static final double MIN_LENGTH = 0.001;
     private static final int COLUMNS = 5;
 
     private final JComboBox<K> kind;
     private final Function<K, Rules<F>> rules;
     private final NumberSpinner value = new NumberSpinner("0.00##", 0, 1, 0.05, ignored -> {});
     private final NumberSpinner length =
-            new NumberSpinner("0.00##", MIN_LENGTH, FaultKind.MAX_LENGTH, 0.1, ignored -> {});
+            new NumberSpinner("0.00##", FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, 0.1, ignored -> {});
     private final JLabel lengthLabel = FormConstraints.label("faults.length", length);
     private final MutedLabel unit = new MutedLabel("m");
     private final MutedLabel lengthUnit = new MutedLabel("s");
@@ -157,7 +156,7 @@ public final class FaultFields<K, F> {
     private void updateKind() {
         value.setEnabled(rules().takesValue());
         value.setLimits(rules().min(), rules().max(), rules().initial());
-        length.setLimits(MIN_LENGTH, FaultKind.MAX_LENGTH, FaultKind.DEFAULT_LENGTH);
+        length.setLimits(FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, FaultKind.DEFAULT_LENGTH);
         for (JComponent part : new JComponent[] {lengthLabel, length, lengthUnit}) {
             part.setVisible(rules().takesLength());
         }
@@ -171,7 +170,7 @@ public final class FaultFields<K, F> {
         kind.setSelectedItem(newKind);
         value.setLimits(rules().min(), rules().max(), newValue);
         if (rules().takesLength()) {
-            length.setLimits(MIN_LENGTH, FaultKind.MAX_LENGTH, newLength);
+            length.setLimits(FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, newLength);
         }
     }
 

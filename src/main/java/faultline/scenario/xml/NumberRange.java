@@ -3,6 +3,7 @@ package faultline.scenario.xml;
 import faultline.io.DecimalText;
 import faultline.io.Message;
 import faultline.robot.DriveScale;
+import faultline.sensor.SensorLimits;
 import java.math.BigDecimal;
 
 /**
@@ -18,10 +19,11 @@ record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean
 
     static final NumberRange SIZE = closed("0.000001", "100000", Allowed.METRES);
     static final NumberRange COORDINATE = closed("-100000", "100000", Allowed.METRES);
-    static final NumberRange NOISE = closed("0", "100", Allowed.METRES);
+    static final NumberRange SENSOR_RANGE = closed(SensorLimits.MIN_RANGE, SensorLimits.MAX_RANGE, Allowed.METRES);
+    static final NumberRange NOISE = closed(0, SensorLimits.MAX_NOISE, Allowed.METRES);
     static final NumberRange ANGLE = closed("-1000000", "1000000", Allowed.DEGREES);
-    static final NumberRange CONE =
-            new NumberRange(BigDecimal.ZERO, false, new BigDecimal("180"), false, Allowed.DEGREES);
+    static final NumberRange CONE = new NumberRange(
+            BigDecimal.ZERO, false, decimal(StrictMath.toDegrees(SensorLimits.MAX_CONE)), false, Allowed.DEGREES);
     static final NumberRange INCIDENCE_ANGLE =
             new NumberRange(BigDecimal.ZERO, false, new BigDecimal("90"), true, Allowed.DEGREES);
     static final NumberRange TURN_RATE = closed("0.001", "36000", Allowed.TURN_RATE);
@@ -33,12 +35,20 @@ record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean
     static final NumberRange VOLTAGE = closed("-10000", "10000", Allowed.VOLTS);
     static final NumberRange POSITIVE_VOLTAGE = positive("10000", Allowed.VOLTS);
     static final NumberRange SPEED_CONSTANT = positive("1000", Allowed.SPEED_CONSTANT);
-    static final NumberRange DRIVE_SCALE =
-            closed(DecimalText.format(DriveScale.MIN), DecimalText.format(DriveScale.MAX), Allowed.UNITLESS);
+    static final NumberRange DRIVE_SCALE = closed(DriveScale.MIN, DriveScale.MAX, Allowed.UNITLESS);
     static final NumberRange FRACTION = closed("0", "1", Allowed.UNITLESS);
 
-    static NumberRange closed(String least, String most, Allowed unit) {
+    private static NumberRange closed(String least, String most, Allowed unit) {
         return new NumberRange(new BigDecimal(least), true, new BigDecimal(most), true, unit);
+    }
+
+    static NumberRange closed(double least, double most, Allowed unit) {
+        return new NumberRange(decimal(least), true, decimal(most), true, unit);
+    }
+
+    /** Returns a bound as it is written in a file. */
+    private static BigDecimal decimal(double bound) {
+        return new BigDecimal(DecimalText.format(bound));
     }
 
     private static NumberRange positive(String most, Allowed unit) {

@@ -143,7 +143,7 @@ final class RobotReader {
                 usual.id(),
                 seat,
                 fields.angle("bearing", NumberRange.ANGLE, usual.bearing()),
-                fields.number("range", NumberRange.SIZE, usual.range()),
+                fields.number("range", NumberRange.SENSOR_RANGE, usual.range()),
                 fields.cone(usual.cone()),
                 fields.flag("on", usual.on()),
                 fields.number("noise", NumberRange.NOISE, usual.noise()));

@@ -42,7 +42,7 @@ final class TimelineReader {
             "V",
             Allowed.VOLTS);
     private static final NumberRange FAULT_LENGTH =
-            NumberRange.closed("0.001", DecimalText.format(FaultKind.MAX_LENGTH), Allowed.SECONDS);
+            NumberRange.closed(FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, Allowed.SECONDS);
 
     static {
         for (FaultKind kind : FaultKind.values()) {
@@ -281,7 +281,6 @@ final class TimelineReader {
     }
 
     private static NumberRange range(double min, double max, String unit) {
-        return NumberRange.closed(
-                DecimalText.format(min), DecimalText.format(max), FAULT_UNITS.getOrDefault(unit, Allowed.UNITLESS));
+        return NumberRange.closed(min, max, FAULT_UNITS.getOrDefault(unit, Allowed.UNITLESS));
     }
 }

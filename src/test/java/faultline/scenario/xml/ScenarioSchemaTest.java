@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -24,6 +25,7 @@ import javax.xml.transform.stream.StreamSource;
 import org.junit.jupiter.api.Test;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
+import org.w3c.dom.Node;
 import org.w3c.dom.NodeList;
 import org.xml.sax.SAXException;
 
@@ -91,6 +93,76 @@ class ScenarioSchemaTest {
                     facet(type, range.maxInclusive() ? "maxInclusive" : "maxExclusive"),
                     type.getAttribute("name"));
         }
+    }
+
+    /** The bounds of these depend on the kind of fault. */
+    private static final Set<String> BOUNDED_BY_KIND =
+            Set.of("fault value", "fault length", "mend value", "mend length");
+
+    @Test
+    void theReaderHoldsEveryAttributeToTheBoundsOfItsTypeInTheSchema() throws Exception {
+        Map<String, Element> types = elements("simpleType")
+                .filter(type -> type.hasAttribute("name"))
+                .collect(Collectors.toMap(type -> type.getAttribute("name"), type -> type));
+        int checked = 0;
+        for (Element attribute : elements("attribute").toList()) {
+            Element type = types.get(attribute.getAttribute("type"));
+            String element = ((Element) attribute.getParentNode()).getAttribute("name");
+            String name = attribute.getAttribute("name");
+            if (type != null && !BOUNDED_BY_KIND.contains(element + " " + name)) {
+                for (String facet : List.of("minInclusive", "minExclusive", "maxInclusive", "maxExclusive")) {
+                    checked += checkBound(elementOf(attribute), name, type, facet);
+                }
+            }
+        }
+        assertTrue(checked >= 100, "only " + checked + " bounds were checked");
+    }
+
+    /** Returns the name of an element of the plain file that has an attribute. */
+    private static String elementOf(Element attribute) {
+        for (Node node = attribute.getParentNode(); ; node = node.getParentNode()) {
+            String type = ((Element) node).getAttribute("name");
+            if (!type.isEmpty()) {
+                return Map.of("placed", "circle", "outline", "polygon").getOrDefault(type, type);
+            }
+        }
+    }
+
+    private static int checkBound(String element, String name, Element type, String facet) {
+        if (type.getElementsByTagName("xs:" + facet).getLength() == 0) {
+            return 0;
+        }
+        BigDecimal bound = facet(type, facet);
+        BigDecimal outwards = new BigDecimal(facet.startsWith("min") ? "-1e-9" : "1e-9");
+        boolean whole = type.getElementsByTagName("xs:restriction").item(0) instanceof Element restriction
+                && restriction.getAttribute("base").equals("xs:int");
+        BigDecimal beyond = whole ? bound.add(BigDecimal.valueOf(outwards.signum())) : bound.add(outwards);
+        String at = element + " " + name + " " + facet;
+        assertEquals(facet.endsWith("Inclusive"), isAccepted(element, name, bound), at);
+        assertFalse(isAccepted(element, name, beyond), at);
+        assertTrue(whole || isAccepted(element, name, bound.subtract(outwards)), at);
+        return 1;
+    }
+
+    /** Returns whether the reader does not find fault with a value by itself, whatever else it finds. */
+    private static boolean isAccepted(String element, String name, BigDecimal value) {
+        String text = value.toPlainString();
+        String problem = name + " of <" + element + "> is \"" + text + "\", allowed is ";
+        return SampleScenario.problems(withValue(element, name, text)).stream()
+                .noneMatch(line -> line.contains(problem));
+    }
+
+    /** The plain file in which the first element of a name, the probe among the sensors, has a value. */
+    private static String withValue(String element, String name, String value) {
+        String start = element.equals("sensor") ? "<sensor id=\"probe\"" : "<" + element + " ";
+        String plain = element.equals("controller") && List.of("left", "right").contains(name)
+                ? SampleScenario.withReplacement("type=\"wall-follower\" distance=\"0.25\"", "type=\"drive\"")
+                : SampleScenario.PLAIN;
+        int from = plain.indexOf(start);
+        int to = plain.indexOf('>', from);
+        String tag = plain.substring(from, to).replaceFirst(" " + name + "=\"[^\"]*\"", "");
+        String changed = tag.replaceFirst("<" + element, "<" + element + " " + name + "=\"" + value + "\"");
+        return plain.substring(0, from) + changed + plain.substring(to);
     }
 
     private static BigDecimal facet(Element type, String name) {
