@@ -2,12 +2,20 @@ package faultline.campaign.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import faultline.campaign.RoomRules;
+import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
 
 class PlanReaderTest {
 
@@ -18,7 +26,7 @@ class PlanReaderTest {
             textBlock =
                     """
             <set attribute="robot/sensor[front]/@cone" value="5 200"/> | plan.xml:3:59: cone of <sensor> is "200", allowed is a number without exponent, more than 0 and less than 180 degrees (in room)
-            <set attribute="robot/@sped" value="5"/> | plan.xml:3:41: <robot> has no attribute "sped", allowed is x, y, heading, length, width, track, speed, turnRate, defaultSensors; did you mean "speed"? (in room)
+            <set attribute="robot/@sped" value="5"/> | plan.xml:3:41: <robot> has no attribute "sped", allowed is x, y, heading, length, width, track, trackScale, speed, turnRate, defaultSensors; did you mean "speed"? (in room)
             <set attribute="robot/speed" value="5"/> | plan.xml:3:41: attribute of <set> is "robot/speed", allowed is a path in a scenario file, such as robot/sensor[front]/@cone, controller/@distance or @duration
             <set attribute="world/circle[pale]/@x" value="1"/> | plan.xml:3:51: attribute of <set> is "world/circle[pale]/@x", but <world> has no circle[pale]; did you mean "pole"? (in room)
             <set attribute="robot/@speed" value="3..2"/> | plan.xml:3:45: value of <set> is "3..2", allowed is one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C
@@ -41,5 +49,27 @@ class PlanReaderTest {
         assertEquals(
                 Files.readString(Path.of("src/main/resources/faultline/campaign/plan/campaign-1.xsd")),
                 Files.readString(Path.of("docs/campaign-1.xsd")));
+    }
+
+    @Test
+    void theSchemaHasTheBoundsOfTheProgram() throws Exception {
+        Document schema =
+                DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(new File("docs/campaign-1.xsd"));
+        assertEquals(List.of(RoomRules.MIN_CORNER, RoomRules.MAX_CORNER), bounds(schema, "minCorner"));
+        assertEquals(List.of(0, RoomRules.MAX_VISITORS), bounds(schema, "visitors"));
+        assertEquals(2, schema.getElementsByTagName("xs:minInclusive").getLength(), "every bound is checked here");
+    }
+
+    private static List<Integer> bounds(Document schema, String name) {
+        NodeList attributes = schema.getElementsByTagName("xs:attribute");
+        Element attribute = IntStream.range(0, attributes.getLength())
+                .mapToObj(i -> (Element) attributes.item(i))
+                .filter(element -> element.getAttribute("name").equals(name))
+                .findFirst()
+                .orElseThrow();
+        return Stream.of("xs:minInclusive", "xs:maxInclusive")
+                .map(facet -> (Element) attribute.getElementsByTagName(facet).item(0))
+                .map(facet -> Integer.valueOf(facet.getAttribute("value")))
+                .toList();
     }
 }
