@@ -154,7 +154,7 @@ class HostileFilesTest {
                         + " href=\"file:///etc/passwd\"/></world><robot x=\"1\" y=\"1\"/></scenario>"));
         assertEquals(
                 "file.xml:1:164: <robot> has no attribute \"xsi:type\", allowed is x, y, "
-                        + "heading, length, width, track, speed, turnRate, "
+                        + "heading, length, width, track, trackScale, speed, turnRate, "
                         + "defaultSensors",
                 problemIn(OPEN + "<world width=\"6\" height=\"4\"/><robot x=\"1\" y=\"1\" xsi:type=\"motor\" "
                         + "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\"/></scenario>"));
