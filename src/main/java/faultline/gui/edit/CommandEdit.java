@@ -1,6 +1,7 @@
 package faultline.gui.edit;
 
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -11,30 +12,39 @@ import java.util.Map;
 final class CommandEdit implements Edit {
 
     private final int gestureId;
-    private final Map<EditTarget, ReversibleCommand> steps = new LinkedHashMap<>();
+    private final Map<EditTarget, CommandResult> results = new LinkedHashMap<>();
     private boolean ahead;
 
-    CommandEdit(int gestureId, List<ReversibleCommand> steps) {
+    /** Creates an edit of executed commands. */
+    CommandEdit(int gestureId, List<CommandResult> results) {
         this.gestureId = gestureId;
-        steps.forEach(this::add);
+        results.forEach(this::add);
     }
 
-    private void add(ReversibleCommand step) {
-        steps.merge(step.target(), step, ReversibleCommand::mergedWith);
+    private void add(CommandResult result) {
+        results.merge(
+                EditTarget.of(result.command()),
+                result,
+                (earlier, later) -> new CommandResult.Executed(later.tick(), later.command(), earlier.inverse()));
     }
 
     /** Adds the commands of a newer edit if it belongs to the same gesture; returns whether it does. */
     boolean merge(CommandEdit newer) {
         boolean sameGesture = newer.gestureId == gestureId;
         if (sameGesture) {
-            newer.steps.values().forEach(this::add);
+            newer.results.values().forEach(this::add);
         }
         return sameGesture;
     }
 
     /** Returns whether the edit restores what it changed, such as a cancelled drag. */
     boolean isNoOp() {
-        return steps.values().stream().allMatch(ReversibleCommand::isNoOp);
+        return results.values().stream().allMatch(CommandEdit::isNoOp);
+    }
+
+    /** Returns whether an executed command changed nothing. */
+    static boolean isNoOp(CommandResult result) {
+        return result.inverse().equals(List.of(result.command()));
     }
 
     /** Returns whether the edit is undone only because the run stands at an earlier tick. */
@@ -46,18 +56,20 @@ final class CommandEdit implements Edit {
         ahead = newAhead;
     }
 
+    /** Returns the commands that undo the edit. */
     List<Command> undoCommands() {
-        List<ReversibleCommand> backwards = new ArrayList<>(steps.values());
+        List<CommandResult> backwards = new ArrayList<>(results.values());
         Collections.reverse(backwards);
-        return backwards.stream().flatMap(step -> step.undo().stream()).toList();
+        return backwards.stream().flatMap(result -> result.inverse().stream()).toList();
     }
 
+    /** Returns the commands that redo the edit. */
     List<Command> redoCommands() {
-        return steps.values().stream().map(ReversibleCommand::redo).toList();
+        return results.values().stream().map(CommandResult::command).toList();
     }
 
     @Override
     public String name() {
-        return EditNames.nameOf(List.copyOf(steps.values()));
+        return EditNames.nameOf(List.copyOf(results.values()));
     }
 }

@@ -6,7 +6,8 @@ import java.util.Optional;
 
 /**
  * The edits, and a cursor between those that are done and those that are undone. A new edit drops the undone ones, but
- * keeps those that are undone only because the run stands at an earlier tick: they can still be redone.
+ * keeps those that are undone only because the run stands at an earlier tick: they can still be redone. The history
+ * records the ticks at which edits were done and undone, so that it follows the run when it is moved to another tick.
  */
 final class EditHistory {
 
@@ -16,11 +17,18 @@ final class EditHistory {
     /** The number of edits that are done; they come first. */
     private int cursor;
 
+    private final List<Change> changes = new ArrayList<>();
+    /** The number of changes that the run has passed. */
+    private int passed;
+
+    /** An edit that was done or undone at the start of a tick. */
+    private record Change(long tick, CommandEdit edit, boolean done) {}
+
     /**
      * Adds an edit that is done. One of the same gesture as the last edit is merged into it; one without effect is
-     * dropped.
+     * dropped. Returns whether the edit has become an entry of its own.
      */
-    void add(Edit edit) {
+    boolean add(Edit edit) {
         List<CommandEdit> ahead = editsAhead();
         edits.subList(cursor, edits.size()).clear();
         if (!isMerged(edit)) {
@@ -32,6 +40,7 @@ final class EditHistory {
         edits.subList(0, Math.max(0, edits.size() - MAX_EDITS)).clear();
         cursor = edits.size();
         edits.addAll(ahead);
+        return edits.contains(edit);
     }
 
     private boolean isMerged(Edit edit) {
@@ -56,11 +65,6 @@ final class EditHistory {
                 .toList();
     }
 
-    /** Returns whether an edit is an entry of its own. */
-    boolean contains(Edit edit) {
-        return edits.contains(edit);
-    }
-
     /** Returns the edit that is undone next. */
     Optional<Edit> nextUndo() {
         return cursor > 0 ? Optional.of(edits.get(cursor - 1)) : Optional.empty();
@@ -71,29 +75,73 @@ final class EditHistory {
         return cursor < edits.size() ? Optional.of(edits.get(cursor)) : Optional.empty();
     }
 
-    /** Moves the cursor before an edit if it is undone next; {@code ahead} says that the run stands before the edit. */
-    void markUndone(Edit edit, boolean ahead) {
-        if (nextUndo().filter(edit::equals).isPresent()) {
-            cursor--;
-            setAhead(edit, ahead);
+    /** Moves the cursor past an edit that is done, or before one that is undone, if the edit is beside the cursor. */
+    void mark(Edit edit, boolean done) {
+        mark(edit, done, false);
+    }
+
+    private void mark(Edit edit, boolean done, boolean ahead) {
+        if ((done ? nextRedo() : nextUndo()).filter(edit::equals).isPresent()) {
+            cursor += done ? 1 : -1;
+            if (edit instanceof CommandEdit command) {
+                command.setAhead(ahead);
+            }
         }
     }
 
-    /** Moves the cursor past an edit if it is redone next. */
-    void markDone(Edit edit) {
-        if (nextRedo().filter(edit::equals).isPresent()) {
-            cursor++;
-            setAhead(edit, false);
-        }
+    /** Records that an edit was done or undone at a tick, after all other changes. */
+    void addChange(long tick, CommandEdit edit, boolean done) {
+        changes.add(new Change(tick, edit, done));
+        passed = changes.size();
     }
 
-    private static void setAhead(Edit edit, boolean ahead) {
-        if (edit instanceof CommandEdit command) {
-            command.setAhead(ahead);
+    /** Returns the tick at which an edit was first done, 0 if it was done before the run started. */
+    long firstTick(CommandEdit edit) {
+        return changes.stream()
+                .filter(change -> change.edit() == edit)
+                .mapToLong(Change::tick)
+                .findFirst()
+                .orElse(0);
+    }
+
+    /** Drops the changes that the run had not passed when a command was executed; returns whether there were any. */
+    boolean fork(long tick) {
+        advanceTo(tick - 1);
+        boolean ahead = passed < changes.size();
+        changes.subList(passed, changes.size()).clear();
+        return ahead;
+    }
+
+    /** Follows the run to another tick; returns whether that undoes or redoes an edit. */
+    boolean moveTo(long tick) {
+        int before = passed;
+        while (passed > 0 && changes.get(passed - 1).tick() > tick) {
+            passed--;
+            Change reverted = changes.get(passed);
+            mark(reverted.edit(), !reverted.done(), reverted.done());
         }
+        return advanceTo(tick) || passed != before;
+    }
+
+    /** Follows the run to a later tick; returns whether that undoes or redoes an edit. */
+    boolean advanceTo(long tick) {
+        int before = passed;
+        while (passed < changes.size() && changes.get(passed).tick() <= tick) {
+            mark(changes.get(passed).edit(), changes.get(passed).done());
+            passed++;
+        }
+        return passed != before;
+    }
+
+    /** Restarts the run with all edits, including those that were ahead; none of them has a tick any more. */
+    void restart() {
+        advanceTo(Long.MAX_VALUE);
+        changes.clear();
+        passed = 0;
     }
 
     void clear() {
+        restart();
         edits.clear();
         cursor = 0;
     }

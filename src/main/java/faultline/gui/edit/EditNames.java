@@ -4,20 +4,21 @@ import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
+import faultline.world.CommandResult;
 import faultline.world.Obstacle;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Names edits for menus, from each command and the commands that undo it. */
+/** Names edits for menus, from each command and its inverse. */
 final class EditNames implements Command.Visitor<EditNames.EditName> {
 
     private static final String SEVERAL = "edit.several";
 
     private final Command undo;
 
-    private EditNames(ReversibleCommand step) {
-        this.undo = step.undo().get(0);
+    private EditNames(CommandResult result) {
+        this.undo = result.inverse().get(0);
     }
 
     /**
@@ -33,15 +34,16 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
         }
     }
 
-    static String nameOf(List<ReversibleCommand> steps) {
-        ReversibleCommand first = steps.get(0);
-        EditName name = first.redo().accept(new EditNames(first));
-        if (steps.size() == 1) {
+    static String nameOf(List<CommandResult> results) {
+        CommandResult first = results.get(0);
+        EditName name = first.command().accept(new EditNames(first));
+        if (results.size() == 1) {
             return Messages.get(name.key(), name.subject());
         }
-        boolean alike = steps.stream()
-                .allMatch(step -> step.redo().getClass() == first.redo().getClass());
-        return Messages.get(alike ? name.severalKey() : SEVERAL, Integer.toString(steps.size()));
+        boolean alike = results.stream()
+                .allMatch(
+                        result -> result.command().getClass() == first.command().getClass());
+        return Messages.get(alike ? name.severalKey() : SEVERAL, Integer.toString(results.size()));
     }
 
     @Override

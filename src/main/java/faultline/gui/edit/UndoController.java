@@ -28,7 +28,6 @@ public final class UndoController {
     private final LongSupplier clock;
     private final PendingEdits pendingEdits = new PendingEdits();
     private final EditHistory history = new EditHistory();
-    private final EditTimeline timeline = new EditTimeline(history);
     private IntConsumer forkListener = laterEdits -> {};
     private LongConsumer undoListener = tick -> {};
     private int gestureId;
@@ -112,24 +111,21 @@ public final class UndoController {
     }
 
     private void recordEdit(int sentAs, List<CommandResult> results) {
-        List<ReversibleCommand> steps = results.stream()
-                .filter(result -> result.refusal().isEmpty())
-                .map(result -> new ReversibleCommand(result.command(), result.inverse()))
-                .filter(step -> !step.isNoOp())
-                .toList();
         checkFork(results);
-        if (!steps.isEmpty()) {
-            CommandEdit edit = new CommandEdit(sentAs, steps);
-            history.add(edit);
-            if (history.contains(edit)) {
-                timeline.add(results.get(0).tick(), edit, true);
+        List<CommandResult> effective = results.stream()
+                .filter(result -> result.refusal().isEmpty() && !CommandEdit.isNoOp(result))
+                .toList();
+        if (!effective.isEmpty()) {
+            CommandEdit edit = new CommandEdit(sentAs, effective);
+            if (history.add(edit)) {
+                history.addChange(results.get(0).tick(), edit, true);
             }
             onStateChange.run();
         }
     }
 
     private void checkFork(List<CommandResult> results) {
-        if (isAnyExecuted(results) && timeline.fork(results.get(0).tick())) {
+        if (isAnyExecuted(results) && history.fork(results.get(0).tick())) {
             forkListener.accept(history.editsAhead().size());
         }
     }
@@ -156,45 +152,37 @@ public final class UndoController {
     /** Undoes the last edit, if there is one. */
     public void undo() {
         endEdit();
-        history.nextUndo().ifPresent(edit -> {
-            history.markUndone(edit, false);
-            if (edit instanceof CommandEdit command) {
-                submit(command.undoCommands(), results -> undoOrRedoExecuted(command, false, results));
-            } else if (edit instanceof SetupEdit setup) {
-                setup.undoAction().run();
-            }
-            onStateChange.run();
-        });
+        history.nextUndo().ifPresent(edit -> apply(edit, false));
     }
 
     /** Redoes the edit that was undone last, if there is one. */
     public void redo() {
         endEdit();
-        history.nextRedo().ifPresent(edit -> {
-            history.markDone(edit);
-            if (edit instanceof CommandEdit command) {
-                submit(command.redoCommands(), results -> undoOrRedoExecuted(command, true, results));
-            } else if (edit instanceof SetupEdit setup) {
-                setup.redoAction().run();
-            }
-            onStateChange.run();
-        });
+        history.nextRedo().ifPresent(edit -> apply(edit, true));
     }
 
-    private void undoOrRedoExecuted(CommandEdit edit, boolean done, List<CommandResult> results) {
+    private void apply(Edit edit, boolean done) {
+        history.mark(edit, done);
+        if (edit instanceof CommandEdit command) {
+            submit(
+                    done ? command.redoCommands() : command.undoCommands(),
+                    results -> commandsExecuted(command, done, results));
+        } else if (edit instanceof SetupEdit setup) {
+            (done ? setup.redoAction() : setup.undoAction()).run();
+        }
+        onStateChange.run();
+    }
+
+    private void commandsExecuted(CommandEdit edit, boolean done, List<CommandResult> results) {
         if (isAnyExecuted(results)) {
             checkFork(results);
             if (!done) {
-                undoListener.accept(timeline.firstTick(edit));
+                undoListener.accept(history.firstTick(edit));
             }
-            timeline.add(results.get(0).tick(), edit, done);
+            history.addChange(results.get(0).tick(), edit, done);
         } else {
             // The world refused: the edit stays as it was.
-            if (done) {
-                history.markUndone(edit, false);
-            } else {
-                history.markDone(edit);
-            }
+            history.mark(edit, !done);
             onStateChange.run();
         }
     }
@@ -205,14 +193,14 @@ public final class UndoController {
         if (!lastTargets.stream().allMatch(target -> target.kind().equals(SETUP))) {
             endEdit();
         }
-        if (timeline.moveTo(tick)) {
+        if (history.moveTo(tick)) {
             onStateChange.run();
         }
     }
 
     /** Follows the run as it advances, possibly past edits that were made before it was moved back. */
     public void runAdvanced(long tick) {
-        if (timeline.advanceTo(tick)) {
+        if (history.advanceTo(tick)) {
             onStateChange.run();
         }
     }
@@ -220,7 +208,7 @@ public final class UndoController {
     /** Follows a restart: all edits are part of the run from its start. */
     public void runRestarted() {
         endEdit();
-        timeline.restart();
+        history.restart();
         onStateChange.run();
     }
 
@@ -248,7 +236,6 @@ public final class UndoController {
         generation++;
         endEdit();
         pendingEdits.clear();
-        timeline.clear();
         history.clear();
         onStateChange.run();
     }
