@@ -5,6 +5,7 @@ import faultline.engine.Journal;
 import faultline.engine.RobotPath;
 import faultline.engine.RunFailedException;
 import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
 import faultline.engine.recording.HashTrace;
 import faultline.engine.recording.HashTraceRecorder;
 import faultline.geometry.Pose;
@@ -17,6 +18,7 @@ import java.util.function.LongPredicate;
  */
 public final class ReferenceRun {
 
+    private final SimulationSetup setup;
     private final double[] x;
     private final double[] y;
     private final double[] heading;
@@ -25,6 +27,7 @@ public final class ReferenceRun {
 
     private ReferenceRun(Journal journal, Simulation simulation, LongPredicate onward) {
         int size = (int) Math.min(journal.ticks() + 1, HashTraceRecorder.MAX_HASHES);
+        setup = journal.setup();
         x = new double[size];
         y = new double[size];
         heading = new double[size];
@@ -75,6 +78,11 @@ public final class ReferenceRun {
         y[tick] = pose.y();
         heading[tick] = pose.heading();
         recorder.add(simulation.trajectoryHash());
+    }
+
+    /** Returns the setup of the run. */
+    public SimulationSetup setup() {
+        return setup;
     }
 
     /**

@@ -6,7 +6,6 @@ import static faultline.gui.action.Keystrokes.menuShortcut;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Glyph;
 import java.awt.event.KeyEvent;
-import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
 
@@ -41,12 +40,17 @@ public final class EditActions {
 
     /** Updates the names and states of the actions. */
     public void update() {
-        update(undo, undoController.undoName());
-        update(redo, undoController.redoName());
+        update(undo, undoController.undoName().orElse(null));
+        update(redo, undoController.redoName().orElse(null));
     }
 
-    private static void update(UiAction action, Optional<String> edit) {
-        action.setEnabled(edit.isPresent());
-        edit.ifPresentOrElse(name -> action.rename(action.key() + ".of", name), () -> action.rename(action.key()));
+    /** Shows the name of an edit in the name of an action, null if there is no edit. */
+    private static void update(UiAction action, String edit) {
+        action.setEnabled(edit != null);
+        if (edit == null) {
+            action.rename(action.key());
+        } else {
+            action.rename(action.key() + ".of", edit);
+        }
     }
 }

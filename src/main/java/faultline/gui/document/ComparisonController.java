@@ -1,16 +1,18 @@
 package faultline.gui.document;
 
 import faultline.engine.Journal;
+import faultline.engine.SimulationSetup;
 import faultline.engine.recording.HashTrace;
+import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
-import java.util.OptionalLong;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 
 /**
@@ -42,36 +44,36 @@ public final class ComparisonController implements WorkspaceListener {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Journal> journal = now.session().fullJournal();
             String name = now.document().initial().name();
-            TaskProgress progress = new TaskProgress();
-            start(now.document().displayPath(), progress, () -> replay(name, journal.join(), progress));
+            start(now.document().displayPath(), progress -> replay(name, journal.join(), progress));
         });
     }
 
     /** Runs the scenario of a file, such as a saved journal, and makes it the reference run, asynchronously. */
     public void loadReference(Path file) {
-        TaskProgress progress = new TaskProgress();
-        start(file, progress, () -> {
+        start(file, progress -> {
             Scenario scenario = Scenario.load(file);
-            Journal journal =
-                    new Journal(scenario.setup(), List.of(), scenario.setup().ticks());
-            return replay(scenario.name(), journal, progress);
+            SimulationSetup setup = scenario.setup();
+            return replay(scenario.name(), new Journal(setup, List.of(), setup.ticks()), progress);
         });
     }
 
-    private static NamedReferenceRun replay(String name, Journal journal, TaskProgress progress) {
-        return new NamedReferenceRun(
-                name,
-                journal.setup().seed(),
-                journal.setup().dt(),
-                ReferenceRun.replay(journal, tick -> progress.isActive()));
+    private static RunComparison replay(String name, Journal journal, TaskProgress progress) {
+        ReferenceRun run = ReferenceRun.replay(journal, tick -> progress.isActive());
+        return new RunComparison(name, run, null, false);
+    }
+
+    /** Replays a reference run. */
+    private interface Replay {
+        RunComparison run(TaskProgress progress) throws ScenarioException;
     }
 
     /** Starts a task in place of the pending one. */
-    private void start(Path name, TaskProgress progress, Callable<NamedReferenceRun> maker) {
+    private void start(Path name, Replay replay) {
         cancelPendingTask();
+        TaskProgress progress = new TaskProgress();
         pendingTask = progress;
         BackgroundTasks.run(
-                maker,
+                () -> replay.run(progress),
                 made -> completeTask(progress, () -> setReference(made)),
                 failure -> completeTask(
                         progress,
@@ -92,13 +94,11 @@ public final class ComparisonController implements WorkspaceListener {
         }
     }
 
-    private void setReference(NamedReferenceRun reference) {
+    private void setReference(RunComparison made) {
         workspace.scenario().ifPresent(scenario -> {
             comparedHashes = HashTrace.EMPTY;
-            comparison = new RunComparison(
-                    reference,
-                    OptionalLong.empty(),
-                    reference.seed() != scenario.setup().seed());
+            boolean seedDiffers = made.run().setup().seed() != scenario.setup().seed();
+            comparison = new RunComparison(made.name(), made.run(), null, seedDiffers);
         });
     }
 
@@ -130,13 +130,19 @@ public final class ComparisonController implements WorkspaceListener {
     }
 
     private RunComparison compare(RunComparison last, HashTrace now, int from) {
-        if (last.divergence().isPresent() && isConfirmed(last.divergence().getAsLong(), now, from)) {
+        if (last.divergence()
+                .filter(known -> isConfirmed(known.tick(), now, from))
+                .isPresent()) {
             return last;
         }
-        OptionalLong divergence = now.firstDifference(last.reference().run().hashTrace(), from);
-        return divergence.equals(last.divergence())
+        ReferenceRun run = last.run();
+        RunEvent.Diverged divergence = now.firstDifference(run.hashTrace(), from).stream()
+                .mapToObj(tick -> new RunEvent.Diverged(tick, tick * run.setup().dt()))
+                .findFirst()
+                .orElse(null);
+        return Objects.equals(divergence, last.divergenceOrNull())
                 ? last
-                : new RunComparison(last.reference(), divergence, last.seedDiffers());
+                : new RunComparison(last.name(), run, divergence, last.seedDiffers());
     }
 
     /**

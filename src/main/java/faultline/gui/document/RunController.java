@@ -141,7 +141,11 @@ public final class RunController implements WorkspaceListener {
 
     private void commandsExecuted(OpenDocument open, List<CommandResult> results) {
         if (results.stream().anyMatch(result -> result.refusal().isEmpty())) {
-            workspace.commandsExecuted(open.document(), results);
+            boolean changedBefore = open.document().isChanged();
+            open.document().commandsExecuted(results);
+            if (open.document().isChanged() != changedBefore) {
+                workspace.fire(WorkspaceListener::titleChanged);
+            }
             if (workspace.openDocument().filter(open::equals).isPresent()) {
                 navigator.discardFuture();
             }

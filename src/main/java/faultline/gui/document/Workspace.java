@@ -2,7 +2,6 @@ package faultline.gui.document;
 
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
-import faultline.world.CommandResult;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -104,15 +103,6 @@ public final class Workspace implements AutoCloseable {
             long tick = open.session().frame().snapshot().tick();
             open.document().runRepositioned(tick);
             fire(listener -> listener.runRepositioned(tick));
-        }
-    }
-
-    /** Applies the results of commands to the document that they were sent to. */
-    void commandsExecuted(ScenarioDocument document, List<CommandResult> results) {
-        boolean changedBefore = document.isChanged();
-        document.commandsExecuted(results);
-        if (document.isChanged() != changedBefore) {
-            fire(WorkspaceListener::titleChanged);
         }
     }
 

@@ -9,7 +9,6 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 import javax.swing.JLabel;
@@ -29,7 +28,9 @@ public final class TimeBar extends JPanel {
     private final JLabel endTimeLabel = new JLabel(timeText(0));
     private final transient LongConsumer seekHandler;
     private final transient Consumer<Frame> previewHandler;
-    private transient Optional<SessionFrame> newestFrame = Optional.empty();
+    /** Null before the first frame. */
+    private transient SessionFrame newestFrame;
+
     private double dt;
     private boolean updating;
 
@@ -85,7 +86,7 @@ public final class TimeBar extends JPanel {
      */
     void setFrame(SessionFrame frame, long furthest, double newDt) {
         assert EventQueue.isDispatchThread();
-        newestFrame = Optional.of(frame);
+        newestFrame = frame;
         dt = newDt;
         if (!isAdjusting()) {
             updating = true;
@@ -97,17 +98,17 @@ public final class TimeBar extends JPanel {
         }
     }
 
-    /** Marks the moment at which the run differs from the reference run. */
-    public void setDivergence(Optional<RunEvent.Diverged> divergence) {
-        slider.putClientProperty(
-                FlatSliderUI.MARK_PROPERTY,
-                divergence.map(event -> toSliderValue(event.tick())).orElse(null));
-        slider.setToolTipText(Messages.get("time.tip")
-                + divergence
-                        .map(event -> " "
-                                + Messages.get(
-                                        "time.mark", timeText(event.time()).strip()))
-                        .orElse(""));
+    /** Marks the moment at which the run first differs from the reference run, null for none. */
+    public void setDivergence(RunEvent.Diverged divergence) {
+        String tip = Messages.get("time.tip");
+        if (divergence == null) {
+            slider.putClientProperty(FlatSliderUI.MARK_PROPERTY, null);
+            slider.setToolTipText(tip);
+        } else {
+            slider.putClientProperty(FlatSliderUI.MARK_PROPERTY, toSliderValue(divergence.tick()));
+            String time = timeText(divergence.time()).strip();
+            slider.setToolTipText(tip + " " + Messages.get("time.mark", time));
+        }
         slider.repaint();
     }
 
@@ -130,9 +131,7 @@ public final class TimeBar extends JPanel {
         }
         updateLabels();
         if (isAdjusting()) {
-            newestFrame
-                    .flatMap(frame -> frame.recording().keyframes().frameAt(slider.getValue()))
-                    .ifPresent(previewHandler);
+            newestFrame.recording().keyframes().frameAt(slider.getValue()).ifPresent(previewHandler);
         } else {
             seekHandler.accept(slider.getValue());
         }

@@ -58,7 +58,8 @@ final class MainPanel extends JPanel {
     private final PositionedSplitPane dockSplit;
     private final PositionedSplitPane panelSplit;
     private int dockHeight;
-    private transient Optional<SessionFrame> shownFrame = Optional.empty();
+    /** Null before the first frame. */
+    private transient SessionFrame shownFrame;
 
     /**
      * Creates a panel without a scenario.
@@ -110,8 +111,8 @@ final class MainPanel extends JPanel {
     /** Shows a frame; the canvas is repainted only if the frame is new. */
     void setFrame(SessionFrame frame, Session.Status now) {
         assert EventQueue.isDispatchThread();
-        if (!timeline.bar().isAdjusting() && (shownFrame.isEmpty() || shownFrame.get() != frame)) {
-            shownFrame = Optional.of(frame);
+        if (!timeline.bar().isAdjusting() && shownFrame != frame) {
+            shownFrame = frame;
             canvas.setFrame(frame.frame());
         }
         if (instruments.isVisible()) {
@@ -127,11 +128,11 @@ final class MainPanel extends JPanel {
         banner.setVerdict(RunVerdict.of(frame, now, scenario), scenario.setup().dt());
     }
 
-    /** Shows a reference run beside the current one, and where the two first differ. */
-    void setReferenceRun(Optional<ReferenceOverlay> overlay, Optional<RunEvent.Diverged> divergence) {
-        canvas.setReferenceOverlay(overlay);
+    /** Shows a reference run and where it first differs from the run, each null for none. */
+    void setReferenceRun(ReferenceOverlay overlay, RunEvent.Diverged divergence) {
+        canvas.setReferenceOverlay(Optional.ofNullable(overlay));
         timeline.bar().setDivergence(divergence);
-        instruments.setDivergence(divergence);
+        instruments.setDivergence(Optional.ofNullable(divergence));
     }
 
     TimelinePanel timeline() {

@@ -7,7 +7,6 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
-import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 
@@ -22,7 +21,8 @@ final class WindowBounds {
     private final JFrame window;
     private final MainPanel mainPanel;
     private final WindowPreferences preferences;
-    private Optional<Rectangle> confirmedBounds = Optional.empty();
+    /** Null until the window manager has reported the bounds. */
+    private Rectangle confirmedBounds;
 
     WindowBounds(JFrame window, MainPanel area, WindowPreferences preferences) {
         this.window = window;
@@ -77,7 +77,7 @@ final class WindowBounds {
     /** Keeps bounds that the window manager has reported for the visible window in its normal state. */
     private void confirm() {
         if (window.isShowing() && window.getExtendedState() == Frame.NORMAL) {
-            confirmedBounds = Optional.of(window.getBounds());
+            confirmedBounds = window.getBounds();
         }
     }
 
@@ -94,7 +94,9 @@ final class WindowBounds {
 
     /** Stores the bounds for the next window. */
     void save() {
-        confirmedBounds.ifPresent(preferences::setBounds);
+        if (confirmedBounds != null) {
+            preferences.setBounds(confirmedBounds);
+        }
         preferences.setPanelWidth(mainPanel.controlPanel().getWidth());
         preferences.setDock(
                 mainPanel.instruments().isVisible(),

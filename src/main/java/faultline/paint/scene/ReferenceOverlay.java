@@ -8,11 +8,10 @@ import java.util.List;
  * A reference run, shown beside the run in the frame.
  *
  * @param run its path
- * @param dt the length of its ticks, seconds
  * @param caption its description and the comparison, line by line, for the corner of the picture
  * @param marks the moments to mark on the path
  */
-public record ReferenceOverlay(ReferenceRun run, double dt, List<String> caption, List<Mark> marks) {
+public record ReferenceOverlay(ReferenceRun run, List<String> caption, List<Mark> marks) {
 
     /**
      * A mark on the path.
@@ -29,6 +28,6 @@ public record ReferenceOverlay(ReferenceRun run, double dt, List<String> caption
 
     /** Returns the pose of its robot at a time, seconds. */
     Pose poseAt(double time) {
-        return run.pose(Math.round(time / dt));
+        return run.pose(Math.round(time / run.setup().dt()));
     }
 }

@@ -18,7 +18,6 @@ public final class SampleReferenceOverlays {
             ReferenceRun run = ReferenceRun.replay(new Journal(office.setup(), List.of(), 2000));
             return new ReferenceOverlay(
                     run,
-                    office.setup().dt(),
                     List.of("Ghost: Office", "Differs from 10 s on"),
                     List.of(new ReferenceOverlay.Mark(1000, "differs from 10 s")));
         } catch (ScenarioException impossible) {
