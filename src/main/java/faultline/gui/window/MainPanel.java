@@ -103,7 +103,7 @@ final class MainPanel extends JPanel {
         canvas.tools().addNoteListener(statusBar::showNote);
         canvas.tools().addSensorListener(controlPanel::selectSensor);
         controlPanel.addSelectionListener(canvas.tools()::selectSensor);
-        canvas.addCursorListener(statusBar::showCursor);
+        canvas.addCursorListener(point -> statusBar.showCursor(point.orElse(null)));
         canvas.addCameraListener(camera -> statusBar.showScale(camera.scale()));
         canvas.setPalette(Theme.current().palette());
     }

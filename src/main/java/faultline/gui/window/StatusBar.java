@@ -13,7 +13,6 @@ import faultline.gui.theme.TextSize;
 import faultline.world.Snapshot;
 import java.awt.EventQueue;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -112,11 +111,10 @@ final class StatusBar extends JPanel {
         shownRefusals = 0;
     }
 
-    /** Shows the cursor position in the world. */
-    void showCursor(Optional<Vector2> position) {
+    /** Shows the cursor position in the world, null if the cursor is outside. */
+    void showCursor(Vector2 at) {
         cursor.setStatusText(
-                position.map(at -> Messages.get("status.at", format("%.2f", at.x()), format("%.2f", at.y())))
-                        .orElse(""));
+                at == null ? "" : Messages.get("status.at", format("%.2f", at.x()), format("%.2f", at.y())));
     }
 
     /** Shows the scale of the canvas in pixels per metre. */

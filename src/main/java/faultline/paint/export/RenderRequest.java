@@ -31,14 +31,7 @@ public record RenderRequest(
         references = List.copyOf(references);
     }
 
-    /**
-     * Creates a request without a reference run, in English.
-     *
-     * @param frame the frame
-     * @param camera the part of the world and the size of the picture
-     * @param palette the colours
-     * @param layers the layers to show
-     */
+    /** Creates a request without reference runs, in English. */
     public RenderRequest(Frame frame, Camera camera, Palette palette, Set<Layer> layers) {
         this(frame, camera, palette, new ScenePainter(layers, SceneLabels.ENGLISH), List.of());
     }
@@ -50,27 +43,18 @@ public record RenderRequest(
 
     /** Paints the picture on graphics whose user space is the picture. */
     public void paint(Graphics2D graphics) {
-        paint(new DrawContext(graphics, camera, palette));
+        painter.paint(new DrawContext(graphics, camera, palette), frame, references);
     }
 
-    private void paint(DrawContext brush) {
-        painter.paint(brush, frame, references);
-    }
-
-    /**
-     * Renders the picture as pixels.
-     *
-     * @param fineness pixels of the image per pixel of the camera's picture along each side, positive
-     * @return a new opaque image
-     */
-    public BufferedImage toImage(double fineness) {
+    /** Renders the picture as a new opaque image; resolution in pixels of the image per pixel of the picture. */
+    public BufferedImage toImage(double resolution) {
         BufferedImage image = new BufferedImage(
-                (int) Math.ceil(camera.width() * fineness),
-                (int) Math.ceil(camera.height() * fineness),
+                (int) Math.ceil(camera.width() * resolution),
+                (int) Math.ceil(camera.height() * resolution),
                 BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
         try {
-            graphics.scale(fineness, fineness);
+            graphics.scale(resolution, resolution);
             paint(graphics);
         } finally {
             graphics.dispose();
@@ -81,7 +65,8 @@ public record RenderRequest(
     /** Returns the text of an SVG file. */
     public String toSvg() {
         SvgSurface surface = new SvgSurface(camera.width(), camera.height());
-        paint(new DrawContext(surface, camera, palette, DrawContext.DEFAULT_FONT));
+        DrawContext context = new DrawContext(surface, camera, palette, DrawContext.DEFAULT_FONT);
+        painter.paint(context, frame, references);
         return surface.toSvg();
     }
 }

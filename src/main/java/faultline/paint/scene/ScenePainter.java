@@ -8,8 +8,9 @@ import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
-import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /**
  * Paints a frame in three parts, one on top of the other: the background with the static obstacles, the path, and
@@ -24,22 +25,17 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         layers = Set.copyOf(layers);
     }
 
-    /**
-     * Paints a frame.
-     *
-     * @param context the target
-     * @param frame the frame
-     * @param references the reference runs to show
-     */
+    /** Paints a frame, beside reference runs. */
     public void paint(DrawContext context, Frame frame, List<ReferenceOverlay> references) {
-        Predicate<Obstacle> moves = obstacle -> obstacle.isMoving();
-        List<Obstacle> obstacles = frame.snapshot().obstacles();
-        paintBackground(context, frame.snapshot());
-        obstacles.stream().filter(moves.negate()).forEach(obstacle -> paintObstacle(context, obstacle));
-        references.forEach(earlier -> paintReference(context, earlier, frame.snapshot()));
-        paintDynamic(context, frame, obstacles.stream().filter(moves).toList(), 0);
-        paintOverlays(context, frame.snapshot());
-        references.forEach(earlier -> ReferenceOverlayPainter.paintAnnotations(context, earlier));
+        Snapshot world = frame.snapshot();
+        Map<Boolean, List<Obstacle>> byMotion =
+                world.obstacles().stream().collect(Collectors.partitioningBy(Obstacle::isMoving));
+        paintBackground(context, world);
+        byMotion.get(false).forEach(obstacle -> paintObstacle(context, obstacle));
+        references.forEach(reference -> paintReference(context, reference, world));
+        paintDynamic(context, frame, byMotion.get(true), 0);
+        paintOverlays(context, world);
+        references.forEach(reference -> ReferenceOverlayPainter.paintAnnotations(context, reference));
     }
 
     private void paintReference(DrawContext context, ReferenceOverlay reference, Snapshot world) {
@@ -112,10 +108,8 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
     }
 
     private void paintMovingObstacle(DrawContext context, Obstacle obstacle) {
-        if (layers.contains(Layer.ROUTES)) {
-            if (obstacle.isMoving()) {
-                RoutePainter.paint(context.withFont(labels.font()), obstacle.motion());
-            }
+        if (layers.contains(Layer.ROUTES) && obstacle.isMoving()) {
+            RoutePainter.paint(context.withFont(labels.font()), obstacle.motion());
         }
         paintObstacle(context, obstacle);
     }

@@ -15,7 +15,6 @@ import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.world.Refusal;
 import java.util.List;
-import java.util.Optional;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
 
@@ -41,9 +40,9 @@ class StatusBarTest {
 
     @Test
     void thePlaceUnderTheMouseShowsWhileItIsOnTheCanvas() {
-        runOnEdt(() -> bar.showCursor(Optional.of(new Vector2(1.234, -2))));
+        runOnEdt(() -> bar.showCursor(new Vector2(1.234, -2)));
         assertEquals("cursor 1.23, -2.00", texts().get(5));
-        runOnEdt(() -> bar.showCursor(Optional.empty()));
+        runOnEdt(() -> bar.showCursor(null));
         assertEquals("", texts().get(5));
     }
 
