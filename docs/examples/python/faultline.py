@@ -60,9 +60,9 @@ class Sight(dict):
     def __init__(self, ids, message, robot):
         readings = message["readings_m"]
         answers = message["answers"]
-        super().__init__(
-            (name, reading if answer else NO_ANSWER) for name, reading, answer in zip(ids, readings, answers)
-        )
+        if False in answers:
+            readings = [reading if answer else NO_ANSWER for reading, answer in zip(readings, answers)]
+        super().__init__(zip(ids, readings))
         self.tick = message["tick"]
         self.t = message["t_s"]
         self.robot = robot

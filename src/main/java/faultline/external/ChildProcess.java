@@ -30,6 +30,7 @@ final class ChildProcess implements AutoCloseable {
     private static final long GRACE_SECONDS = 2;
 
     private final Process process;
+    private final FamilyMark mark = FamilyMark.create();
     private final OutputStream input;
     private final InputStream output;
     private final LineBuffer lines = new LineBuffer();
@@ -53,7 +54,9 @@ final class ChildProcess implements AutoCloseable {
      */
     ChildProcess(List<String> command, double writeSeconds, Consumer<String> errors) throws IOException {
         this.errors = errors;
-        process = new ProcessBuilder(command).start();
+        ProcessBuilder builder = new ProcessBuilder(command);
+        builder.environment().put(FamilyMark.VARIABLE, mark.value());
+        process = builder.start();
         input = process.getOutputStream();
         output = process.getInputStream();
         exitHook = new Thread(this::killTree);
@@ -132,10 +135,10 @@ final class ChildProcess implements AutoCloseable {
         try {
             input.write((line + "\n").getBytes(StandardCharsets.UTF_8));
             input.flush();
-        } catch (IOException e) {
-            throw endOfInput();
-        } finally {
             writeStart = Long.MAX_VALUE;
+        } catch (IOException e) {
+            writeStart = Long.MAX_VALUE;
+            throw endOfInput();
         }
     }
 
@@ -199,6 +202,7 @@ final class ChildProcess implements AutoCloseable {
             }
         }
         descendants.forEach(ProcessHandle::destroyForcibly);
+        mark.killAll();
         joinBriefly(errorReader);
         writeGuard.interrupt();
         try {
@@ -239,5 +243,6 @@ final class ChildProcess implements AutoCloseable {
     private void killTree() {
         process.descendants().forEach(ProcessHandle::destroyForcibly);
         process.destroyForcibly();
+        mark.killAll();
     }
 }

@@ -1,6 +1,5 @@
 package faultline.external;
 
-import faultline.io.XmlText;
 import faultline.robot.RobotSpec;
 
 /**
@@ -46,6 +45,6 @@ record DriveMessage(double leftVolts, double rightVolts, String state, String wh
     }
 
     private static String limit(String text) {
-        return XmlText.oneLine(text.length() > MAX_TEXT ? text.substring(0, MAX_TEXT) : text);
+        return text.length() > MAX_TEXT ? text.substring(0, MAX_TEXT) : text;
     }
 }

@@ -3,11 +3,14 @@ package faultline.external;
 import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.Telemetry;
+import faultline.io.XmlText;
 
 /** Follows the states that an outside controller gives, so that they are shown like those of the built-in one. */
 final class DriveTelemetry {
 
     private Telemetry telemetry;
+    /** As the controller wrote it; empty before it has named one. */
+    private String lastState = "";
 
     /** Begins in a state of a given name. */
     DriveTelemetry(String initialState) {
@@ -16,8 +19,9 @@ final class DriveTelemetry {
 
     /** Returns the decision of a drive message; a message without a state keeps the last one. */
     Decision decide(DriveMessage drive, long tick) {
-        if (!drive.state().isEmpty()) {
-            telemetry = telemetry.entering(drive.state(), drive.why(), tick);
+        if (!drive.state().isEmpty() && !drive.state().equals(lastState)) {
+            lastState = drive.state();
+            telemetry = telemetry.entering(XmlText.oneLine(lastState), XmlText.oneLine(drive.why()), tick);
         }
         return new Decision(drive.leftVolts(), drive.rightVolts(), telemetry);
     }

@@ -3,6 +3,7 @@ package faultline.external;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import faultline.engine.ControllerMode;
 import faultline.engine.RunFailedException;
@@ -103,6 +104,9 @@ class ExternalControllerTest {
             read l; echo R; read l; printf '{"type":'; sleep 60            | has not answered for 0.5 s at tick 0; its last line has no end
             read l; echo R; read l; head -c 2000000 /dev/zero; sleep 60    | wrote a line of more than 1000000 bytes at tick 0, allowed are shorter ones
             read l; echo '{"type":"ready","protocol":2}'                   | speaks protocol 2 before the first tick, allowed is 1
+            read l; echo R; read l; exec 0<&-; sleep 60                    | has not answered for 0.5 s at tick 0
+            read l; echo R; exec 0<&-; sleep 60                            | closed its standard input at tick 0
+            read l; echo R; read l; sleep 0.2; echo '{"type":"drive","tick":0,"left_v":NaN,"right_v":1}' | wrote no JSON at tick 0: "{"type":"drive","tick":0,"left_v":NaN,"right_v":1}" (there is no value at character 35); write messages for people to standard error
             sleep 60                                                       | has not answered for 0.5 s before the first tick
             exit 3                                                         | ended with exit code 3 before the first tick
             """)
@@ -147,6 +151,29 @@ class ExternalControllerTest {
         String script = "sleep 1000 & read l; exit 1";
         assertThrows(RunFailedException.class, () -> run(shell(script), office(), PATIENCE));
         assertEquals(List.of(), childrenStillRunning());
+    }
+
+    @Test
+    void aProcessThatHasLeftTheChildsFamilyEndsToo() {
+        assumeTrue(OS.current() == OS.LINUX, "found by the environment in /proc");
+        String length = Long.toString(1_000_000 + ProcessHandle.current().pid());
+        String script = "(sleep " + length + " &); (setsid sleep " + length + " &); read l; sleep 0.2; exit 1";
+        assertThrows(RunFailedException.class, () -> run(shell(script), office(), PATIENCE));
+        assertEquals(
+                List.of(),
+                ProcessHandle.allProcesses()
+                        .filter(process ->
+                                process.info().commandLine().orElse("").endsWith("sleep " + length))
+                        .toList());
+    }
+
+    @Test
+    void aChildThatFloodsStandardErrorDrivesOn() throws Exception {
+        String flood = "read hello; echo '" + READY + "'; i=0; while [ $i -lt 50 ]; do read line; "
+                + "seq 2000 >&2; echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,\\\"v_m_s\\\":0.1,"
+                + "\\\"omega_rad_s\\\":0}\"; i=$((i+1)); done; read end";
+        assertEquals(50, run(shell(flood), office(), 10).ticks());
+        assertEquals(100_000, errors.size());
     }
 
     @Test
