@@ -1,0 +1,170 @@
+package faultline.campaign.report;
+
+import faultline.campaign.run.Csv;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/** The survival tables of docs/results.md, made of the csv files beside it; {@link #main} puts them into the text. */
+final class SurvivalTables {
+
+    private static final String BEGIN = "<!-- The tables down to the next comment are made by src/conf/survival. -->\n";
+    private static final String END = "<!-- The end of the tables. -->\n";
+    private static final List<String> RUNGS = List.of("ALL", "REDUCED", "THREE", "TWO", "ONE", "STOP");
+
+    private final Path folder;
+
+    private SurvivalTables(Path folder) {
+        this.folder = folder;
+    }
+
+    /** Takes the page, which is changed. */
+    public static void main(String[] arguments) throws IOException {
+        Path page = Path.of(arguments[0]);
+        String text = Files.readString(page);
+        Files.writeString(page, text.replace(block(text), markdown(page.resolveSibling("results/survival"))));
+    }
+
+    /** Returns the part of a page that is made of the tables. */
+    static String block(String text) {
+        int begin = text.indexOf(BEGIN) + BEGIN.length();
+        return text.substring(begin, text.indexOf(END, begin));
+    }
+
+    static String markdown(Path folder) throws IOException {
+        return new SurvivalTables(folder).markdown();
+    }
+
+    private String markdown() throws IOException {
+        StringBuilder out = new StringBuilder();
+        out.append("\nWith diagnosis:\n\n").append(matrix("on"));
+        out.append("\nWithout diagnosis, the same rooms and faults:\n\n").append(matrix("off"));
+        out.append("\nBy the rung that drove at the end, with diagnosis, one sensor failing:\n\n")
+                .append(rungs());
+        out.append("\nOther cases, all with diagnosis unless they say otherwise:\n\n")
+                .append(cases());
+        return out.append('\n').toString();
+    }
+
+    private List<Map<String, String>> read(String name) throws IOException {
+        List<String> lines = Files.readAllLines(folder.resolve(name + ".csv"));
+        List<String> header = Csv.cells(lines.get(0));
+        List<Map<String, String>> rows = new ArrayList<>();
+        for (String line : lines.subList(1, lines.size())) {
+            List<String> cells = Csv.cells(line);
+            Map<String, String> row = new LinkedHashMap<>();
+            for (int i = 0; i < cells.size(); i++) {
+                row.put(header.get(i), cells.get(i));
+            }
+            rows.add(row);
+        }
+        return rows;
+    }
+
+    private String matrix(String diagnosis) throws IOException {
+        Map<String, Map<String, Map<String, String>>> cells = new LinkedHashMap<>();
+        for (Map<String, String> row : read("survival")) {
+            boolean faulty = !row.get("fault_label").equals("none");
+            if (faulty
+                    && row.get("controller_diagnosis").equals(diagnosis)
+                    && row.get("final_rung").equals("all")) {
+                cells.computeIfAbsent(row.get("fault_label"), label -> new LinkedHashMap<>())
+                        .put(row.get("fault_sensor"), row);
+            }
+        }
+        Map<String, Map<String, String>> all = cells.remove("all");
+        Map<String, String> total = all.remove("all");
+        List<String> sensors = new ArrayList<>(all.keySet());
+        StringBuilder out = new StringBuilder("| fault | " + String.join(" | ", sensors) + " | all |\n|---|"
+                + "---|".repeat(sensors.size() + 1) + "\n");
+        cells.forEach((label, row) -> {
+            out.append("| ").append(label);
+            sensors.forEach(sensor -> out.append(" | ").append(share(row.get(sensor))));
+            out.append(" | ").append(share(row.get("all"))).append(" |\n");
+        });
+        out.append("| all");
+        sensors.forEach(sensor -> out.append(" | ").append(share(all.get(sensor))));
+        return out.append(" | ").append(share(total)).append(" |\n").toString();
+    }
+
+    private static String share(Map<String, String> row) {
+        return String.format(
+                Locale.ROOT,
+                "%s (%s to %s)",
+                percent(row.get("share")),
+                percent(row.get("share_low")),
+                percent(row.get("share_high")));
+    }
+
+    /** To one digit from 99 on, so that what is not quite all is not rounded to it. */
+    private static String percent(String share) {
+        double value = 100 * Double.parseDouble(share);
+        return String.format(Locale.ROOT, value > 99 && value < 100 ? "%.1f" : "%.0f", value);
+    }
+
+    private String rungs() throws IOException {
+        StringBuilder out = new StringBuilder("| rung | runs | carried on, % | contacts | lost |\n|---|---|---|---|---|\n");
+        List<Map<String, String>> rows = read("survival");
+        for (String rung : RUNGS) {
+            rows.stream()
+                    .filter(row -> row.get("final_rung").equals(rung)
+                            && row.get("fault_label").equals("all")
+                            && row.get("controller_diagnosis").equals("on"))
+                    .forEach(row -> out.append("| `")
+                            .append(rung)
+                            .append("` | ")
+                            .append(String.join(
+                                    " | ", row.get("runs"), share(row), row.get("collided"), row.get("lost")))
+                            .append(" |\n"));
+        }
+        return out.toString();
+    }
+
+    private String cases() throws IOException {
+        StringBuilder out = new StringBuilder(
+                "| case | runs | carried on, % | contacts | stopped | lost | runs with a false alarm |\n"
+                        + "|---|---|---|---|---|---|---|\n");
+        for (Map<String, String> row : read("healthy")) {
+            addCase(out, row, row.get("noise").equals("none") ? "healthy" : "healthy, noise of " + row.get("noise"));
+        }
+        for (Map<String, String> row : read("survival")) {
+            String with = row.get("controller_diagnosis").equals("on") ? "" : ", without diagnosis";
+            if (row.get("fault_label").equals("all") && row.get("fault_sensor").equals("all")) {
+                addCase(out, row, "one sensor fails" + with);
+            }
+        }
+        for (Map<String, String> row : read("two-faults")) {
+            if (row.get("fault_label").equals("all")) {
+                addCase(out, row, "two faults");
+            }
+        }
+        for (Map<String, String> row : read("wall-side-sensors")) {
+            addCase(out, row, "on the wall's side on: " + row.get("sensors_on") + "; the others at random");
+        }
+        for (Map<String, String> row : read("one-sensor")) {
+            addCase(out, row, row.get("sensors_on") + " alone");
+        }
+        return out.toString();
+    }
+
+    private static void addCase(StringBuilder out, Map<String, String> row, String name) {
+        if (row.get("final_rung").equals("all")) {
+            out.append("| ")
+                    .append(String.join(
+                            " | ",
+                            name,
+                            row.get("runs"),
+                            share(row),
+                            row.get("collided"),
+                            row.get("stopped"),
+                            row.get("lost"),
+                            row.get("false_alarm_runs")))
+                    .append(" |\n");
+        }
+    }
+}
