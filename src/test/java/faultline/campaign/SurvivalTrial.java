@@ -99,7 +99,7 @@ record SurvivalTrial(long room, List<DrawnFault> faults, List<Integer> sensors, 
 
     Outcome run() {
         SimulationSetup setup = setup();
-        CarryOnMetrics judge = new CarryOnMetrics(setup, new WallCircuit(setup.world(), WANTED));
+        CarryOnMetrics judge = new CarryOnMetrics(setup, WallCircuit.forCarryOn(setup.world(), WANTED));
         DiagnosisMetrics diagnosis = new DiagnosisMetrics(setup);
         try (Simulation simulation = new Simulation(
                 setup, ControllerFactory.create(setup.controller()), ControllerMode.DIRECT, CommandListener.NONE)) {

@@ -143,7 +143,7 @@ public final class CarryOnMetrics implements TickObserver {
     private void visit(Vector2 centre) {
         travelled += Double.isInfinite(last.x()) ? 0 : centre.distanceTo(last);
         last = centre;
-        circuit.forEachNear(centre, WallCircuit.TOLERANCE, this::pass);
+        circuit.forEachPassed(centre, this::pass);
         passedInTime |= time <= deadline && share().orElse(0) >= REQUIRED_SHARE;
     }
 

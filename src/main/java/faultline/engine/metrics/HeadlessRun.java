@@ -34,7 +34,7 @@ public final class HeadlessRun {
      * @throws RunFailedException if the run broke
      */
     public static RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
-        return run(setup, mode, observers, () -> false);
+        return run(setup, mode, observers, () -> false, new WallCircuits());
     }
 
     /**
@@ -44,12 +44,17 @@ public final class HeadlessRun {
      * @param mode where the controller runs
      * @param observers called at tick 0 and after every tick, in order
      * @param finished asked after every tick
+     * @param circuits are shared with other runs in the same worlds
      * @return the result
      * @throws RunFailedException if the run broke
      */
     public static RunResult run(
-            SimulationSetup setup, ControllerMode mode, List<TickObserver> observers, BooleanSupplier finished) {
-        return run(setup, listener -> new Simulation(setup, mode, listener), observers, finished);
+            SimulationSetup setup,
+            ControllerMode mode,
+            List<TickObserver> observers,
+            BooleanSupplier finished,
+            WallCircuits circuits) {
+        return run(setup, listener -> new Simulation(setup, mode, listener), observers, finished, circuits);
     }
 
     /**
@@ -64,15 +69,21 @@ public final class HeadlessRun {
      */
     public static RunResult run(
             SimulationSetup setup, Controller controller, ControllerMode mode, List<TickObserver> observers) {
-        return run(setup, listener -> new Simulation(setup, controller, mode, listener), observers, () -> false);
+        return run(
+                setup,
+                listener -> new Simulation(setup, controller, mode, listener),
+                observers,
+                () -> false,
+                new WallCircuits());
     }
 
     private static RunResult run(
             SimulationSetup setup,
             Function<CommandListener, Simulation> start,
             List<TickObserver> observers,
-            BooleanSupplier finished) {
-        WallFollowingMetrics wall = new WallFollowingMetrics(setup);
+            BooleanSupplier finished,
+            WallCircuits circuits) {
+        WallFollowingMetrics wall = new WallFollowingMetrics(setup, circuits);
         Set<ControllerState> states = new LinkedHashSet<>();
         List<TickObserver> all = new ArrayList<>(observers);
         all.add(wall);

@@ -9,6 +9,7 @@ import faultline.engine.TickObserver;
 public final class RunMeter implements TickObserver {
 
     private final SimulationSetup setup;
+    private final WallCircuits circuits = new WallCircuits();
     private final WallFollowingMetrics wall;
     /** Null until the robot meets a wall, because finding the ways along walls takes long in large worlds. */
     private CarryOnMetrics laps;
@@ -16,18 +17,14 @@ public final class RunMeter implements TickObserver {
     /** Creates a meter of one run of a setup. */
     public RunMeter(SimulationSetup setup) {
         this.setup = setup;
-        wall = new WallFollowingMetrics(setup);
+        wall = new WallFollowingMetrics(setup, circuits);
     }
 
     @Override
     public void observe(Simulation simulation) {
         wall.observe(simulation);
         if (laps == null && simulation.telemetry().state() != FollowerState.SEARCH && !wall.isLarge()) {
-            WallCircuit circuit = CarryOnMetrics.wantedDistance(setup).stream()
-                    .mapToObj(distance -> new WallCircuit(setup.world(), distance))
-                    .findFirst()
-                    .orElseGet(WallCircuit::empty);
-            laps = new CarryOnMetrics(circuit, setup.robot().speed(), 0);
+            laps = new CarryOnMetrics(circuits.forCarryOn(setup), setup.robot().speed(), 0);
         }
         if (laps != null) {
             laps.observe(simulation);

@@ -3,9 +3,8 @@ package faultline.engine.metrics;
 import faultline.geometry.Vector2;
 import faultline.world.WorldSpec;
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.function.IntConsumer;
 
 /**
@@ -14,52 +13,75 @@ import java.util.function.IntConsumer;
  */
 public final class WallCircuit {
 
-    /** How far from the wanted way a robot still passes a place of it, metres. */
-    static final double TOLERANCE = 0.15;
-
-    private static final double SPACING = 0.02;
-    /** Places nearer to each other than this belong to one way, metres. */
-    private static final double JOIN_DISTANCE = 0.04;
-
     private final List<WallReference.Sample> places;
+    private final double tolerance;
     private final int[] ways;
     private final double[] lengths;
-    private final Map<Long, List<Integer>> cells = new HashMap<>();
+
+    /** The places of each cell: those of a bucket of a hash table are linked by {@link #next}. */
+    private final int[] first;
+
+    private final int[] next;
+    private final long[] cells;
 
     /**
-     * Finds the ways of a world.
+     * Finds the ways of a world for {@link CarryOnMetrics}.
      *
      * @param world before anything moves
      * @param distance from a wall to the robot's centre, metres
      */
-    public WallCircuit(WorldSpec world, double distance) {
-        this(new WallReference(world).samplesAlongWay(distance, SPACING));
+    public static WallCircuit forCarryOn(WorldSpec world, double distance) {
+        double spacing = 0.02;
+        return new WallCircuit(new WallReference(world).samplesAlongWay(distance, spacing), spacing, 0.04, 0.15);
+    }
+
+    /**
+     * Finds the ways of a world for {@link Coverage}.
+     *
+     * @param walls of the world
+     * @param distance from a wall to the robot's centre, metres
+     */
+    static WallCircuit forCoverage(WallReference walls, double distance) {
+        double spacing = 0.01;
+        return new WallCircuit(walls.samples(distance, spacing), spacing, 0.025, Coverage.TOLERANCE);
     }
 
     /** Returns a circuit without any way, for robots that follow no wall. */
     public static WallCircuit empty() {
-        return new WallCircuit(List.of());
+        return new WallCircuit(List.of(), 1, 1, 1);
     }
 
-    private WallCircuit(List<WallReference.Sample> samples) {
-        places = samples;
-        ways = new int[places.size()];
-        lengths = new double[places.size()];
-        for (int i = 0; i < ways.length; i++) {
+    /**
+     * Joins places to ways.
+     *
+     * @param places in the order of the walls
+     * @param spacing of the places, metres
+     * @param joinDistance places nearer to each other than this belong to one way, metres
+     * @param tolerance how far from a place a robot still passes it, at least the join distance, metres
+     */
+    private WallCircuit(List<WallReference.Sample> places, double spacing, double joinDistance, double tolerance) {
+        this.places = new ArrayList<>(places);
+        this.tolerance = tolerance;
+        int count = places.size();
+        ways = new int[count];
+        lengths = new double[count];
+        next = new int[count];
+        cells = new long[count];
+        first = new int[Integer.highestOneBit(2 * count + 1) * 2];
+        Arrays.fill(first, -1);
+        for (int i = 0; i < count; i++) {
             ways[i] = i;
-            joinWithEarlier(i);
-            cells.computeIfAbsent(cell(places.get(i).position(), 0, 0), key -> new ArrayList<>())
-                    .add(i);
+            joinWithEarlier(i, joinDistance);
+            addToCell(i);
         }
-        for (int i = 0; i < ways.length; i++) {
+        for (int i = 0; i < count; i++) {
             ways[i] = root(i);
-            lengths[ways[i]] += SPACING;
+            lengths[ways[i]] += spacing;
         }
     }
 
-    private void joinWithEarlier(int i) {
-        Vector2 position = places.get(i).position();
-        forEachNear(position, JOIN_DISTANCE, other -> {
+    private void joinWithEarlier(int i, double joinDistance) {
+        forEachNear(places.get(i).position(), joinDistance, other -> {
             int a = root(i);
             int b = root(other);
             ways[Math.max(a, b)] = Math.min(a, b);
@@ -75,23 +97,46 @@ public final class WallCircuit {
         return at;
     }
 
-    private static long cell(Vector2 point, int dx, int dy) {
-        long column = (long) Math.floor(point.x() / TOLERANCE) + dx;
-        long row = (long) Math.floor(point.y() / TOLERANCE) + dy;
-        return column * 0x1_0000_0001L ^ row << 21;
+    private void addToCell(int i) {
+        Vector2 position = places.get(i).position();
+        cells[i] = cell(column(position.x()), column(position.y()));
+        int bucket = bucket(cells[i]);
+        next[i] = first[bucket];
+        first[bucket] = i;
     }
 
-    /** Calls back with every place within a radius of at most {@link #TOLERANCE} of a point. */
+    private long column(double coordinate) {
+        return (long) Math.floor(coordinate / tolerance);
+    }
+
+    private static long cell(long column, long row) {
+        return column << 32 ^ row & 0xFFFF_FFFFL;
+    }
+
+    private int bucket(long cell) {
+        long mixed = cell * 0x9E37_79B9_7F4A_7C15L;
+        return (int) (mixed >>> 32) & first.length - 1;
+    }
+
+    /** Calls back with every place within a radius of at most the tolerance of a point. */
     void forEachNear(Vector2 point, double radius, IntConsumer action) {
-        for (int dx = -1; dx <= 1; dx++) {
-            for (int dy = -1; dy <= 1; dy++) {
-                for (int i : cells.getOrDefault(cell(point, dx, dy), List.of())) {
-                    if (places.get(i).position().distanceTo(point) <= radius) {
+        long column = column(point.x());
+        long row = column(point.y());
+        for (long x = column - 1; x <= column + 1; x++) {
+            for (long y = row - 1; y <= row + 1; y++) {
+                long cell = cell(x, y);
+                for (int i = first[bucket(cell)]; i >= 0; i = next[i]) {
+                    if (cells[i] == cell && places.get(i).position().distanceTo(point) <= radius) {
                         action.accept(i);
                     }
                 }
             }
         }
+    }
+
+    /** Calls back with every place that a robot passes at a point. */
+    void forEachPassed(Vector2 point, IntConsumer action) {
+        forEachNear(point, tolerance, action);
     }
 
     /** Returns how many places there are on all ways together. */

@@ -36,13 +36,19 @@ final class WallFollowingMetrics implements TickObserver {
     private final MeanSquare straightError = new MeanSquare();
     private final MeanSquare followError = new MeanSquare();
 
-    WallFollowingMetrics(SimulationSetup setup) {
+    /**
+     * Creates metrics of one run.
+     *
+     * @param setup what is run
+     * @param circuits are shared with other runs
+     */
+    WallFollowingMetrics(SimulationSetup setup, WallCircuits circuits) {
         OptionalDouble wanted = CarryOnMetrics.wantedDistance(setup);
         isWallFollower = wanted.isPresent();
         hasOwnStates = !(setup.controller() instanceof ControllerSpec.WallFollowing);
         walls = new WallReference(setup.world());
         distance = wanted.orElse(0);
-        coverage = new Coverage(walls, distance);
+        coverage = new Coverage(() -> circuits.forCoverage(setup, walls, distance));
     }
 
     @Override

@@ -108,7 +108,8 @@ final class SurvivalTables {
     }
 
     private String rungs() throws IOException {
-        StringBuilder out = new StringBuilder("| rung | runs | carried on, % | contacts | lost |\n|---|---|---|---|---|\n");
+        StringBuilder out =
+                new StringBuilder("| rung | runs | carried on, % | contacts | lost |\n|---|---|---|---|---|\n");
         List<Map<String, String>> rows = read("survival");
         for (String rung : RUNGS) {
             rows.stream()

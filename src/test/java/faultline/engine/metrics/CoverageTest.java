@@ -22,14 +22,12 @@ class CoverageTest {
     private static final double WANTED = 0.35;
     private static final List<Vector2> LAP = square(WANTED);
 
-    private final Coverage coverage = new Coverage(
-            new WallReference(new WorldSpec(
-                    4,
-                    4,
-                    true,
-                    3,
-                    List.of(new Obstacle("table", new ObstacleShape.Rectangle(1, 1), new Pose(2, 2, 0))))),
-            WANTED);
+    private final Coverage coverage = coverage(new WorldSpec(
+            4, 4, true, 3, List.of(new Obstacle("table", new ObstacleShape.Rectangle(1, 1), new Pose(2, 2, 0)))));
+
+    private static Coverage coverage(WorldSpec world) {
+        return new Coverage(() -> WallCircuit.forCoverage(new WallReference(world), WANTED));
+    }
 
     /** The corners of a square about the middle of the room, so far in from the walls, the first one twice. */
     private static List<Vector2> square(double in) {
@@ -115,7 +113,7 @@ class CoverageTest {
     void partsThatNoRobotReachesDoNotCount() {
         Obstacle slot = new Obstacle(
                 "slot", new ObstacleShape.Wall(List.of(new Vector2(0, 3.6), new Vector2(3, 3.6))), Pose.ORIGIN);
-        Coverage cramped = new Coverage(new WallReference(new WorldSpec(4, 4, true, 3, List.of(slot))), WANTED);
+        Coverage cramped = coverage(new WorldSpec(4, 4, true, 3, List.of(slot)));
         List<Vector2> belowTheSlot = List.of(
                 new Vector2(0.35, 0.35),
                 new Vector2(3.65, 0.35),
