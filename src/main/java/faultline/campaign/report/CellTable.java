@@ -88,7 +88,7 @@ final class CellTable {
         List<String> own = new ArrayList<>();
         faults.forEach(factor -> {
             own.add(row.text(RunData.faultColumn(factor)));
-            own.add(row.text(RunData.sensorColumn(factor)));
+            own.add(RunData.failingPart(row, factor));
         });
         if (faults.isEmpty() || pooled(row).equals(own)) {
             return List.of(own);
@@ -103,7 +103,7 @@ final class CellTable {
     private List<String> pooled(RunRow row) {
         List<String> keys = new ArrayList<>();
         faults.forEach(factor -> {
-            boolean healthy = row.text(RunData.sensorColumn(factor)).isEmpty();
+            boolean healthy = RunData.failingPart(row, factor).isEmpty();
             keys.add(healthy ? row.text(RunData.faultColumn(factor)) : ALL);
             keys.add(healthy ? "" : ALL);
         });

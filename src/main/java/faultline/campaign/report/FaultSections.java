@@ -49,33 +49,29 @@ final class FaultSections {
     }
 
     private static String matrix(FactorSummary faults, List<RunRow> all) {
-        String fault = RunData.faultColumn(faults);
-        String sensor = RunData.sensorColumn(faults);
-        List<RunRow> faulty =
-                all.stream().filter(row -> !row.text(sensor).isEmpty()).toList();
-        Set<String> sensors = RunData.group(faulty, row -> row.text(sensor)).keySet();
+        Map<String, List<RunRow>> byPart = RunData.group(all, row -> RunData.failingPart(row, faults));
+        List<RunRow> healthy = byPart.getOrDefault("", List.of());
+        byPart.remove("");
+        List<RunRow> faulty = all.stream()
+                .filter(row -> !RunData.failingPart(row, faults).isEmpty())
+                .toList();
         List<List<String>> rows = new ArrayList<>();
-        RunData.group(faulty, row -> row.text(fault))
-                .forEach((name, group) -> rows.add(line(Html.escape(name), sensor, sensors, group)));
-        rows.add(line("all faults", sensor, sensors, faulty));
+        RunData.group(faulty, row -> row.text(RunData.faultColumn(faults)))
+                .forEach((name, group) -> rows.add(line(Html.escape(name), faults, byPart.keySet(), group)));
+        rows.add(line("all faults", faults, byPart.keySet(), faulty));
         List<String> header = new ArrayList<>(List.of("fault"));
-        sensors.forEach(one -> header.add(Html.escape(one)));
-        header.add("all sensors");
-        return healthy(all, sensor) + Html.table("matrix", header, rows);
+        byPart.keySet().forEach(part -> header.add(Html.escape(part)));
+        header.add("all");
+        return (healthy.isEmpty() ? "" : "<p>Healthy: " + Html.survival(Survival.of(healthy)) + ".</p>\n")
+                + Html.table("matrix", header, rows);
     }
 
-    private static List<String> line(String name, String sensor, Set<String> sensors, List<RunRow> rows) {
-        Map<String, List<RunRow>> cells = RunData.group(rows, row -> row.text(sensor));
+    private static List<String> line(String name, FactorSummary faults, Set<String> parts, List<RunRow> rows) {
+        Map<String, List<RunRow>> cells = RunData.group(rows, row -> RunData.failingPart(row, faults));
         List<String> line = new ArrayList<>(List.of(name));
-        sensors.forEach(one -> line.add(Html.survivalCell(Survival.of(cells.getOrDefault(one, List.of())))));
+        parts.forEach(part -> line.add(Html.survivalCell(Survival.of(cells.getOrDefault(part, List.of())))));
         line.add(Html.survivalCell(Survival.of(rows)));
         return line;
-    }
-
-    private static String healthy(List<RunRow> rows, String sensor) {
-        List<RunRow> healthy =
-                rows.stream().filter(row -> row.text(sensor).isEmpty()).toList();
-        return healthy.isEmpty() ? "" : "<p>Healthy: " + Html.survival(Survival.of(healthy)) + ".</p>\n";
     }
 
     /** Returns the delays of detection by fault, empty if the runs have none. */

@@ -112,9 +112,9 @@ final class RunData {
     /** Returns what the fault of a run is called, empty if the campaign has no faults. */
     String faultName(RunRow row) {
         return factor(FactorKind.FAULTS)
-                .map(factor -> row.text(sensorColumn(factor)).isEmpty()
+                .map(factor -> failingPart(row, factor).isEmpty()
                         ? "healthy"
-                        : row.text(sensorColumn(factor)) + " " + row.text(faultColumn(factor)))
+                        : failingPart(row, factor) + " " + row.text(faultColumn(factor)))
                 .orElse("");
     }
 
@@ -125,6 +125,13 @@ final class RunData {
                 .filter(name -> name.endsWith("_label"))
                 .findFirst()
                 .orElse(faults.columns().get(0).name());
+    }
+
+    /** Returns what fails in a run: a sensor, or the motors of a side; empty in a healthy run. */
+    static String failingPart(RunRow row, FactorSummary faults) {
+        String prefix = faults.columns().get(0).name().replaceAll("kind$", "");
+        String motor = row.text(prefix + "motor");
+        return motor.isEmpty() ? row.text(sensorColumn(faults)) : motor + " motors";
     }
 
     /** Returns the column of the sensors that fail. */

@@ -27,7 +27,9 @@ final class SurvivalTables {
     public static void main(String[] arguments) throws IOException {
         Path page = Path.of(arguments[0]);
         String text = Files.readString(page);
-        Files.writeString(page, text.replace(block(text), markdown(page.resolveSibling("results/survival"))));
+        String before = text.substring(0, text.indexOf(BEGIN) + BEGIN.length());
+        String after = text.substring(text.indexOf(END));
+        Files.writeString(page, before + markdown(page.resolveSibling("results/survival")) + after);
     }
 
     /** Returns the part of a page that is made of the tables. */
@@ -42,7 +44,13 @@ final class SurvivalTables {
 
     private String markdown() throws IOException {
         StringBuilder out = new StringBuilder();
-        out.append("\nWith diagnosis:\n\n").append(matrix("on"));
+        String runs = read("survival").stream()
+                .filter(row -> row.get("fault_label").equals("off"))
+                .findFirst()
+                .orElseThrow()
+                .get("runs");
+        out.append("\nWith diagnosis, ").append(runs).append(" runs in each cell:\n\n");
+        out.append(matrix("on"));
         out.append("\nWithout diagnosis, the same rooms and faults:\n\n").append(matrix("off"));
         out.append("\nBy the rung that drove at the end, with diagnosis, one sensor failing:\n\n")
                 .append(rungs());
@@ -142,6 +150,21 @@ final class SurvivalTables {
         for (Map<String, String> row : read("two-faults")) {
             if (row.get("fault_label").equals("all")) {
                 addCase(out, row, "two faults");
+            }
+        }
+        for (Map<String, String> row : read("wrong-wheels")) {
+            if (row.get("fault_label").equals("none")) {
+                addCase(out, row, "wheels and track off by up to 5 %");
+            } else if (row.get("fault_label").equals("all")) {
+                String sensor = row.get("fault_sensor").replace("all", "left or front");
+                addCase(out, row, "wheels and track off by up to 5 %, " + sensor + " fails");
+            }
+        }
+        for (Map<String, String> row : read("motor-faults")) {
+            boolean each = row.get("fault_sensor").equals("all")
+                    && !row.get("fault_label").equals("all");
+            if (each && row.get("controller_diagnosis").equals("on")) {
+                addCase(out, row, "motors of one side: " + row.get("fault_label"));
             }
         }
         for (Map<String, String> row : read("wall-side-sensors")) {
