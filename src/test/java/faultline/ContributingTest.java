@@ -79,7 +79,7 @@ class ContributingTest {
         if (figure) {
             searched.add(Path.of("docs/results.md"));
             try (Stream<Path> results = Files.list(Path.of("docs/results"))) {
-                results.forEach(searched::add);
+                results.filter(Files::isRegularFile).forEach(searched::add);
             }
         }
         return searched.stream()
