@@ -152,6 +152,17 @@ final class SurvivalTables {
                 addCase(out, row, "two faults");
             }
         }
+        addCasesOfWheels(out);
+        for (Map<String, String> row : read("wall-side-sensors")) {
+            addCase(out, row, "on the wall's side on: " + row.get("sensors_on") + "; the others at random");
+        }
+        for (Map<String, String> row : read("one-sensor")) {
+            addCase(out, row, row.get("sensors_on") + " alone");
+        }
+        return out.toString();
+    }
+
+    private void addCasesOfWheels(StringBuilder out) throws IOException {
         for (Map<String, String> row : read("wrong-wheels")) {
             if (row.get("fault_label").equals("none")) {
                 addCase(out, row, "wheels and track off by up to 5 %");
@@ -167,13 +178,6 @@ final class SurvivalTables {
                 addCase(out, row, "motors of one side: " + row.get("fault_label"));
             }
         }
-        for (Map<String, String> row : read("wall-side-sensors")) {
-            addCase(out, row, "on the wall's side on: " + row.get("sensors_on") + "; the others at random");
-        }
-        for (Map<String, String> row : read("one-sensor")) {
-            addCase(out, row, row.get("sensors_on") + " alone");
-        }
-        return out.toString();
     }
 
     private static void addCase(StringBuilder out, Map<String, String> row, String name) {
