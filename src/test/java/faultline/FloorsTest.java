@@ -29,12 +29,12 @@ class FloorsTest {
 
     @Test
     void everySourceFileObeysTheRulesOfItsPackage() throws IOException {
-        List<String> complaints = new ArrayList<>();
+        List<String> problems = new ArrayList<>();
         for (Path file : sources()) {
-            complaints.addAll(
+            problems.addAll(
                     LayerRules.violations(ROOT.relativize(file).toString().replace('\\', '/'), Files.readString(file)));
         }
-        assertEquals(List.of(), complaints);
+        assertEquals(List.of(), problems);
     }
 
     @Test
@@ -131,8 +131,8 @@ class FloorsTest {
             sensor/SensorRandom.java         | import java.util.Random;                | may not use Random
             engine/Clock.java        | double u = Math.random();               | may not use Math.random
             """)
-    void aViolationIsReported(String path, String line, String complaint) {
-        assertEquals(List.of(path + " " + complaint), LayerRules.violations(path, line));
+    void aViolationIsReported(String path, String line, String problem) {
+        assertEquals(List.of(path + " " + problem), LayerRules.violations(path, line));
     }
 
     @ParameterizedTest

@@ -35,11 +35,9 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Opens a file for writing; nothing is seen of it before the commit.
+     * Opens a file for writing. The target does not change before the commit.
      *
-     * @param file where it is to be
-     * @return the open file
-     * @throws IOException if it cannot be written there, in one sentence
+     * @throws IOException if the file cannot be written, in one sentence
      */
     public static AtomicFile create(Path file) throws IOException {
         if (Files.isDirectory(file)) {
@@ -73,11 +71,9 @@ public final class AtomicFile implements AutoCloseable {
     }
 
     /**
-     * Writes a whole file.
+     * Writes a whole file; an existing one is replaced.
      *
-     * @param file where it is to be; an existing file is replaced
-     * @param bytes the content
-     * @throws IOException if it cannot be written there, in one sentence
+     * @throws IOException if the file cannot be written, in one sentence
      */
     public static void write(Path file, byte[] bytes) throws IOException {
         try (AtomicFile out = create(file)) {
@@ -86,19 +82,15 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /**
-     * Where the content goes.
-     *
-     * @return buffered; closed by the commit
-     */
+    /** Returns the buffered stream for the content; the commit closes it. */
     public OutputStream stream() {
         return stream;
     }
 
     /**
-     * Puts the written file in its place.
+     * Moves the written file into place.
      *
-     * @throws IOException if it cannot be
+     * @throws IOException if it cannot be moved
      */
     public void commit() throws IOException {
         stream.flush();

@@ -7,25 +7,23 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Numbers as files write them, whatever the language of the machine. Every text that this writes reads back to the same
- * bits.
+ * Decimal numbers as files hold them, in the same form on every machine. Every number that this class writes reads back
+ * to the same bits.
  */
 public final class DecimalText {
 
     private static final Pattern DECIMAL =
             Pattern.compile("[+-]?(?:\\d++(?:\\.\\d*+)?+|\\.\\d++)(?:[eE][+-]?\\d{1,4})?+");
-    /** More than any double needs, and few enough to be read at once. */
+    /** More characters than any double needs. */
     private static final int MAX_LENGTH = 1200;
-    /** Outside of these powers of ten a plain number is harder to read than one with an exponent. */
+    /** Numbers beyond this power of ten are written with an exponent. */
     private static final int MAX_PLAIN_EXPONENT = 15;
 
     private DecimalText() {}
 
     /**
-     * Reads a decimal number, with or without exponent.
-     *
-     * @param text blanks about it are ignored
-     * @return empty where it is no number; never infinite by rounding, because it is exact
+     * Returns the exact value of a decimal number with or without exponent, empty if the text is not a number.
+     * Surrounding blanks are ignored.
      */
     public static Optional<BigDecimal> parse(String text) {
         String trimmed = text.strip();
@@ -36,17 +34,17 @@ public final class DecimalText {
     }
 
     /**
-     * The nearest double to a decimal number; a zero keeps the sign of its text.
+     * Returns the nearest double to a number; a zero keeps the sign of its text. Infinite if the number is beyond all
+     * doubles.
      *
-     * @param exact from {@link #parse} of the same text
-     * @param text what it was read from
-     * @return finite unless the number is beyond all doubles
+     * @param exact the result of {@link #parse} for the same text
+     * @param text the text of the number
      */
     public static double toDouble(BigDecimal exact, String text) {
         return withSignOf(exact.doubleValue(), text);
     }
 
-    /** An angle given in degrees, in radians; a zero keeps the sign of its text. */
+    /** Returns an angle given in degrees in radians; a zero keeps the sign of its text. */
     public static double toRadians(BigDecimal degrees, String text) {
         return withSignOf(Degrees.toRadians(degrees), text);
     }
@@ -55,12 +53,7 @@ public final class DecimalText {
         return value == 0 && text.strip().startsWith("-") ? -0.0 : value;
     }
 
-    /**
-     * Writes a number.
-     *
-     * @param value finite
-     * @return without exponent where that is not absurdly long
-     */
+    /** Returns the text of a finite number, with an exponent only if the number is very large or very small. */
     public static String format(double value) {
         if (value == 0) {
             return formatZero(value);
@@ -70,7 +63,7 @@ public final class DecimalText {
         return Math.abs(power) <= MAX_PLAIN_EXPONENT ? shortest.toPlainString() : shortest.toString();
     }
 
-    /** Writes a number for people, to three digits. */
+    /** Returns the text of a number rounded to three digits. */
     public static String formatRounded(double value) {
         return new BigDecimal(value)
                 .round(new MathContext(3))
@@ -78,12 +71,7 @@ public final class DecimalText {
                 .toPlainString();
     }
 
-    /**
-     * Writes an angle in degrees.
-     *
-     * @param radians finite
-     * @return degrees without exponent
-     */
+    /** Returns the text of a finite angle in degrees, without exponent. */
     public static String formatDegrees(double radians) {
         return radians == 0 ? formatZero(radians) : Degrees.toText(radians);
     }

@@ -4,7 +4,7 @@ import java.util.Collection;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Guesses which of the known names a misspelt one was meant to be. */
+/** Suggests the known name that a misspelt one was meant to be. */
 public final class DidYouMean {
 
     private static final int MAX_LENGTH = 60;
@@ -12,11 +12,8 @@ public final class DidYouMean {
     private DidYouMean() {}
 
     /**
-     * A question to put behind a complaint.
-     *
-     * @param given the name that is not known
-     * @param known the names that are
-     * @return {@code ; did you mean "left"?}, empty where nothing is near
+     * Returns a question to append to a problem, such as {@code ; did you mean "left"?}; empty if no known name is
+     * similar.
      */
     public static String hint(String given, Collection<String> known) {
         return nearest(given, known)
@@ -25,11 +22,8 @@ public final class DidYouMean {
     }
 
     /**
-     * The known name nearest to another, upper and lower case alike.
-     *
-     * @param given any text
-     * @param known the names to choose from; of equally near ones the first wins
-     * @return empty where it would take more than one change in three letters, or a single one in a shorter name
+     * Returns the first of the known names that are most similar to another, ignoring case. Empty if all of them differ
+     * by more than one change in three letters, or by more than a single change if the name is shorter.
      */
     public static Optional<String> nearest(String given, Collection<String> known) {
         if (given.length() > MAX_LENGTH) {
@@ -49,7 +43,8 @@ public final class DidYouMean {
     }
 
     /**
-     * How many letters must be put in, left out, exchanged or swapped with their neighbour: optimal string alignment.
+     * Returns the optimal string alignment distance: the number of letters to insert, delete, replace or swap with
+     * their neighbour.
      */
     static int editDistance(String a, String b) {
         int[][] cost = new int[a.length() + 1][b.length() + 1];

@@ -17,7 +17,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** Tells which file a path names, whatever links and spellings lead to it. Safe on any thread; the calls block. */
+/**
+ * Finds out which file a path names if links and different spellings lead to it. Safe on any thread; the calls block.
+ */
 public final class FileTarget {
 
     private static final int MAX_LINKS = 40;
@@ -25,8 +27,8 @@ public final class FileTarget {
     private FileTarget() {}
 
     /**
-     * Returns the first output that is the same file as an input or as an output before it, be it by a link, a hard
-     * link or another spelling. Devices and pipes are not compared.
+     * Returns the first output that is the same file as an input or as an earlier output, through a link, a hard link
+     * or another spelling. Devices and pipes are not compared.
      *
      * @param inputs files that are read
      * @param outputs files that are to be written, which need not exist

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.function.Function;
 
 /**
- * A message for people as data. Its text is made where it is shown: in English by {@link #toString}, in another
+ * A message to the user as data. Its text is made where it is shown: in English by {@link #toString}, in another
  * language by {@link #text} with translated patterns.
  *
  * @param template the kind of message

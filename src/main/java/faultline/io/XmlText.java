@@ -1,16 +1,16 @@
 package faultline.io;
 
-/** Text as XML 1.0 can hold it. */
+/** Converts text to what XML 1.0 can hold. */
 public final class XmlText {
 
     private XmlText() {}
 
-    /** Text for people: on one line, single blanks, and without the characters that XML cannot hold. */
+    /** Returns a text on one line, with single blanks, and without the characters that XML cannot hold. */
     public static String oneLine(String text) {
         return replaceInvalid(text, ' ').replaceAll("\\s+", " ").strip();
     }
 
-    /** Text in double quotes in a file; reads back to the same characters, white space included. */
+    /** Returns a text for use between double quotes; it reads back to the same characters, including white space. */
     public static String escapeAttribute(String text) {
         return escapeText(text)
                 .replace("\"", "&quot;")
@@ -19,7 +19,7 @@ public final class XmlText {
                 .replace("\r", "&#13;");
     }
 
-    /** Text inside an element. What XML cannot hold at all becomes a question mark. */
+    /** Returns a text for use inside an element. A character that XML cannot hold is replaced by a question mark. */
     public static String escapeText(String text) {
         return replaceInvalid(text, '?')
                 .replace("&", "&amp;")
@@ -34,7 +34,7 @@ public final class XmlText {
                 .toString();
     }
 
-    /** The characters of XML 1.0, production 2. */
+    /** Returns whether a character is one of production 2 of XML 1.0. */
     private static boolean isXmlCharacter(int c) {
         return c == '\t'
                 || c == '\n'

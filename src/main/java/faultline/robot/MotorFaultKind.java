@@ -24,11 +24,11 @@ public enum MotorFaultKind {
     private final double defaultValue;
     private final DoubleFunction<MotorFault> factory;
 
-    MotorFaultKind(String unit, double least, double most, double usual, DoubleFunction<MotorFault> factory) {
+    MotorFaultKind(String unit, double least, double most, double initial, DoubleFunction<MotorFault> factory) {
         this.unit = unit;
         this.minValue = least;
         this.maxValue = most;
-        this.defaultValue = usual;
+        this.defaultValue = initial;
         this.factory = factory;
     }
 

@@ -7,18 +7,17 @@ import faultline.engine.metrics.Expectation;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Makes a plain scenario of what was done in a run, so that running it gives the same trajectory to the bit. */
+/** Makes a scenario of the commands of a run, so that running it gives the same trajectory to the bit. */
 public final class JournalScenario {
 
     private JournalScenario() {}
 
     /**
-     * The scenario that replays a journal.
+     * Returns the scenario that replays a journal. It lasts as long as the run did, and expects nothing, because the
+     * expectations of the base are about another run.
      *
-     * @param base the scenario that the run was started from; gives the name and the description
-     * @param journal what was done to the run
-     * @return lasts as long as the run had; expects nothing, because another run was made than the one that the base
-     *     speaks of
+     * @param base the scenario of the run; gives the name and the description
+     * @param journal the commands of the run
      */
     public static Scenario create(Scenario base, Journal journal) {
         SimulationSetup setup = journal.replayableSetup();

@@ -12,9 +12,9 @@ public final class RunJson {
     private RunJson() {}
 
     /**
-     * Returns a result as JSON; {@code null} where there is no value.
+     * Returns a result as JSON, with {@code null} for a missing value.
      *
-     * @param result what a run came to
+     * @param result the result
      * @param truth whether the controller was given the ground truth
      * @param unmet the expectations that failed, one sentence each
      */

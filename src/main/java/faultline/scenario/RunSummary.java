@@ -13,17 +13,12 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
-/** A run's result as {@code key: value} lines, one value a line, the same in every language. */
+/** A run's result as lines of the form {@code key: value}, the same in every language. */
 public final class RunSummary {
 
     private RunSummary() {}
 
-    /**
-     * The lines of a result.
-     *
-     * @param result what a run came to
-     * @return keys in a fixed order; {@code none} where there is no value
-     */
+    /** Returns one line for each value, with the keys in a fixed order; a missing value is {@code none}. */
     public static List<String> lines(RunResult result) {
         return List.of(
                 "ticks: " + result.ticks(),
@@ -56,12 +51,7 @@ public final class RunSummary {
         return changes(result, RunSummary::formatHealth);
     }
 
-    /**
-     * A result's trajectory hash in writing.
-     *
-     * @param result what a run came to
-     * @return 16 hexadecimal digits
-     */
+    /** Returns a result's trajectory hash as 16 hexadecimal digits. */
     public static String formatHash(RunResult result) {
         return String.format(Locale.ROOT, "%016x", result.trajectoryHash());
     }

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** A finished run of a scenario, every tick of it recorded: what a test asserts on. */
+/** A finished run of a scenario with a record of every tick, for the assertions of a test. */
 public final class ScenarioRun {
 
     private final Scenario scenario;
@@ -24,111 +24,77 @@ public final class ScenarioRun {
         this.log = recorder;
     }
 
-    /**
-     * Runs a scenario to its duration.
-     *
-     * @param scenario what to run
-     * @param mode where the controller runs; the trajectory is the same
-     * @return the recorded run
-     */
+    /** Runs a scenario to its duration; the trajectory is the same in every mode. */
     static ScenarioRun execute(Scenario scenario, ControllerMode mode) {
         TickLog recorder = new TickLog();
         RunResult result = HeadlessRun.run(scenario.setup(), mode, List.of(recorder));
         return new ScenarioRun(scenario, result, recorder);
     }
 
-    /**
-     * What the run came to, as the command line's summary has it.
-     *
-     * @return the result
-     */
+    /** Returns the result, as in the summary of the command line. */
     public RunResult result() {
         return result;
     }
 
     /**
-     * The robot's pose at a time.
+     * Returns the robot's pose at a time; its heading is not normalised.
      *
-     * @param seconds from 0 to the run's end; the first tick that is not before it counts
-     * @return metres and radians, the heading not normalised
+     * @param seconds in [0, duration], rounded up to the next tick
      */
     public Pose poseAt(double seconds) {
         return log.pose(tickAt(seconds));
     }
 
     /**
-     * The controller's state at a time.
+     * Returns the name of the controller's state at a time, such as FOLLOW.
      *
-     * @param seconds from 0 to the run's end
-     * @return its name, such as FOLLOW
+     * @param seconds in [0, duration], rounded up to the next tick
      */
     public String stateAt(double seconds) {
         return log.state(tickAt(seconds));
     }
 
     /**
-     * What was really in a sensor's cone at a time.
+     * Returns a sensor's reading without noise and faults at a time.
      *
-     * @param sensor its id
-     * @param seconds from 0 to the run's end
-     * @return the reading without noise and faults
+     * @param sensor the id
+     * @param seconds in [0, duration], rounded up to the next tick
      */
     public Reading trueReading(String sensor, double seconds) {
         return log.trueReading(tickAt(seconds), sensor);
     }
 
     /**
-     * What a sensor reported at a time.
+     * Returns a sensor's reported reading, with noise and faults, at a time.
      *
-     * @param sensor its id
-     * @param seconds from 0 to the run's end
-     * @return the reading with noise and faults
+     * @param sensor the id
+     * @param seconds in [0, duration], rounded up to the next tick
      */
     public Reading reading(String sensor, double seconds) {
         return log.reportedReading(tickAt(seconds), sensor);
     }
 
-    /**
-     * All states that the controller passed through.
-     *
-     * @return in the order of their first appearance
-     */
+    /** Returns the names of all states that the controller passed through, in the order of their first appearance. */
     public List<String> states() {
         return result.visitedStates().stream().map(ControllerState::name).toList();
     }
 
-    /**
-     * The robot's first contact.
-     *
-     * @return empty where there was none
-     */
+    /** Returns the robot's first collision, if there was one. */
     public Optional<Collision> collision() {
         return result.collision();
     }
 
-    /**
-     * How much of the wall that could be followed was.
-     *
-     * @return in [0, 1], empty where no wall was followed
-     */
+    /** Returns the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed. */
     public OptionalDouble coverage() {
         return result.coverage();
     }
 
-    /**
-     * The hash over all ticks, which is the same for every run of the same scenario.
-     *
-     * @return as the command line writes it: 16 hexadecimal digits
-     */
+    /** Returns the hash over all ticks as 16 hexadecimal digits. It is the same for every run of the same scenario. */
     public String trajectoryHash() {
         return RunSummary.formatHash(result);
     }
 
-    /**
-     * What the scenario expects and the run did not hold.
-     *
-     * @return one sentence each, empty where all was held
-     */
+    /** Returns the expectations that the run did not meet, one sentence each. */
     public List<String> unmetExpectations() {
         return scenario.expectation().unmet(result);
     }

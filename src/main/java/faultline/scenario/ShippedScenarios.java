@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.jar.JarFile;
 import java.util.stream.Stream;
 
-/** Which scenarios ship with the program. */
+/** Lists the scenarios that ship with the program. */
 public final class ShippedScenarios {
 
     private static final String FOLDER = "scenarios/";
@@ -18,9 +18,9 @@ public final class ShippedScenarios {
     private ShippedScenarios() {}
 
     /**
-     * The names of their files, for {@link Scenario#loadShipped(String)}. Slow: looks into the program's own file.
+     * Returns the names of the files, for {@link Scenario#loadShipped(String)}, in alphabetical order. Slow: reads the
+     * program's own file.
      *
-     * @return in the order of the alphabet
      * @throws IOException if the program's own file cannot be read
      */
     public static List<String> names() throws IOException {
@@ -50,7 +50,7 @@ public final class ShippedScenarios {
     }
 
     private static List<String> sorted(Stream<String> names) {
-        // What lies in folders of its own, such as what the studies start from, is not for everybody.
+        // Folders hold files for special purposes, such as the worlds of the studies.
         return names.filter(name -> name.endsWith(EXTENSION) && !name.contains("/"))
                 .sorted()
                 .toList();

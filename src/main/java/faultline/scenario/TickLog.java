@@ -10,15 +10,15 @@ import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Remembers every tick of a run: some 200 bytes each with eight sensors. */
+/** Records every tick of a run, about 200 bytes each with eight sensors. */
 final class TickLog implements TickObserver {
 
     /**
-     * One tick.
+     * A tick.
      *
-     * @param pose the robot's
-     * @param state the name of the controller's
-     * @param readings true and reported in turn, encoded as in {@link Reading}
+     * @param pose of the robot
+     * @param state the name of the controller's state
+     * @param readings the true and the reported reading of each sensor in turn, encoded as in {@link Reading}
      */
     private record Entry(Pose pose, String state, double[] readings) {}
 

@@ -1,5 +1,5 @@
 /**
- * Scenarios for people who write tests: load one, run it without a window, and check the recorded run. Any thread may
- * call it.
+ * Scenarios for the authors of tests: load one, run it without a window, and check the recorded run. Safe on any
+ * thread.
  */
 package faultline.scenario;

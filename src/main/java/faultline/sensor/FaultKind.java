@@ -92,12 +92,12 @@ public enum FaultKind {
     private final double defaultValue;
     private final Factory factory;
 
-    FaultKind(Family family, String unit, double least, double most, double usual, Factory factory) {
+    FaultKind(Family family, String unit, double least, double most, double initial, Factory factory) {
         this.family = family;
         this.unit = unit;
         this.minValue = least;
         this.maxValue = most;
-        this.defaultValue = usual;
+        this.defaultValue = initial;
         this.factory = factory;
     }
 

@@ -201,9 +201,9 @@ class CommandLineTest {
             run a.xml --journal a.xml       | one file is named twice, allowed is another one for each output
             run a.xml --trace=              | "" is no name for a file
             """)
-    void badUsageIsExitCodeTwoAndOneLine(String arguments, String complaint) {
+    void badUsageIsExitCodeTwoAndOneLine(String arguments, String problem) {
         assertEquals(
-                new CommandResult(2, "", "faultline: " + complaint + " (faultline --help tells more)\n"),
+                new CommandResult(2, "", "faultline: " + problem + " (faultline --help tells more)\n"),
                 command(arguments.split(" ")));
     }
 

@@ -12,17 +12,17 @@ class ControllerSpecTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, -0.1, Double.NaN, Double.POSITIVE_INFINITY})
     void theDistanceMustBePositive(double distance) {
-        Exception complaint = assertThrows(
+        Exception problem = assertThrows(
                 IllegalArgumentException.class, () -> new WallFollowing(distance, WallSide.LEFT, 0, TimingRule.RANGE));
-        assertTrue(complaint.getMessage().contains("distance must be positive: " + distance), complaint.getMessage());
+        assertTrue(problem.getMessage().contains("distance must be positive: " + distance), problem.getMessage());
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {-0.01, Double.NaN, Double.POSITIVE_INFINITY})
     void thePeriodMustNotBeNegative(double period) {
-        Exception complaint = assertThrows(
+        Exception problem = assertThrows(
                 IllegalArgumentException.class, () -> new WallFollowing(0.25, WallSide.LEFT, period, TimingRule.RANGE));
-        assertTrue(complaint.getMessage().contains("period must not be negative: " + period), complaint.getMessage());
+        assertTrue(problem.getMessage().contains("period must not be negative: " + period), problem.getMessage());
     }
 
     @ParameterizedTest

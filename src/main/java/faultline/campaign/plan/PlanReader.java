@@ -50,7 +50,7 @@ final class PlanReader {
     /**
      * Reads a plan.
      *
-     * @param name the name that complaints give it
+     * @param name the name that problems give it
      * @param bytes its content
      * @param resolver gets the scenarios that it names
      * @throws ScenarioException with everything that is wrong

@@ -31,7 +31,7 @@ final class ScenarioTree {
     }
 
     /**
-     * Sets an attribute. The changed element gets the location, so that a complaint about its value is one about the
+     * Sets an attribute. The changed element gets the location, so that a problem about its value is one about the
      * plan.
      *
      * @param file the plan's name, for messages

@@ -96,10 +96,10 @@ final class WorldsReader {
 
     /** Returns a valid scenario as a tree. */
     private static XmlElement parse(String file, byte[] bytes) throws ScenarioException {
-        Problems complaints = new Problems(file);
-        XmlParser parser = new XmlParser(bytes, complaints, XmlFormat.SCENARIO);
+        Problems problems = new Problems(file);
+        XmlParser parser = new XmlParser(bytes, problems, XmlFormat.SCENARIO);
         Optional<XmlElement> root = parser.parse();
-        complaints.throwIfAny();
+        problems.throwIfAny();
         ScenarioReader.read(file, root.orElseThrow());
         return root.get();
     }

@@ -64,9 +64,14 @@ record SensorViews(SensorView left, SensorView front, SensorView frontLeft, Sens
     }
 
     private static SensorView toView(SensorSpec sensor, double reading, double side) {
-        Vector2 seat = new Vector2(
+        Vector2 mountPosition = new Vector2(
                 sensor.mountPosition().x(), side * sensor.mountPosition().y());
         return new SensorView(
-                seat, Angles.normalize(side * sensor.bearing()), sensor.cone() / 2, sensor.range(), reading, true);
+                mountPosition,
+                Angles.normalize(side * sensor.bearing()),
+                sensor.cone() / 2,
+                sensor.range(),
+                reading,
+                true);
     }
 }

@@ -6,7 +6,7 @@ import faultline.io.MessageText;
 import java.util.Collection;
 import java.util.stream.Collectors;
 
-/** What may stand in a place of a scenario file, with the English text of each rule. */
+/** The rules for values in a scenario file, with the English text of each. */
 public enum Allowed implements Message.Template {
     NUMBER("a number {0}"),
     PLAIN_NUMBER("a number without exponent, {0}"),

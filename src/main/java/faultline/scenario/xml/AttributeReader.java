@@ -16,17 +16,16 @@ import java.util.Set;
 import java.util.function.Supplier;
 
 /**
- * The attributes of one element, asked for one by one. What is wrong is complained of and read as a stand-in value, so
- * that reading goes on and finds the next fault too; whoever reads throws everything away at the end if there were
- * complaints.
+ * Reads the attributes of one element. An invalid value is reported and replaced by a placeholder, so that reading
+ * continues and finds the next problem; the caller discards the result if any problem was reported.
  */
 public final class AttributeReader {
 
-    /** Where to find the schema; editors put it in, and it says nothing to us. */
+    /** Attributes that tell an editor where the schema is; they are ignored. */
     private static final Set<String> SCHEMA_LOCATION_ATTRIBUTES =
             Set.of("xsi:schemaLocation", "xsi:noNamespaceSchemaLocation");
 
-    /** Enough for any outline; stands in for points that could not be read. */
+    /** A valid outline in place of points that could not be read. */
     private static final List<Vector2> PLACEHOLDER_POINTS = List.of(Vector2.ZERO, new Vector2(1, 0), new Vector2(0, 1));
 
     private final XmlElement node;
@@ -34,9 +33,9 @@ public final class AttributeReader {
     private final Set<String> requested = new LinkedHashSet<>();
     private final Map<String, Supplier<Object>> missing = new LinkedHashMap<>();
 
-    public AttributeReader(XmlElement node, Problems complaints) {
+    public AttributeReader(XmlElement node, Problems problems) {
         this.node = node;
-        this.problems = complaints;
+        this.problems = problems;
     }
 
     public boolean isPresent(String name) {
@@ -49,12 +48,12 @@ public final class AttributeReader {
         return Optional.ofNullable(node.attributes().get(name));
     }
 
-    /** A text that must be there; empty, with a complaint, where it is not. */
+    /** Returns the value of a required attribute; empty, with a problem, if it is missing. */
     public String requiredText(String name, String allowed) {
         return required(name, () -> allowed).orElse("");
     }
 
-    /** A number that must be there. */
+    /** Returns the number of a required attribute. */
     double number(String name, NumberRange range) {
         return required(name, () -> numberRule(range))
                 .map(text -> parseNumber(name, text, range))
@@ -65,7 +64,7 @@ public final class AttributeReader {
         return text(name).map(text -> parseNumber(name, text, range)).orElse(fallback);
     }
 
-    /** An angle in degrees, read to radians. */
+    /** Returns the angle of a required attribute, which is in degrees, in radians. */
     double angle(String name, NumberRange range) {
         return required(name, () -> plainNumberRule(range))
                 .map(text -> parseAngle(name, text, range))
@@ -76,7 +75,7 @@ public final class AttributeReader {
         return text(name).map(text -> parseAngle(name, text, range)).orElse(fallback);
     }
 
-    /** A cone, whose nearest number of radians must be less than pi too. */
+    /** Returns a cone angle in radians, which must be less than pi after rounding too. */
     double cone(double fallback) {
         double radians = angle("cone", NumberRange.CONE, fallback);
         if (radians > 0 && radians < StrictMath.PI) {
@@ -110,13 +109,13 @@ public final class AttributeReader {
                 return value;
             }
         } catch (NumberFormatException e) {
-            // Told below, like a number out of range.
+            // Reported below, like a number out of range.
         }
         report(name, text, Allowed.WHOLE_NUMBER.with(Allowed.CLOSED.with(least, most)));
         return least;
     }
 
-    /** A name of something, which must be there. */
+    /** Returns the id of a required attribute. */
     public String id(String name) {
         Optional<String> given = required(name, Allowed.ID::with);
         given.filter(text -> !isValidId(text)).ifPresent(text -> report(name, text, Allowed.ID.with()));
@@ -129,7 +128,7 @@ public final class AttributeReader {
                 && text.chars().noneMatch(c -> c == ',' || c == '"' || Character.isISOControl(c));
     }
 
-    /** One of a few words, which must be there. */
+    /** Returns the option that a required attribute names. */
     <T> Optional<T> choice(String name, Map<String, T> options) {
         List<String> words = List.copyOf(options.keySet());
         return required(name, () -> Allowed.names(words)).flatMap(text -> choice(name, text, options, words));
@@ -148,7 +147,7 @@ public final class AttributeReader {
         return chosen;
     }
 
-    /** Points as "x,y x,y", which must be there; no more of them than there may be. */
+    /** Returns the points of a required attribute, written as "x,y x,y". */
     List<Vector2> points(String name, int least, int most) {
         Message allowed = Allowed.POINTS.with(least, NumberRange.COORDINATE.rule());
         List<Vector2> points = required(name, () -> allowed)
@@ -202,14 +201,14 @@ public final class AttributeReader {
         return rings;
     }
 
-    /** Complains of a value that is there. */
+    /** Reports an invalid value. */
     public void report(String name, String given, Object allowed) {
         problems.add(node, ProblemKind.VALUE.with(name, node.name(), MessageText.excerpt(given), allowed));
     }
 
     /**
-     * Complains of every attribute that was given and never asked for, and of every one that must be there and is not.
-     * One that looks like a misspelt name of the other kind is told of once.
+     * Reports every attribute that was given but never read, and every required one that is missing. An unknown
+     * attribute that looks like a misspelt missing one is reported once.
      */
     public void reportUnknownAndMissing() {
         for (String name : node.attributes().keySet()) {

@@ -84,13 +84,13 @@ final class ControllerXml {
     }
 
     private static ControllerSpec readWallFollower(AttributeReader fields) {
-        ControllerSpec.WallFollowing usual = ControllerSpec.WallFollowing.DEFAULT;
+        ControllerSpec.WallFollowing defaults = ControllerSpec.WallFollowing.DEFAULT;
         return new ControllerSpec.WallFollowing(
                 readDistance(fields),
-                fields.choice("hand", WALL_SIDES, usual.side()),
+                fields.choice("hand", WALL_SIDES, defaults.side()),
                 readPeriod(fields),
-                fields.choice("timing", TIMING_RULES, usual.timingRule()),
-                fields.choice("diagnosis", SWITCH, usual.diagnosis()));
+                fields.choice("timing", TIMING_RULES, defaults.timingRule()),
+                fields.choice("diagnosis", SWITCH, defaults.diagnosis()));
     }
 
     private static double readDistance(AttributeReader fields) {
@@ -200,7 +200,8 @@ final class ControllerXml {
     }
 
     /**
-     * The text {@code left,right*ticks}: voltages and for how many ticks they hold, one if that is not said.
+     * The text {@code left,right*ticks}: two voltages and the number of ticks for which they hold; without a number, it
+     * is one.
      *
      * @param left volts
      * @param right volts

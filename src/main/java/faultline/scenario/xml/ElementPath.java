@@ -6,20 +6,19 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Where in a document one is, as a text by which an element is found again in an edited copy:
- * {@code /scenario#1/world#1/circle=pillar}. An element goes by its id, or without one by its number among those of its
- * name in the same parent.
+ * A path that identifies an element in an edited copy of a document: {@code /scenario#1/world#1/circle=pillar}. It
+ * holds an element's id, or, if it has none, its number among the elements of its name in the same parent.
  */
 final class ElementPath {
 
-    /** An element that is open, with how many children of each name it has had. */
+    /** An open element, with the number of children of each name so far. */
     private record OpenElement(String path, Map<String, Integer> children) {
         static OpenElement of(String path) {
             return new OpenElement(path, new HashMap<>());
         }
     }
 
-    /** No document can hold it. */
+    /** A character that no document can contain. */
     private static final char SLASH_SUBSTITUTE = 0;
 
     private final Deque<OpenElement> openElements = new ArrayDeque<>();
@@ -28,12 +27,16 @@ final class ElementPath {
         openElements.push(OpenElement.of(""));
     }
 
-    /** The path of the element that is open: empty outside of the root element. */
+    /** Returns the path of the open element, empty outside the root element. */
     String current() {
         return openElements.peek().path;
     }
 
-    /** Goes into the next child of a name; an empty id stands for none. */
+    /**
+     * Enters the next child of a name.
+     *
+     * @param id empty if it has none
+     */
     void enter(String name, String id) {
         int number = openElements.peek().children.merge(name, 1, Integer::sum);
         openElements.push(OpenElement.of(

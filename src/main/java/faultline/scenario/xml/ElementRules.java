@@ -7,15 +7,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** What may stand inside an element. */
+/** Checks the content of elements. */
 public final class ElementRules {
 
     private ElementRules() {}
 
-    /** Complains of text, and of every child that is not among the allowed ones. */
-    public static void checkChildren(XmlElement node, Collection<String> allowed, Problems complaints) {
+    /** Reports text, and every child that is not among the allowed ones. */
+    public static void checkChildren(XmlElement node, Collection<String> allowed, Problems problems) {
         if (!node.text().isBlank()) {
-            complaints.add(
+            problems.add(
                     node,
                     ProblemKind.TEXT.with(
                             node.name(),
@@ -30,7 +30,7 @@ public final class ElementRules {
                         node,
                         child,
                         allowed.isEmpty() ? Allowed.NOTHING.with() : Allowed.names(allowed, child.name()),
-                        complaints);
+                        problems);
             }
         }
     }
@@ -39,21 +39,21 @@ public final class ElementRules {
         problems.add(child, ProblemKind.UNKNOWN_ELEMENT.with(node.name(), MessageText.oneLine(child.name()), allowed));
     }
 
-    /** The text of an element that holds nothing else. */
-    public static String readText(XmlElement node, Problems complaints) {
-        new AttributeReader(node, complaints).reportUnknownAndMissing();
+    /** Returns the text of an element that must not contain anything else. */
+    public static String readText(XmlElement node, Problems problems) {
+        new AttributeReader(node, problems).reportUnknownAndMissing();
         for (XmlElement child : node.children()) {
-            reportUnknown(node, child, Allowed.TEXT.with(), complaints);
+            reportUnknown(node, child, Allowed.TEXT.with(), problems);
         }
         return node.text();
     }
 
-    /** Complains of every second child of a name. */
-    public static void checkAtMostOne(XmlElement node, List<String> names, Problems complaints) {
+    /** Reports every child after the first of a name. */
+    public static void checkAtMostOne(XmlElement node, List<String> names, Problems problems) {
         Set<String> seen = new HashSet<>();
         for (XmlElement child : node.children()) {
             if (names.contains(child.name()) && !seen.add(child.name())) {
-                complaints.add(child, ProblemKind.DUPLICATE_ELEMENT.with(node.name(), child.name()));
+                problems.add(child, ProblemKind.DUPLICATE_ELEMENT.with(node.name(), child.name()));
             }
         }
     }
@@ -62,13 +62,13 @@ public final class ElementRules {
      * Reports an id that is already in use, and adds it to those in use. A missing or invalid id has been reported
      * before.
      */
-    static void checkUniqueId(XmlElement node, String id, Map<String, SourceLocation> seen, Problems complaints) {
+    static void checkUniqueId(XmlElement node, String id, Map<String, SourceLocation> seen, Problems problems) {
         if (!id.equals(node.attributes().get("id"))) {
             return;
         }
         SourceLocation first = seen.putIfAbsent(id, node.location());
         if (first != null) {
-            complaints.add(node, ProblemKind.DUPLICATE_ID.with(node.name(), MessageText.excerpt(id), first.line()));
+            problems.add(node, ProblemKind.DUPLICATE_ID.with(node.name(), MessageText.excerpt(id), first.line()));
         }
     }
 }

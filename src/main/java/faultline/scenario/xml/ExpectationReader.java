@@ -8,10 +8,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** Makes the expectations of their element. */
+/** Reads the expectations. */
 final class ExpectationReader {
 
-    /** More than any controller has. */
+    /** More states than any controller has. */
     private static final int MAX_STATES = 50;
 
     private final Problems problems;

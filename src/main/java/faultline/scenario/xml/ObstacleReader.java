@@ -11,10 +11,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 
-/** Makes obstacles of elements, in the world and in the timeline, and counts how many parts the file has had. */
+/** Reads obstacles, in the world and in the timeline, and counts the obstacles and points of the file. */
 final class ObstacleReader {
 
-    /** The surfaces that can be specular. */
+    /** The shapes whose surface can be specular. */
     private static final List<String> SPECULAR_SHAPES = List.of("rectangle", "polygon", "wall", "plan");
 
     private static final List<String> CHILD_ELEMENTS = List.of("motion");
@@ -23,8 +23,8 @@ final class ObstacleReader {
     private final Map<String, Function<AttributeReader, ObstacleShape>> shapeReaders = new LinkedHashMap<>();
     private int partCount;
 
-    ObstacleReader(Problems complaints) {
-        this.problems = complaints;
+    ObstacleReader(Problems problems) {
+        this.problems = problems;
         shapeReaders.put(
                 "rectangle",
                 f -> new ObstacleShape.Rectangle(
@@ -38,12 +38,12 @@ final class ObstacleReader {
         shapeReaders.put("plan", f -> new ObstacleShape.Plan(readRings(f)));
     }
 
-    /** The names of the elements that are obstacles. */
+    /** Returns the names of the elements that are obstacles. */
     List<String> elementNames() {
         return List.copyOf(shapeReaders.keySet());
     }
 
-    /** The obstacle of an element whose name is one of {@link #elementNames()}. */
+    /** Returns the obstacle of an element whose name is one of {@link #elementNames()}. */
     Obstacle read(XmlElement node) {
         partCount++;
         ElementRules.checkChildren(node, CHILD_ELEMENTS, problems);
@@ -102,7 +102,7 @@ final class ObstacleReader {
         return points;
     }
 
-    /** Whether the file has had more than its share of obstacles and points. */
+    /** Returns whether the file has more obstacles and points than it may. */
     boolean isFull() {
         return partCount >= ScenarioLimits.MAX_PARTS;
     }

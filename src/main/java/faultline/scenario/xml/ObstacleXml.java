@@ -4,23 +4,18 @@ import faultline.world.Obstacle;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 
-/** Obstacles as text: the elements that a scenario file has for them, ready to be put into one by hand. */
+/** Converts obstacles to and from the elements of a scenario file, for the clipboard. */
 public final class ObstacleXml {
 
     private static final String PREFIX = "<scenario xmlns=\"" + ScenarioSchema.NAMESPACE
             + "\" name=\"\"><world width=\"1\" height=\"1\" enclosed=\"false\""
             + " maxMoving=\"" + ScenarioLimits.MAX_PARTS + "\">";
-    /** The robot that a scenario must have, out of the way. */
+    /** A scenario must have a robot; this one is far away. */
     private static final String SUFFIX = "</world><robot x=\"-100000\" y=\"-100000\"/></scenario>";
 
     private ObstacleXml() {}
 
-    /**
-     * The text of obstacles.
-     *
-     * @param obstacles in order
-     * @return one element a line, those of moving ones with their motions
-     */
+    /** Returns obstacles as text, one element to a line, in order; those of moving obstacles contain their motions. */
     public static String format(List<Obstacle> obstacles) {
         XmlWriter out = new XmlWriter();
         obstacles.forEach(obstacle -> WorldWriter.writeObstacle(obstacle, out));
@@ -28,10 +23,9 @@ public final class ObstacleXml {
     }
 
     /**
-     * The obstacles of a text.
+     * Returns the obstacles of a text in order.
      *
-     * @param text elements as {@link #format} makes them, or a whole scenario
-     * @return its obstacles, in order
+     * @param text elements as {@link #format} returns them, or a whole scenario
      * @throws ScenarioException with everything that is wrong
      */
     public static List<Obstacle> parse(String text) throws ScenarioException {

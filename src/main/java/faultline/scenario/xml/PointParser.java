@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.StringTokenizer;
 
 /**
- * Points as files write them: x,y pairs with blanks between the pairs. They are taken one at a time, because a hostile
- * file may have millions.
+ * Parses points in the form of files: x,y pairs with blanks between the pairs. They are read one at a time, because a
+ * hostile file may hold millions.
  */
 final class PointParser {
 
@@ -26,7 +26,7 @@ final class PointParser {
         return pairs.nextToken();
     }
 
-    /** The point of one pair, empty where it is none. */
+    /** Returns the point of a pair, empty if the pair is invalid. */
     static Optional<Vector2> parsePoint(String pair) {
         int comma = pair.indexOf(',');
         if (comma < 0) {

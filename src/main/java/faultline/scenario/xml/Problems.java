@@ -5,10 +5,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** Gathers all that is wrong with one file, so that it is told at once. */
+/** Collects the problems of one file, so that they are reported together. */
 public final class Problems {
 
-    /** No more than this is told of one file. */
+    /** The greatest number of problems that are listed. */
     static final int MAX_LISTED = 100;
 
     private final String file;
@@ -34,11 +34,11 @@ public final class Problems {
     }
 
     void add(SourceLocation place, Message message) {
-        Problem complaint = new Problem(file, place, message);
+        Problem problem = new Problem(file, place, message);
         if (problems.size() == MAX_LISTED) {
             omitted++;
-        } else if (!problems.contains(complaint)) {
-            problems.add(complaint);
+        } else if (!problems.contains(problem)) {
+            problems.add(problem);
         }
     }
 
@@ -46,7 +46,7 @@ public final class Problems {
         return problems.isEmpty();
     }
 
-    /** Throws what was gathered, in the file's order; does nothing where nothing was. */
+    /** Throws the collected problems in the order of the file, if there are any. */
     public void throwIfAny() throws ScenarioException {
         if (!problems.isEmpty()) {
             throw new ScenarioException(sorted());

@@ -14,21 +14,21 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
-/** Makes the robot and its pose at the start of its element. */
+/** Reads the robot and its initial pose. */
 final class RobotReader {
 
     private static final List<String> CHILD_ELEMENTS = List.of("motor", "sensor");
 
     private final Problems problems;
 
-    RobotReader(Problems complaints) {
-        this.problems = complaints;
+    RobotReader(Problems problems) {
+        this.problems = problems;
     }
 
     /**
-     * The robot as built, and where it starts.
+     * The robot and its initial pose.
      *
-     * @param spec as built
+     * @param spec the robot
      * @param start its pose at time 0
      */
     record PlacedRobot(RobotSpec spec, Pose start) {}
@@ -37,24 +37,24 @@ final class RobotReader {
         ElementRules.checkChildren(node, CHILD_ELEMENTS, problems);
         ElementRules.checkAtMostOne(node, List.of("motor"), problems);
         AttributeReader fields = new AttributeReader(node, problems);
-        RobotSpec usual = RobotSpec.DEFAULT;
+        RobotSpec defaults = RobotSpec.DEFAULT;
         Pose start = new Pose(
                 fields.number("x", NumberRange.COORDINATE),
                 fields.number("y", NumberRange.COORDINATE),
                 fields.angle("heading", NumberRange.ANGLE, 0));
-        double length = fields.number("length", NumberRange.SIZE, usual.length());
-        double width = fields.number("width", NumberRange.SIZE, usual.width());
-        double track = fields.number("track", NumberRange.SIZE, usual.track());
+        double length = fields.number("length", NumberRange.SIZE, defaults.length());
+        double width = fields.number("width", NumberRange.SIZE, defaults.width());
+        double track = fields.number("track", NumberRange.SIZE, defaults.track());
         double trackScale = fields.number("trackScale", NumberRange.DRIVE_SCALE, 1);
-        double speed = fields.number("speed", NumberRange.POSITIVE_SPEED, usual.speed());
-        double turnRate = fields.angle("turnRate", NumberRange.TURN_RATE, usual.turnRate());
-        boolean defaults = fields.flag("defaultSensors", true);
+        double speed = fields.number("speed", NumberRange.POSITIVE_SPEED, defaults.speed());
+        double turnRate = fields.angle("turnRate", NumberRange.TURN_RATE, defaults.turnRate());
+        boolean standard = fields.flag("defaultSensors", true);
         fields.reportUnknownAndMissing();
         Drive drive = node.firstChild("motor")
                 .map(element -> readDrive(element, trackScale))
                 .orElse(new Drive(MotorSpec.DEFAULT, new DriveScale(1, 1, trackScale)));
         checkDriveLimits(node, drive, track);
-        List<SensorSpec> sensors = readSensors(node, defaults ? RobotSpec.standardSensors(length, width) : List.of());
+        List<SensorSpec> sensors = readSensors(node, standard ? RobotSpec.standardSensors(length, width) : List.of());
         return new PlacedRobot(
                 new RobotSpec(length, width, track, speed, turnRate, drive.motor(), drive.scale(), sensors), start);
     }
@@ -83,11 +83,11 @@ final class RobotReader {
     private Drive readDrive(XmlElement node, double trackScale) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
-        MotorSpec usual = MotorSpec.DEFAULT;
+        MotorSpec defaults = MotorSpec.DEFAULT;
         MotorSpec motor = new MotorSpec(
-                fields.number("timeConstant", NumberRange.TIME_CONSTANT, usual.timeConstant()),
-                fields.number("speedConstant", NumberRange.SPEED_CONSTANT, usual.speedConstant()),
-                fields.number("maxVoltage", NumberRange.POSITIVE_VOLTAGE, usual.maxVoltage()));
+                fields.number("timeConstant", NumberRange.TIME_CONSTANT, defaults.timeConstant()),
+                fields.number("speedConstant", NumberRange.SPEED_CONSTANT, defaults.speedConstant()),
+                fields.number("maxVoltage", NumberRange.POSITIVE_VOLTAGE, defaults.maxVoltage()));
         DriveScale scale = new DriveScale(
                 fields.number("leftScale", NumberRange.DRIVE_SCALE, 1),
                 fields.number("rightScale", NumberRange.DRIVE_SCALE, 1),
@@ -96,7 +96,7 @@ final class RobotReader {
         return new Drive(motor, scale);
     }
 
-    /** The standard sensors, each in its place as the file sets it, and after them the file's own. */
+    /** Returns the standard sensors with the settings of the file, followed by the file's other sensors. */
     private List<SensorSpec> readSensors(XmlElement robot, List<SensorSpec> standard) {
         List<SensorSpec> sensors = new ArrayList<>(standard);
         Map<String, SourceLocation> ids = new HashMap<>();
@@ -119,33 +119,35 @@ final class RobotReader {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         String id = fields.id("id");
-        Optional<SensorSpec> seated =
+        Optional<SensorSpec> standardSensor =
                 standard.stream().filter(sensor -> sensor.id().equals(id)).findFirst();
-        SensorSpec usual = seated.orElseGet(() -> readCustomSensor(id, fields));
-        SensorSpec sensor = readAttributes(fields, usual);
+        SensorSpec defaults = standardSensor.orElseGet(() -> readCustomSensor(id, fields));
+        SensorSpec sensor = readAttributes(fields, defaults);
         fields.reportUnknownAndMissing();
         return sensor;
     }
 
     private static SensorSpec readCustomSensor(String id, AttributeReader fields) {
-        Vector2 seat =
+        Vector2 mountPosition =
                 new Vector2(fields.number("x", NumberRange.COORDINATE), fields.number("y", NumberRange.COORDINATE));
         double bearing = fields.angle("bearing", NumberRange.ANGLE);
-        return new SensorSpec(id, seat, bearing, SensorSpec.DEFAULT_RANGE, SensorSpec.DEFAULT_CONE, true, 0);
+        return new SensorSpec(id, mountPosition, bearing, SensorSpec.DEFAULT_RANGE, SensorSpec.DEFAULT_CONE, true, 0);
     }
 
     /** Returns a sensor with the attributes of a file, and with those of another sensor where the file has none. */
-    static SensorSpec readAttributes(AttributeReader fields, SensorSpec usual) {
-        Vector2 seat = new Vector2(
-                fields.number("x", NumberRange.COORDINATE, usual.mountPosition().x()),
-                fields.number("y", NumberRange.COORDINATE, usual.mountPosition().y()));
+    static SensorSpec readAttributes(AttributeReader fields, SensorSpec defaults) {
+        Vector2 mountPosition = new Vector2(
+                fields.number(
+                        "x", NumberRange.COORDINATE, defaults.mountPosition().x()),
+                fields.number(
+                        "y", NumberRange.COORDINATE, defaults.mountPosition().y()));
         return new SensorSpec(
-                usual.id(),
-                seat,
-                fields.angle("bearing", NumberRange.ANGLE, usual.bearing()),
-                fields.number("range", NumberRange.SENSOR_RANGE, usual.range()),
-                fields.cone(usual.cone()),
-                fields.flag("on", usual.on()),
-                fields.number("noise", NumberRange.NOISE, usual.noise()));
+                defaults.id(),
+                mountPosition,
+                fields.angle("bearing", NumberRange.ANGLE, defaults.bearing()),
+                fields.number("range", NumberRange.SENSOR_RANGE, defaults.range()),
+                fields.cone(defaults.cone()),
+                fields.flag("on", defaults.on()),
+                fields.number("noise", NumberRange.NOISE, defaults.noise()));
     }
 }

@@ -7,7 +7,7 @@ import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import java.util.List;
 
-/** Writes the robot. Sensors that are just the standard ones are left to the default. */
+/** Writes the robot. Sensors that equal the standard ones are left out. */
 final class RobotWriter {
 
     private RobotWriter() {}
@@ -61,7 +61,7 @@ final class RobotWriter {
                 .endElement();
     }
 
-    /** All of a sensor but its id. */
+    /** Writes all settings of a sensor except its id. */
     static XmlWriter writeSettings(SensorSpec sensor, XmlWriter out) {
         return out.attribute("x", sensor.mountPosition().x())
                 .attribute("y", sensor.mountPosition().y())

@@ -45,7 +45,7 @@ public final class ScenarioFiles {
         }
     }
 
-    /** A device or a pipe could go on for ever, so this comes before anything is read. */
+    /** Checked before anything is read: a device or a pipe could continue without end. */
     private static void checkRegularFile(String name, Path file, Object kind) throws ScenarioException, IOException {
         if (Files.isDirectory(file)) {
             throw problem(name, ProblemKind.FOLDER.with(kind));

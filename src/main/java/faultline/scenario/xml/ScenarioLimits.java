@@ -1,23 +1,23 @@
 package faultline.scenario.xml;
 
-/** How big a scenario file may be: far above any real one, and low enough that a hostile one is turned away at once. */
+/** The limits of a scenario file: far above any real file, and low enough to refuse a hostile one at once. */
 final class ScenarioLimits {
 
-    /** The bytes of a file: the other limits are reached with some 12 million. */
+    /** The size of a file in bytes. The other limits are reached at about 12 million. */
     static final long MAX_BYTES = 16L << 20;
 
-    /** Obstacles and points of polygons, walls and motions, all together. */
+    /** The number of obstacles and of points of polygons, walls and motions, taken together. */
     static final int MAX_PARTS = 100_000;
 
-    /** The elements of a file. */
+    /** The number of elements of a file. */
     static final int MAX_ELEMENTS = 300_000;
 
-    /** How deep elements may stand in each other; the format itself needs five. */
+    /** The nesting depth of elements; the format needs five. */
     static final int MAX_DEPTH = 20;
 
     /**
-     * A moving obstacle takes at least this to go round its way-points, seconds: otherwise one tick could hold millions
-     * of legs.
+     * The shortest time in which a moving obstacle visits all its way-points, seconds; otherwise one tick could hold
+     * millions of legs.
      */
     static final double MIN_LOOP_TIME = 0.01;
 

@@ -12,7 +12,7 @@ import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Optional;
 
-/** Makes a scenario of a file's bytes, or says all that is wrong with them. */
+/** Reads a scenario, or reports everything that is wrong with it. */
 public final class ScenarioReader {
 
     private static final List<String> CHILD_ELEMENTS =
@@ -22,46 +22,42 @@ public final class ScenarioReader {
     private final ObstacleReader obstacleReader;
     private final WorldReader worldReader;
 
-    /** What the root element itself says. */
+    /** The attributes of the root element. */
     private record Header(String name, String description, boolean recorded, double duration, double tick, long seed) {}
 
-    private ScenarioReader(Problems complaints) {
-        this.problems = complaints;
-        this.obstacleReader = new ObstacleReader(complaints);
-        this.worldReader = new WorldReader(complaints, obstacleReader);
+    private ScenarioReader(Problems problems) {
+        this.problems = problems;
+        this.obstacleReader = new ObstacleReader(problems);
+        this.worldReader = new WorldReader(problems, obstacleReader);
     }
 
     /**
-     * Reads a scenario.
+     * Reads a scenario from the content of a file.
      *
-     * @param file the name that complaints give it
-     * @param bytes its content
-     * @return the scenario
+     * @param file the name of the file in problems
      * @throws ScenarioException with everything that is wrong
      */
     static ScenarioContent read(String file, byte[] bytes) throws ScenarioException {
-        Problems complaints = new Problems(file);
-        XmlParser parsing = new XmlParser(bytes, complaints, XmlFormat.SCENARIO);
-        Optional<ScenarioContent> scenario = parsing.parse().flatMap(root -> new ScenarioReader(complaints).read(root));
-        if (complaints.isEmpty()) {
+        Problems problems = new Problems(file);
+        XmlParser parsing = new XmlParser(bytes, problems, XmlFormat.SCENARIO);
+        Optional<ScenarioContent> scenario = parsing.parse().flatMap(root -> new ScenarioReader(problems).read(root));
+        if (problems.isEmpty()) {
             parsing.reportSchemaError();
         }
-        complaints.throwIfAny();
+        problems.throwIfAny();
         return scenario.orElseThrow();
     }
 
     /**
      * Reads a scenario from its tree of elements.
      *
-     * @param file the name that complaints give it
-     * @param root the root element
-     * @return the scenario
+     * @param file the name of the file in problems
      * @throws ScenarioException with everything that is wrong
      */
     public static ScenarioContent read(String file, XmlElement root) throws ScenarioException {
-        Problems complaints = new Problems(file);
-        Optional<ScenarioContent> scenario = new ScenarioReader(complaints).read(root);
-        complaints.throwIfAny();
+        Problems problems = new Problems(file);
+        Optional<ScenarioContent> scenario = new ScenarioReader(problems).read(root);
+        problems.throwIfAny();
         return scenario.orElseThrow();
     }
 
@@ -75,7 +71,7 @@ public final class ScenarioReader {
         return readSections(root);
     }
 
-    /** Reads every section, so that all complaints come at once. */
+    /** Reads every section, so that all problems are reported together. */
     private Optional<ScenarioContent> readSections(XmlElement root) {
         Header head = readHeader(root);
         Optional<WorldSpec> world = requiredSection(root, "world").map(worldReader::read);
@@ -119,7 +115,7 @@ public final class ScenarioReader {
         return head;
     }
 
-    /** Comes after the world and the robot, whose ids it names. */
+    /** Must be called after the world and the robot, whose ids the timeline names. */
     private List<TimedCommand> readTimeline(XmlElement root, RobotReader.PlacedRobot robot) {
         return root.firstChild("timeline")
                 .map(new TimelineReader(problems, obstacleReader, robot.spec(), worldReader.ids())::read)
@@ -134,19 +130,19 @@ public final class ScenarioReader {
         return section;
     }
 
-    private static void checkStart(XmlElement robot, SimulationSetup setup, Problems complaints) {
+    private static void checkStart(XmlElement robot, SimulationSetup setup, Problems problems) {
         WorldSpec world = setup.world();
         Vector2 start = setup.start().position();
         if (world.enclosed()
                 && !(start.x() > 0 && start.x() < world.width() && start.y() > 0 && start.y() < world.height())) {
-            complaints.add(
+            problems.add(
                     robot,
                     ProblemKind.START_OUTSIDE.with(
                             formatPoint(start), DecimalText.format(world.width()), DecimalText.format(world.height())));
             return;
         }
         Clearance.findObstruction(world, setup.robot(), setup.start())
-                .ifPresent(obstacle -> complaints.add(
+                .ifPresent(obstacle -> problems.add(
                         robot, ProblemKind.START_OVERLAPS.with(formatPoint(start), MessageText.excerpt(obstacle))));
     }
 

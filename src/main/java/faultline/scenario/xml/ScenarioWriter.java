@@ -9,18 +9,18 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** Writes a scenario as a file that reads back to an equal one. */
+/** Writes a scenario as a file that reads back to an equal scenario. */
 final class ScenarioWriter {
 
     private ScenarioWriter() {}
 
     /**
-     * The file's bytes.
+     * Returns the bytes of the file.
      *
-     * @throws IOException if the scenario holds what no file may, such as a size beyond the limits
+     * @throws IOException if the scenario is beyond the limits of the format
      */
-    static byte[] toBytes(ScenarioContent scenario, XmlComments remarks) throws IOException {
-        byte[] bytes = toText(scenario, remarks).getBytes(StandardCharsets.UTF_8);
+    static byte[] toBytes(ScenarioContent scenario, XmlComments comments) throws IOException {
+        byte[] bytes = toText(scenario, comments).getBytes(StandardCharsets.UTF_8);
         try {
             if (!ScenarioReader.read("", bytes).equals(scenario)) {
                 throw new MessageException("", ProblemKind.NOT_SAVED.with(ProblemKind.NOT_REPRODUCIBLE.with()), null);
@@ -32,9 +32,9 @@ final class ScenarioWriter {
         return bytes;
     }
 
-    static String toText(ScenarioContent scenario, XmlComments remarks) {
+    static String toText(ScenarioContent scenario, XmlComments comments) {
         SimulationSetup setup = scenario.setup();
-        XmlWriter out = new XmlWriter(remarks);
+        XmlWriter out = new XmlWriter(comments);
         out.beginElement("scenario")
                 .attribute("xmlns", ScenarioSchema.NAMESPACE)
                 .attribute("name", scenario.name())

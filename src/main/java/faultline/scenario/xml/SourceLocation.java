@@ -1,14 +1,14 @@
 package faultline.scenario.xml;
 
 /**
- * A place in a file. That of an element is the end of its start tag, because that is what an XML parser tells.
+ * A location in a file; that of an element is the end of its start tag, as XML parsers report it.
  *
- * @param line from 1; 0 where there is no place
- * @param column from 1; 0 where there is no place
+ * @param line from 1; 0 for the whole file
+ * @param column from 1; 0 for the whole file
  */
 public record SourceLocation(int line, int column) implements Comparable<SourceLocation> {
 
-    /** No place: the whole file. */
+    /** The whole file. */
     public static final SourceLocation NONE = new SourceLocation(0, 0);
 
     @Override
@@ -16,11 +16,7 @@ public record SourceLocation(int line, int column) implements Comparable<SourceL
         return line != other.line ? Integer.compare(line, other.line) : Integer.compare(column, other.column);
     }
 
-    /**
-     * The place behind a file's name.
-     *
-     * @return {@code :line:column}, empty without a place
-     */
+    /** Returns the suffix of a file's name: {@code :line:column}, or empty for the whole file. */
     @Override
     public String toString() {
         return line > 0 ? ":" + line + ":" + column : "";

@@ -22,7 +22,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** Makes commands of the timeline's elements, one handler for each. */
+/** Reads the commands of the timeline, with one method for each element. */
 final class TimelineReader {
 
     private static final Map<String, FaultKind> FAULT_KINDS = new LinkedHashMap<>();
@@ -58,10 +58,7 @@ final class TimelineReader {
 
     private static final double NEVER = NumberRange.TIME.max().doubleValue() + 1;
 
-    /**
-     * Reads one element: its time is known, its attributes are at hand, and what it comes to is put at the end of the
-     * list.
-     */
+    /** Reads the commands of one element. */
     private interface CommandReader {
         Stream<TimedCommand> read(XmlElement node, AttributeReader fields, double at);
     }
@@ -73,8 +70,8 @@ final class TimelineReader {
     private final Set<String> obstacleIds;
     private final Map<String, CommandReader> readers = new LinkedHashMap<>();
 
-    TimelineReader(Problems complaints, ObstacleReader obstacles, RobotSpec robot, Set<String> obstacleIds) {
-        this.problems = complaints;
+    TimelineReader(Problems problems, ObstacleReader obstacles, RobotSpec robot, Set<String> obstacleIds) {
+        this.problems = problems;
         this.obstacleReader = obstacles;
         this.robot = robot;
         this.obstacleIds = new LinkedHashSet<>(obstacleIds);
@@ -172,9 +169,9 @@ final class TimelineReader {
     }
 
     private Stream<TimedCommand> readTune(XmlElement node, AttributeReader fields, double at) {
-        SensorSpec usual = sensors.getOrDefault(
+        SensorSpec defaults = sensors.getOrDefault(
                 readSensorId(fields), RobotSpec.DEFAULT.sensors().get(0));
-        return singleCommand(at, new Command.ConfigureSensor(RobotReader.readAttributes(fields, usual)));
+        return singleCommand(at, new Command.ConfigureSensor(RobotReader.readAttributes(fields, defaults)));
     }
 
     private Stream<TimedCommand> readMove(XmlElement node, AttributeReader fields, double at) {

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** Makes the world of its element. */
+/** Reads the world. */
 final class WorldReader {
 
     private final Problems problems;
@@ -18,8 +18,8 @@ final class WorldReader {
     private final Map<String, SourceLocation> ids = new LinkedHashMap<>();
     private int movingCount;
 
-    WorldReader(Problems complaints, ObstacleReader obstacles) {
-        this.problems = complaints;
+    WorldReader(Problems problems, ObstacleReader obstacles) {
+        this.problems = problems;
         this.obstacles = obstacles;
     }
 
@@ -36,7 +36,7 @@ final class WorldReader {
                 width, height, enclosed, Math.max(maxMoving, movingCount), problems.isEmpty() ? list : List.of());
     }
 
-    /** The ids of all obstacles that were read, in the file's order. */
+    /** Returns the ids of all obstacles that were read, in the order of the file. */
     Set<String> ids() {
         return ids.keySet();
     }

@@ -10,7 +10,7 @@ import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Writes the world and obstacles. */
+/** Writes the world and its obstacles. */
 final class WorldWriter {
 
     private WorldWriter() {}

@@ -12,22 +12,21 @@ import org.xml.sax.XMLReader;
 import org.xml.sax.ext.DefaultHandler2;
 
 /**
- * The comments of a file that a person has written by hand, so that they outlive a save. Each stays before the element
- * that it stands before, wherever that is written; where it is written no more, the comment moves to the end of what it
- * stood in.
+ * The comments of a file, so that saving does not lose what a person has written. A comment stays before the element
+ * that follows it, wherever that element is written; if the element is gone, the comment moves to the end of its
+ * parent.
  */
 public final class XmlComments {
 
-    /** No comment at all. */
+    /** No comments. */
     public static final XmlComments NONE = new XmlComments(List.of());
 
     /**
-     * One comment.
+     * A comment.
      *
-     * @param index from 0, in the file's order
-     * @param anchor the path of the element that follows it in the same parent; where none does, the parent's path and
-     *     a slash
-     * @param text all between the comment's marks
+     * @param index from 0, in the order of the file
+     * @param anchor the path of the next element in the same parent; if there is none, the parent's path and a slash
+     * @param text the text between the comment's delimiters
      */
     record XmlComment(int index, String anchor, String text) {}
 
@@ -38,10 +37,8 @@ public final class XmlComments {
     }
 
     /**
-     * Those of a file.
-     *
-     * @param file a scenario file; slow, and for other threads than the event dispatch thread
-     * @return none where the file cannot be read
+     * Returns the comments of a scenario file, none if the file cannot be read. Slow: not for the event dispatch
+     * thread.
      */
     public static XmlComments read(Path file) {
         try {
@@ -65,12 +62,12 @@ public final class XmlComments {
         }
     }
 
-    /** In the file's order. */
+    /** Returns the comments in the order of the file. */
     List<XmlComment> comments() {
         return comments;
     }
 
-    /** Collects comments, and gives each its element as soon as that begins. */
+    /** Collects comments and gives each its anchor when the next element begins. */
     private static final class Collector extends DefaultHandler2 {
 
         private final ElementPath path = new ElementPath();

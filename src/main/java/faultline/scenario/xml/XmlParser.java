@@ -18,8 +18,8 @@ import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 
 /**
- * Parses a file to its tree of elements: no document type, nothing fetched from outside, nothing expanded. The parser's
- * own texts depend on the language of the machine, so that none of them is shown.
+ * Parses a file to a tree of elements, without document types, external resources and entity expansion. The parser's
+ * own messages depend on the language of the machine and are never shown.
  */
 public final class XmlParser {
 
@@ -31,14 +31,14 @@ public final class XmlParser {
     private final XmlTreeBuilder tree;
 
     /** Creates a parser of one file. */
-    public XmlParser(byte[] bytes, Problems complaints, XmlFormat format) {
+    public XmlParser(byte[] bytes, Problems problems, XmlFormat format) {
         this.bytes = bytes;
-        this.problems = complaints;
+        this.problems = problems;
         this.format = format;
         this.tree = new XmlTreeBuilder(format.namespace());
     }
 
-    /** The root element; empty, with a complaint, where the file is no XML that we take. */
+    /** Returns the root element; empty, with a problem, if the file is not well-formed or has another root. */
     public Optional<XmlElement> parse() {
         try {
             newParser(format.schema()).parse(new ByteArrayInputStream(bytes), tree);
@@ -59,7 +59,7 @@ public final class XmlParser {
         return Optional.empty();
     }
 
-    /** What the schema still minds in a file that we found nothing wrong with. */
+    /** Reports a violation of the schema that no reader has found; called if there are no other problems. */
     public void reportSchemaError() {
         tree.schemaError()
                 .ifPresent(offence -> problems.add(
@@ -67,12 +67,14 @@ public final class XmlParser {
                         ProblemKind.SCHEMA.with(format.schemaFile(), schemaRule(offence))));
     }
 
-    /** The rule of the XML Schema standard that was broken; the parser puts it before its text in every language. */
+    /**
+     * Returns the name of the violated rule of XML Schema, with which the parser's message begins in every language.
+     */
     private static String schemaRule(SAXParseException offence) {
         return offence.getMessage().split(":", 2)[0];
     }
 
-    /** A parser that takes the same documents, but holds them to no schema. */
+    /** Returns a parser that accepts the same documents without validating them. */
     static SAXParser newNonValidatingParser() {
         return newParser(null);
     }

@@ -15,13 +15,10 @@ import org.xml.sax.SAXParseException;
 import org.xml.sax.ext.Attributes2;
 import org.xml.sax.helpers.DefaultHandler;
 
-/**
- * Builds the tree of elements from one pass of the parser, and remembers the first thing that the schema took offence
- * at.
- */
+/** Builds the tree of elements in one pass of the parser, and keeps the first violation of the schema. */
 final class XmlTreeBuilder extends DefaultHandler {
 
-    /** Ends the pass because the file goes beyond a limit. */
+    /** Ends the pass because the file exceeds a limit. */
     static final class LimitExceededException extends SAXException {
 
         private static final long serialVersionUID = 1L;
@@ -38,7 +35,7 @@ final class XmlTreeBuilder extends DefaultHandler {
         }
     }
 
-    /** An element whose end tag has not come yet. */
+    /** An element whose end tag has not been read yet. */
     private record PendingElement(XmlElement node, StringBuilder text) {}
 
     private static final Attributes2 NO_ATTRIBUTES = new org.xml.sax.ext.Attributes2Impl();
@@ -74,7 +71,7 @@ final class XmlTreeBuilder extends DefaultHandler {
                 new StringBuilder()));
     }
 
-    /** An element outside of our namespace is shown with its own, so that it cannot pass for one of ours. */
+    /** Returns a name with its namespace, so that an element of another namespace cannot pass for one of ours. */
     private static String foreignName(String uri, String qName) {
         return qName + (uri.isEmpty() ? " xmlns=\"\"" : " xmlns=\"" + uri + "\"");
     }
@@ -104,7 +101,7 @@ final class XmlTreeBuilder extends DefaultHandler {
         pendingElements.peek().text.append(buffer, start, length);
     }
 
-    /** Under a schema the parser takes some text for white space that is none. */
+    /** A validating parser reports some text that is not white space here. */
     @Override
     public void ignorableWhitespace(char[] buffer, int start, int length) {
         characters(buffer, start, length);
@@ -123,7 +120,7 @@ final class XmlTreeBuilder extends DefaultHandler {
         }
     }
 
-    /** The schema's errors come here; the parser's own are fatal. */
+    /** Called for violations of the schema; errors of XML itself are fatal. */
     @Override
     public void error(SAXParseException exception) {
         schemaError = schemaError == null ? exception : schemaError;
@@ -138,12 +135,12 @@ final class XmlTreeBuilder extends DefaultHandler {
         return Optional.ofNullable(root);
     }
 
-    /** What the schema complained of first. */
+    /** Returns the first violation of the schema. */
     Optional<SAXParseException> schemaError() {
         return Optional.ofNullable(schemaError);
     }
 
-    /** The elements that are still open, the innermost first. */
+    /** Returns the elements that are still open, the innermost first. */
     List<XmlElement> openElements() {
         return pendingElements.stream().map(PendingElement::node).toList();
     }

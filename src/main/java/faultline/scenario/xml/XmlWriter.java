@@ -14,8 +14,8 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * Writes indented XML: one element a line, attributes in the order in which they are given, and a person's comments
- * where they were. A start tag is held back until it is whole, because the id in it says which comments come before it.
+ * Writes indented XML: one element to a line, attributes in the given order, and a person's comments at their places. A
+ * start tag is buffered until it is complete, because the comments before it depend on its id.
  */
 final class XmlWriter {
 
@@ -23,7 +23,7 @@ final class XmlWriter {
     private final StringBuilder startTag = new StringBuilder();
     private final Deque<String> openElements = new ArrayDeque<>();
     private final ElementPath path = new ElementPath();
-    /** By the path that each stands before. */
+    /** The comments by anchor. */
     private final NavigableMap<String, List<XmlComment>> unwrittenComments;
 
     private String id = "";
@@ -32,8 +32,8 @@ final class XmlWriter {
         this(XmlComments.NONE);
     }
 
-    XmlWriter(XmlComments remarks) {
-        unwrittenComments = remarks.comments().stream()
+    XmlWriter(XmlComments comments) {
+        unwrittenComments = comments.comments().stream()
                 .collect(Collectors.groupingBy(XmlComment::anchor, TreeMap::new, Collectors.toList()));
     }
 
@@ -65,7 +65,7 @@ final class XmlWriter {
         return attribute(name, String.valueOf(value));
     }
 
-    /** An angle in radians, written in degrees. */
+    /** Writes an angle in degrees. */
     XmlWriter angleAttribute(String name, double radians) {
         return attribute(name, DecimalText.formatDegrees(radians));
     }
@@ -89,13 +89,13 @@ final class XmlWriter {
         return this;
     }
 
-    /** A whole element that holds text only. */
+    /** Writes an element that contains only text. */
     void textElement(String name, String text) {
         beginElement(name);
         endTextElement(text);
     }
 
-    /** Ends the innermost element, which holds text only. */
+    /** Ends the innermost element, which contains only text. */
     void endTextElement(String text) {
         String name = openElements.peek();
         finishStartTag(">");
@@ -111,7 +111,7 @@ final class XmlWriter {
         }
     }
 
-    /** Writes what is held back, but for its end. */
+    /** Writes the buffered start tag without its closing bracket. */
     private void writeStartTag() {
         path.enter(openElements.peek(), id);
         id = "";
@@ -128,7 +128,7 @@ final class XmlWriter {
         return openElements.pop();
     }
 
-    /** What is left to be said inside the element that is open. */
+    /** Writes the comments that are left in the open element. */
     private void writeRemainingComments() {
         writeComments(
                 commentsInside().values().stream()
@@ -139,15 +139,15 @@ final class XmlWriter {
         commentsInside().clear();
     }
 
-    /** All whose paths begin with that of the open element and a slash. */
+    /** Returns the comments whose anchors begin with the path of the open element and a slash. */
     private Map<String, List<XmlComment>> commentsInside() {
         return unwrittenComments.subMap(path.current() + "/", path.current() + (char) ('/' + 1));
     }
 
     private void writeComments(List<XmlComment> some, int depth) {
-        for (XmlComment remark : some) {
+        for (XmlComment comment : some) {
             indent(depth);
-            out.append("<!--").append(remark.text()).append("-->\n");
+            out.append("<!--").append(comment.text()).append("-->\n");
         }
     }
 

@@ -1,7 +1,7 @@
 /**
- * Scenario files. Reading goes in three steps: {@code XmlParser} makes a tree of elements with their locations,
- * {@code ScenarioReader} and the readers of the sections make values of it, and all problems are reported together in a
- * {@link faultline.scenario.xml.ScenarioException}. {@link faultline.scenario.xml.ScenarioFiles} is the entry. Any
- * thread may call it.
+ * Scenario files. Reading has three steps: {@code XmlParser} builds a tree of elements with their locations,
+ * {@code ScenarioReader} and the readers of the sections convert it to values, and all problems are reported together
+ * in a {@link faultline.scenario.xml.ScenarioException}. {@link faultline.scenario.xml.ScenarioFiles} is the entry
+ * point. Safe on any thread.
  */
 package faultline.scenario.xml;

@@ -63,33 +63,33 @@ record WallFollowingRun(RunResult result, int searchCount, OptionalDouble lapTim
 
     /** What breaks the rules of following, a sentence each. */
     List<String> violations() {
-        List<String> complaints = safetyViolations();
+        List<String> problems = safetyViolations();
         addViolation(
-                complaints,
+                problems,
                 result.distanceRms().orElse(0) > MAX_RMS_ERROR,
                 "distance error of %.1f mm RMS",
                 1000 * result.distanceRms().orElse(0));
-        addViolation(complaints, searchCount > 1, "%.0f searches", searchCount);
-        addViolation(complaints, lapTime.isEmpty(), "no lap in %.0f s", result.simulatedSeconds());
-        addViolation(complaints, lapTime.orElse(0) > maxLapTime, "a lap of %.1f s", lapTime.orElse(0));
-        return complaints;
+        addViolation(problems, searchCount > 1, "%.0f searches", searchCount);
+        addViolation(problems, lapTime.isEmpty(), "no lap in %.0f s", result.simulatedSeconds());
+        addViolation(problems, lapTime.orElse(0) > maxLapTime, "a lap of %.1f s", lapTime.orElse(0));
+        return problems;
     }
 
     /** What breaks the rules that hold for bad sensors as well. */
     List<String> safetyViolations() {
-        List<String> complaints = new ArrayList<>();
-        result.collision().ifPresent(contact -> addViolation(complaints, true, "contact at %.2f s", contact.time()));
+        List<String> problems = new ArrayList<>();
+        result.collision().ifPresent(contact -> addViolation(problems, true, "contact at %.2f s", contact.time()));
         addViolation(
-                complaints,
+                problems,
                 result.coverage().orElse(0) < MIN_COVERAGE,
                 "coverage of %.3f",
                 result.coverage().orElse(0));
-        return complaints;
+        return problems;
     }
 
-    private static void addViolation(List<String> complaints, boolean wrong, String sentence, double number) {
+    private static void addViolation(List<String> problems, boolean wrong, String sentence, double number) {
         if (wrong) {
-            complaints.add(String.format(Locale.ROOT, sentence, number));
+            problems.add(String.format(Locale.ROOT, sentence, number));
         }
     }
 

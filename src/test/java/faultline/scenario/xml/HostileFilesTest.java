@@ -49,9 +49,9 @@ class HostileFilesTest {
 
     @Test
     void malformedXmlIsReportedWhereItBreaks() throws IOException {
-        String complaint = "file.xml:1:1: this is not XML, allowed is a document that begins with <scenario>";
-        assertEquals(complaint, problemIn(new byte[] {0, 1, 2, 3}));
-        assertEquals(complaint, problemIn("hello"));
+        String problem = "file.xml:1:1: this is not XML, allowed is a document that begins with <scenario>";
+        assertEquals(problem, problemIn(new byte[] {0, 1, 2, 3}));
+        assertEquals(problem, problemIn("hello"));
         assertEquals(
                 "file.xml:1:53: this is not well-formed XML, after "
                         + "\"...lns=\"urn:faultline:scenario:1\"><world></\", inside <world> of line 1",

@@ -86,9 +86,9 @@ class ProblemsTest {
             <robot x="1"       | <robot x="0.1"     | 13:24: <robot> starts at 0.1,1 where it touches or overlaps "enclosure", allowed is a place with room for the whole platform
             <robot x="1"       | <robot x="3"       | 13:22: <robot> starts at 3,1 where it touches or overlaps "pole", allowed is a place with room for the whole platform
             """)
-    void oneMistakeIsReportedInOneSentence(String piece, String other, String complaint) {
-        List<String> complaints = SampleScenario.problems(SampleScenario.withReplacement(piece, other));
-        assertEquals("room.xml:" + complaint, complaints.isEmpty() ? "none" : complaints.get(0));
+    void oneMistakeIsReportedInOneSentence(String piece, String other, String problem) {
+        List<String> problems = SampleScenario.problems(SampleScenario.withReplacement(piece, other));
+        assertEquals("room.xml:" + problem, problems.isEmpty() ? "none" : problems.get(0));
     }
 
     @Test
@@ -137,18 +137,18 @@ class ProblemsTest {
     void atMostAHundredProblemsAreReported() {
         String many = SampleScenario.withReplacement(
                 "<circle id=\"pole\" x=\"3\" y=\"1\" radius=\"0.02\"/>", "<b/>".repeat(1000));
-        List<String> complaints = SampleScenario.problems(many);
-        assertEquals(101, complaints.size());
-        assertEquals("room.xml: and 900 more complaints", complaints.get(100));
+        List<String> problems = SampleScenario.problems(many);
+        assertEquals(101, problems.size());
+        assertEquals("room.xml: and 900 more problems", problems.get(100));
     }
 
     @Test
     void aLongOrUnprintableValueIsCutAndKeptOnOneLine() {
         String hostile =
                 SampleScenario.withReplacement("id=\"pole\"", "id=\"&#10;&#133;[2J" + "x".repeat(100_000) + "\"");
-        List<String> complaints = SampleScenario.problems(hostile);
-        assertTrue(complaints.get(0).contains("id of <circle> is \"  [2Jxxx"), complaints.get(0));
-        assertTrue(complaints.get(0).length() < 250 && complaints.get(0).lines().count() == 1, complaints.get(0));
+        List<String> problems = SampleScenario.problems(hostile);
+        assertTrue(problems.get(0).contains("id of <circle> is \"  [2Jxxx"), problems.get(0));
+        assertTrue(problems.get(0).length() < 250 && problems.get(0).lines().count() == 1, problems.get(0));
     }
 
     @ParameterizedTest

@@ -209,10 +209,9 @@ class ScenarioSchemaTest {
         int refused = 0;
         for (String text : mutations(values)) {
             boolean valid = isValid(text);
-            List<String> complaints = SampleScenario.problems(text);
-            assertFalse(!valid && complaints.isEmpty(), "only the schema minds: " + text);
-            assertFalse(
-                    complaints.stream().anyMatch(line -> line.contains("not as the schema")), complaints + "\n" + text);
+            List<String> problems = SampleScenario.problems(text);
+            assertFalse(!valid && problems.isEmpty(), "only the schema minds: " + text);
+            assertFalse(problems.stream().anyMatch(line -> line.contains("not as the schema")), problems + "\n" + text);
             refused += valid ? 0 : 1;
         }
         assertTrue(refused > 500, "only " + refused + " were refused");
