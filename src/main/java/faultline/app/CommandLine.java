@@ -62,7 +62,7 @@ final class CommandLine {
         try {
             return dispatch(args);
         } catch (UsageException e) {
-            return reportError(ExitCode.BAD_INPUT, "faultline: " + e.getMessage() + " (faultline --help tells more)");
+            return reportError(ExitCode.BAD_INPUT, "faultline: " + e.getMessage() + " (see faultline --help)");
         } catch (ScenarioException e) {
             output.printError(e);
             return ExitCode.BAD_INPUT;

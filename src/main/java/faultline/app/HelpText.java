@@ -33,7 +33,7 @@ final class HelpText {
               --min-cells N                drop groups of fewer solid cells
               --smooth CELLS               straighten outlines by up to this (default: 0, exact)
               --start X,Y,HEADING          where the robot starts (default: the largest free disc)
-            faultline check FILE...        tell everything that is wrong with scenario files
+            faultline check FILE...        report everything that is wrong with scenario files
             faultline campaign PLAN --out DIR make all runs of a campaign plan, one row each in DIR/runs.csv
               --jobs N                     on N threads (default: one for each processor)
               --shard I/N                  only the I-th of N parts

@@ -1,6 +1,6 @@
 package faultline.control;
 
-/** Something that drives the robot. Called once a tick, in order, by one thread at a time. */
+/** Drives the robot. Called once a tick, in order, by one thread at a time. */
 @FunctionalInterface
 public interface Controller {
 

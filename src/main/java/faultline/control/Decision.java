@@ -3,7 +3,7 @@ package faultline.control;
 import faultline.robot.RobotSpec;
 
 /**
- * What the controller wants of the motors until its next decision, and what it says of itself.
+ * The voltages that a controller applies until its next decision, with its telemetry.
  *
  * @param leftVolts on the left motors; the supply limits it
  * @param rightVolts on the right motors; the supply limits it
@@ -18,7 +18,7 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
     }
 
     /**
-     * Returns a decision for a controller that thinks in velocities and names its state.
+     * Returns a decision for a controller that computes velocities and names its state.
      *
      * @param robot whose motors turn velocities into voltages
      * @param v forward, metres per second

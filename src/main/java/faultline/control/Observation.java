@@ -3,13 +3,13 @@ package faultline.control;
 import faultline.robot.RobotSpec;
 
 /**
- * What the controller is told at the end of a tick.
+ * The input of the controller at the end of a tick.
  *
- * @param tick how many ticks have passed
+ * @param tick the number of ticks that have passed
  * @param dt the length of a tick, seconds
- * @param robot the robot as it is built and set now
- * @param readings what each of the robot's sensors reports, in its order, encoded as in
- *     {@link faultline.sensor.Reading}; not to be changed, and valid until the next decision but one
+ * @param robot the robot with its current settings
+ * @param readings the reading of each sensor, in the robot's order, encoded as in {@link faultline.sensor.Reading};
+ *     must not be changed, and is valid until the next decision but one
  */
 public record Observation(long tick, double dt, RobotSpec robot, double[] readings) {
 

@@ -1,7 +1,7 @@
 package faultline.control;
 
 /**
- * What a controller's diagnosis thinks of one sensor.
+ * The finding of a controller's diagnosis about one sensor.
  *
  * @param sensor its id
  * @param trust whether it is used

@@ -2,7 +2,7 @@ package faultline.control;
 
 import java.util.Locale;
 
-/** Which moments of a spin past a wall are F3 and F4, and what is made of them. */
+/** The rule that determines the frames F3 and F4 of a spin past a wall, and the turn back. */
 public enum TimingRule {
 
     /**
@@ -12,22 +12,18 @@ public enum TimingRule {
     EQUAL_READINGS,
 
     /**
-     * The paper to the letter: the samples at which the wall was first seen and first no longer seen, and a turn back
-     * for t_p = t_D / 2 and nothing more. Only a wall that stands alone can be timed so.
+     * The paper's exact rule: the first sample at which the wall is seen and the first at which it is no longer seen,
+     * and a turn back for exactly t_p = t_D / 2. It works only for a wall that stands alone.
      */
     RANGE;
 
     /**
-     * How far above the nearest reading equal readings are taken, as a share of that reading: by then the foot has left
-     * the cone and readings rise fast.
+     * How far above the nearest reading the equal readings are taken, as a share of that reading: there the nearest
+     * point has left the cone and readings rise fast.
      */
     public static final double MARGIN = 0.08;
 
-    /**
-     * The name in scenario files.
-     *
-     * @return lower case, with hyphens
-     */
+    /** Returns the name in scenario files, in lower case with hyphens. */
     public String fileName() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }

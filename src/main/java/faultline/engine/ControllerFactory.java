@@ -15,7 +15,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Makes controllers from their specifications. */
+/** Creates controllers from their specifications. */
 public final class ControllerFactory {
 
     /** The state of a controller that is not part of the program until it names one. */

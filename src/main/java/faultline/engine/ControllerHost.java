@@ -5,15 +5,12 @@ import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.robot.RobotSpec;
 
-/**
- * The hand-over between world and controller, in lock-step: one observation in, one decision out. Used by the world's
- * thread.
- */
+/** Exchanges observations and decisions with the controller in lock-step. Used by the thread of the world. */
 interface ControllerHost extends AutoCloseable {
 
     /**
-     * Gives the controller an observation without waiting. Its parts are passed, so that a host on the world's own
-     * thread can do without the object.
+     * Submits an observation without waiting. Its parts are passed, so that a host on the world's own thread needs no
+     * object for them.
      *
      * @param tick as in {@link Observation}
      * @param dt as in {@link Observation}
@@ -23,17 +20,16 @@ interface ControllerHost extends AutoCloseable {
     void submit(long tick, double dt, RobotSpec robot, double[] readings);
 
     /**
-     * Waits for the decision on the observation submitted last.
+     * Waits for the decision on the last observation.
      *
-     * @return the decision
-     * @throws RunFailedException if the controller threw or does not answer
+     * @throws RunFailedException if the controller threw an exception or does not answer
      */
     Decision await();
 
     @Override
     void close();
 
-    /** Connects a controller as a mode says. */
+    /** Creates the host for a mode. */
     static ControllerHost create(Controller controller, ControllerMode mode) {
         return mode == ControllerMode.DIRECT
                 ? new DirectHost(controller)

@@ -1,9 +1,9 @@
 package faultline.engine;
 
-/** Where the controller runs; the trajectory is the same, to the bit. */
+/** The thread of the controller; the trajectory is the same to the bit. */
 public enum ControllerMode {
-    /** On its own single-thread executor, handed to and from in lock-step. */
+    /** On its own single-thread executor. */
     OWN_THREAD,
-    /** Called directly by the world thread. */
+    /** On the world's thread. */
     DIRECT
 }

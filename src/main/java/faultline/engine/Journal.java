@@ -6,11 +6,12 @@ import faultline.world.Command;
 import java.util.List;
 
 /**
- * What was done to one run from outside, beyond its setup's timeline: with the setup, enough to replay it to the bit.
+ * The commands of a run from outside, in addition to its setup's timeline. With the setup they are enough to replay the
+ * run to the bit.
  *
- * @param setup the run's
- * @param entries in the order in which they were applied
- * @param ticks how far the run had come
+ * @param setup of the run
+ * @param entries in the order in which they were executed
+ * @param ticks the number of ticks made
  * @param decisions those of a controller that is not part of the program; empty for others
  */
 public record Journal(SimulationSetup setup, List<Entry> entries, long ticks, List<RecordedDecision> decisions) {
@@ -34,10 +35,10 @@ public record Journal(SimulationSetup setup, List<Entry> entries, long ticks, Li
     }
 
     /**
-     * One command that was applied.
+     * An executed command.
      *
-     * @param tick the tick at whose start it was
-     * @param command what was done
+     * @param tick the tick at whose start it was executed
+     * @param command the command
      */
     public record Entry(long tick, Command command) {}
 }

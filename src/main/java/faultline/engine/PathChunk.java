@@ -1,15 +1,14 @@
 package faultline.engine;
 
 /**
- * Some consecutive points of a path, and the boxes about stretches of them, by which a painter leaves out at once what
- * is not in view.
+ * Consecutive points of a path, with bounding boxes of blocks of them, by which a painter skips what is not in view.
  */
 final class PathChunk {
 
-    /** How many points a chunk holds. */
+    /** The number of points of a chunk. */
     static final int CAPACITY = 4096;
 
-    /** How many points a stretch has. */
+    /** The number of points of a block. */
     static final int BLOCK_SIZE = 64;
 
     private static final int BOX_SIDES = 4;
@@ -37,7 +36,7 @@ final class PathChunk {
         return xy[2 * index + 1];
     }
 
-    /** Whether the box about a stretch whose points are all written overlaps another box. */
+    /** Returns whether the bounding box of a complete block overlaps another box. */
     boolean blockOverlaps(int index, double minX, double minY, double maxX, double maxY) {
         int box = index / BLOCK_SIZE * BOX_SIDES;
         return boxes[box] <= maxX && boxes[box + 1] <= maxY && boxes[box + 2] >= minX && boxes[box + 3] >= minY;

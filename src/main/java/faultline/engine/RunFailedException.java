@@ -1,15 +1,18 @@
 package faultline.engine;
 
-/** A run that cannot go on: its controller threw, or does not answer. The message is one sentence for a user. */
+/**
+ * Thrown if a run cannot continue: its controller threw an exception or does not answer. The message is one sentence
+ * for the user.
+ */
 public class RunFailedException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
 
     /**
-     * A failure with its cause.
+     * Creates an exception.
      *
-     * @param message one sentence for a user
-     * @param cause what was thrown, or null
+     * @param message one sentence for the user
+     * @param cause the cause, or null
      */
     public RunFailedException(String message, Throwable cause) {
         super(message, cause);

@@ -71,12 +71,12 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Creates a run at tick 0 that is driven by a given controller.
+     * Creates a simulation at tick 0 with a controller in place of the setup's.
      *
-     * @param setup what to run; its own controller is only named in the first telemetry
-     * @param controller drives the robot; not closed with the run
-     * @param mode where the controller runs
-     * @param listener is notified of every command
+     * @param setup the setup; its controller is only named in the first telemetry
+     * @param controller drives the robot; not closed with the simulation
+     * @param mode the thread of the controller
+     * @param listener receives the result of every command
      */
     public Simulation(SimulationSetup setup, Controller controller, ControllerMode mode, CommandListener listener) {
         this(setup, controller, mode, listener, false);

@@ -10,16 +10,16 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * All that determines a run: same setup, same trajectory, to the bit.
+ * Everything that determines a run: equal setups have equal trajectories, to the bit.
  *
- * @param world before anything moves
- * @param robot as built
+ * @param world the world at the start
+ * @param robot the robot
  * @param start the robot's pose at time 0
- * @param controller what drives it
- * @param timeline what is done to the world and when, in the file's order
+ * @param controller drives the robot
+ * @param timeline the timed commands, in the order of the file
  * @param dt the length of a tick, seconds, positive
  * @param seed of all random numbers
- * @param duration how long a run lasts if nobody says otherwise, seconds, not negative
+ * @param duration the length of a run, seconds, not negative
  */
 public record SimulationSetup(
         WorldSpec world,
@@ -49,7 +49,7 @@ public record SimulationSetup(
      * A command of the timeline.
      *
      * @param time seconds, not negative
-     * @param command what is done
+     * @param command the command
      */
     public record TimedCommand(double time, Command command) {
         public TimedCommand {

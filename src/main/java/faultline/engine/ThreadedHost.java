@@ -12,14 +12,14 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * Runs the controller on its own single-thread executor. The executor's queue hands the observation over and the future
- * hands the decision back, each with the memory visibility that that implies; at most one of them is under way.
+ * Runs the controller on its own single-thread executor. The executor's queue passes the observation and the future
+ * returns the decision, both with the necessary memory visibility. At most one of them is in progress.
  */
 final class ThreadedHost implements ControllerHost {
 
     /**
-     * A controller that has not answered for this long never will, seconds. No command is put in its place: the run has
-     * failed.
+     * The time after which the run fails if the controller has not answered, seconds. No decision is ever put in its
+     * place.
      */
     static final double DECISION_TIMEOUT = 10;
 

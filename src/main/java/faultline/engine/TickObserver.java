@@ -1,6 +1,6 @@
 package faultline.engine;
 
-/** Something that looks at a run after every tick, and at tick 0, on the run's own thread; it must change nothing. */
+/** Observes a run at tick 0 and after every tick, on the run's own thread. It must not change the run. */
 @FunctionalInterface
 public interface TickObserver {
 

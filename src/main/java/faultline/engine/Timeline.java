@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** A setup's timed commands in the order of their ticks, handed out once each. */
+/** A setup's timed commands in the order of their ticks; each is taken once. */
 final class Timeline {
 
     private record Entry(long tick, Command command) {}
@@ -19,7 +19,7 @@ final class Timeline {
         entries.sort(Comparator.comparingLong(Entry::tick));
     }
 
-    /** Whether a command is due at a tick or before, and not yet handed out. */
+    /** Returns whether a command that has not been taken is due at a tick. */
     boolean isDue(long tick) {
         return next < entries.size() && entries.get(next).tick() <= tick;
     }

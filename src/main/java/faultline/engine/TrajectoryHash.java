@@ -1,8 +1,8 @@
 package faultline.engine;
 
 /**
- * A 64-bit hash over the raw bits of a run's numbers, in order: equal runs have equal hashes, and one differing bit
- * changes it.
+ * A 64-bit hash over the raw bits of a run's numbers in order. Equal runs have equal hashes, and a single different bit
+ * changes the hash.
  */
 final class TrajectoryHash {
 

@@ -4,13 +4,13 @@ import faultline.geometry.Pose;
 import faultline.robot.WheelSpeeds;
 import faultline.world.World;
 
-/** What a run has left behind: the robot's path, and a hash of all that a tick comes to. */
+/** Records the robot's path, and the hash over the state of every tick. */
 final class TrajectoryRecorder {
 
     private final TrajectoryHash hash = new TrajectoryHash();
     private final PathRecorder path = new PathRecorder();
 
-    /** Takes the end of a tick in. */
+    /** Records the end of a tick. */
     void record(World world) {
         Pose pose = world.pose();
         hash.add(pose.x());

@@ -1,5 +1,5 @@
 /**
- * The simulation: the tick and its order, the controller's thread and the hand-over to it, the timeline, and the
- * journal of commands. A {@link faultline.engine.Simulation} reads no clock and belongs to one thread.
+ * The simulation: the tick and its order, the controller's thread, the timeline, and the journal of commands. A
+ * {@link faultline.engine.Simulation} reads no clock and belongs to one thread.
  */
 package faultline.engine;

@@ -48,7 +48,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
      * Starts a child and waits until it is ready.
      *
      * @param command the command line
-     * @param run what the child is told first
+     * @param run the description that the child receives first
      * @param timeouts how long the child is waited for
      * @param givesTruth whether observations carry the ground truth
      * @param errors receives each line of the child's standard error, on a thread of its own

@@ -4,7 +4,7 @@ import faultline.engine.SimulationSetup;
 import faultline.robot.RobotSpec;
 
 /**
- * What a controller is told of a run before it begins.
+ * The description of a run that a controller receives before it begins.
  *
  * @param program the name and version of the simulator
  * @param scenario the name of the scenario

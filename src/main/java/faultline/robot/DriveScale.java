@@ -11,7 +11,7 @@ package faultline.robot;
  */
 public record DriveScale(double left, double right, double track) {
 
-    /** A drive that is what the controller believes. */
+    /** A drive as the controller believes it to be. */
     public static final DriveScale NONE = new DriveScale(1, 1, 1);
 
     /** The least factor allowed. */

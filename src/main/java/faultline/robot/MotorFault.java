@@ -1,8 +1,8 @@
 package faultline.robot;
 
 /**
- * One way in which the motors of a side fail. A fault changes the voltage that reaches them, after the supply has
- * limited it; several faults of one side act in the order in which they came.
+ * A way in which the motors of a side fail. A fault changes the voltage that reaches them, after the supply has limited
+ * it; the faults of one side act in the order in which they were added.
  */
 public sealed interface MotorFault permits MotorFault.Weak, MotorFault.Dead, MotorFault.DeadBand {
 
@@ -36,7 +36,7 @@ public sealed interface MotorFault permits MotorFault.Weak, MotorFault.Dead, Mot
         }
     }
 
-    /** No voltage has an effect, so the wheels come to rest: file kind {@code dead}. */
+    /** No voltage has an effect, so the wheels stop: file kind {@code dead}. */
     record Dead() implements MotorFault {
         @Override
         public double apply(double volts) {

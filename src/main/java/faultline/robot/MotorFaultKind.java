@@ -4,8 +4,8 @@ import java.util.Locale;
 import java.util.function.DoubleFunction;
 
 /**
- * The kinds of fault of motors by the names that scenario files and windows use, each with its number. A new kind is
- * one line here and one record.
+ * The kinds of fault of motors with the names that scenario files use, each with the bounds of its number. A new kind
+ * needs one line here and one record.
  */
 public enum MotorFaultKind {
 
@@ -38,9 +38,9 @@ public enum MotorFaultKind {
     }
 
     /**
-     * Makes a fault of this kind.
+     * Returns a fault of this kind.
      *
-     * @param value its number, ignored by kinds without one
+     * @param value its number; ignored by kinds without one
      * @throws IllegalArgumentException if the number is outside [{@link #minValue}, {@link #maxValue}]
      */
     public MotorFault createFault(double value) {

@@ -10,7 +10,7 @@ import java.util.List;
  */
 public record MotorFaults(List<MotorFault> left, List<MotorFault> right) {
 
-    /** Sound motors. */
+    /** No faults. */
     public static final MotorFaults NONE = new MotorFaults(List.of(), List.of());
 
     public MotorFaults {

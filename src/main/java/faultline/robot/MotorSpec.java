@@ -9,7 +9,7 @@ package faultline.robot;
  */
 public record MotorSpec(double timeConstant, double speedConstant, double maxVoltage) {
 
-    /** The motor of a robot that is given none: 50 ms, 0.1 m/s per volt, 6 V. */
+    /** The motor if none is given: 50 ms, 0.1 m/s per volt, 6 V. */
     public static final MotorSpec DEFAULT = new MotorSpec(0.05, 0.1, 6);
 
     public MotorSpec {

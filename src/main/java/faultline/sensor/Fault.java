@@ -1,9 +1,9 @@
 package faultline.sensor;
 
 /**
- * One way in which a sensor fails. A fault turns what the sensor would have reported into what it does report; several
- * faults on one sensor act in the order in which they came. A fault itself is a value: what it remembers of its past is
- * kept in the {@link FaultContext} that is made for it when it sets in.
+ * A way in which a sensor fails. A fault changes the reading that the sensor would have reported; the faults of one
+ * sensor act in the order in which they were added. A fault is a value: its state is kept in the {@link FaultContext}
+ * that is created when it begins.
  */
 public sealed interface Fault
         permits Fault.Dead,
@@ -25,7 +25,7 @@ public sealed interface Fault
                 OpticalFault.Misaligned {
 
     /**
-     * What is reported in place of a reading.
+     * Returns the reading to report.
      *
      * @param reading the encoded reading before this fault, see {@link Reading}
      * @param context of this fault at this tick
@@ -33,25 +33,13 @@ public sealed interface Fault
      */
     double apply(double reading, FaultContext context);
 
-    /**
-     * The kind of this fault, as files and windows name it.
-     *
-     * @return the kind
-     */
+    /** Returns the kind of this fault. */
     FaultKind kind();
 
-    /**
-     * The number of this fault.
-     *
-     * @return in the kind's unit; 0 if the kind has none
-     */
+    /** Returns the number of this fault, in the unit of its kind; 0 if the kind has none. */
     double value();
 
-    /**
-     * How long the fault lasts each time that it comes.
-     *
-     * @return seconds; 0 for a kind that has no length
-     */
+    /** Returns the mean length of this fault's periods, seconds; 0 for a kind without a length. */
     default double length() {
         return 0;
     }
@@ -70,7 +58,7 @@ public sealed interface Fault
         return StrictMath.PI / 2;
     }
 
-    /** The sensor gives no answer at all: file kind {@code off}. */
+    /** The sensor does not answer: file kind {@code off}. */
     record Dead() implements Fault {
         @Override
         public double apply(double reading, FaultContext context) {
@@ -89,9 +77,9 @@ public sealed interface Fault
     }
 
     /**
-     * The sensor reports one distance whatever it sees: file kind {@code stuck}.
+     * The sensor always reports one distance: file kind {@code stuck}.
      *
-     * @param value the reported distance, metres, not negative; beyond the range it reads as nothing
+     * @param value the reported distance, metres, not negative; nothing if it is beyond the range
      */
     record Stuck(double value) implements Fault {
         @Override
@@ -106,8 +94,8 @@ public sealed interface Fault
     }
 
     /**
-     * The sensor adds an error to every distance: file kind {@code bias}. The sum is held at 0 below, and reads as
-     * nothing beyond the range.
+     * The sensor adds an error to every distance: file kind {@code bias}. The sum is not less than 0, and nothing if it
+     * is beyond the range.
      *
      * @param value the error, metres, positive for too far
      */
@@ -125,9 +113,9 @@ public sealed interface Fault
     }
 
     /**
-     * The sensor now and then sees nothing: file kind {@code dropout}.
+     * The sensor sees nothing in some ticks: file kind {@code dropout}.
      *
-     * @param value the share of ticks in which it does, in [0, 1], each tick on its own
+     * @param value the share of such ticks, in [0, 1]; the ticks are independent
      */
     record Dropout(double value) implements Fault {
         @Override

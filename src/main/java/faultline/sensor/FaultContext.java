@@ -3,8 +3,9 @@ package faultline.sensor;
 import java.util.Arrays;
 
 /**
- * What one active fault works with: the moment, the sensor's random numbers, and what the fault remembers since it set
- * in. Mutable; belongs to the thread of the world. Asked twice in one tick, a fault answers the same.
+ * The inputs and the state of one active fault: the tick, the sensor's random numbers, and what the fault remembers
+ * since it began. Mutable; belongs to the thread of the world. A fault that is applied twice in one tick gives the same
+ * reading.
  */
 public final class FaultContext {
 
@@ -20,7 +21,7 @@ public final class FaultContext {
     private long burstTick = -1;
 
     /**
-     * Creates the context of a fault that sets in.
+     * Creates the context of a fault that begins.
      *
      * @param onset the first tick in which it acts
      * @param dt the length of a tick, seconds
@@ -33,13 +34,12 @@ public final class FaultContext {
     }
 
     /**
-     * Moves on to a tick.
+     * Advances to a tick and returns this context.
      *
-     * @param newTick now
+     * @param newTick the tick
      * @param newRange of the sensor, metres
      * @param newNeighbourReading what the next sensor would read without faults
      * @param draws the sensor's random numbers for this tick
-     * @return this context
      */
     public FaultContext at(long newTick, double newRange, double newNeighbourReading, SensorRandom draws) {
         tick = newTick;
@@ -70,7 +70,7 @@ public final class FaultContext {
         return (tick - onset) * dt;
     }
 
-    /** Remembers a reading, and returns the one of a time ago, the first one if the fault is younger. */
+    /** Stores a reading, and returns the one of an earlier time, or the first one if the fault is younger. */
     double delayed(double reading, double seconds) {
         int now = (int) (tick - onset);
         if (now >= history.length) {

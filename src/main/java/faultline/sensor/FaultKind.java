@@ -4,15 +4,15 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * The kinds of fault by the names that scenario files and windows use, each with its number. A new kind is one line
- * here and one record.
+ * The kinds of fault with the names that scenario files use, each with the bounds of its number. A new kind needs one
+ * line here and one record.
  */
 public enum FaultKind {
 
-    /** No answer at all; no number. */
+    /** No answer; no number. */
     OFF(Family.SILENT, "", 0, 0, 0, (value, length) -> new Fault.Dead()),
 
-    /** One distance whatever is seen; the number is that distance. */
+    /** Always the same distance, which is the number. */
     STUCK(Family.CONSTANT, "m", 0, 100, 0.4, (value, length) -> new Fault.Stuck(value)),
 
     /** An error on every distance; the number is the error. */
@@ -21,7 +21,7 @@ public enum FaultKind {
     /** Sees nothing in some ticks; the number is their share. */
     DROPOUT(Family.INTERMITTENT, "", 0, 1, 0.5, (value, length) -> new Fault.Dropout(value)),
 
-    /** The last report before the fault, for ever; no number. */
+    /** Always the last reading before the fault; no number. */
     STUCK_AT_LAST(Family.CONSTANT, "", 0, 0, 0, (value, length) -> new SignalFault.StuckAtLast()),
 
     /** Every distance multiplied; the number is the factor. */
@@ -36,13 +36,13 @@ public enum FaultKind {
     /** Distances in coarse steps; the number is the step. */
     QUANTISED(Family.SHIFTED, "m", 0.001, 10, 0.05, (value, length) -> new SignalFault.Quantised(value)),
 
-    /** Sees nothing for a while now and then; the number is how often, the length how long on average. */
+    /** Sees nothing in bursts; the number is how often they begin, the length their mean duration. */
     BURSTS(Family.INTERMITTENT, "1/s", 0, 100, 0.5, SignalFault.Bursts::new),
 
     /** Reports late; the number is the delay. */
     DELAYED(Family.SHIFTED, "s", 0, 10, 0.2, (value, length) -> new SignalFault.Delayed(value)),
 
-    /** Dirt: sees nothing beyond a distance; the number is that distance. */
+    /** Dirt: sees nothing beyond a distance, which is the number. */
     SHORT_RANGE(Family.INTERMITTENT, "m", 0.01, 100, 0.2, (value, length) -> new OpticalFault.ShortRange(value)),
 
     /** Another field of view; the number is its full angle. */
@@ -54,17 +54,17 @@ public enum FaultKind {
     /** Sees the neighbour's light in some ticks; the number is their share. */
     CROSS_TALK(Family.INTERMITTENT, "", 0, 1, 0.5, (value, length) -> new SignalFault.CrossTalk(value)),
 
-    /** Sees no surface at a slant; the number is the greatest angle of incidence that it sees. */
+    /** Does not see slanted surfaces; the number is the greatest angle of incidence that it sees. */
     SPECULAR_LOSS(Family.INTERMITTENT, "deg", 0.1, 90, 30, (value, length) -> new OpticalFault.SpecularLoss(value)),
 
-    /** Looks elsewhere; the number is the error of its bearing. */
+    /** Turned aside; the number is the error of its bearing. */
     MISALIGNED(Family.SHIFTED, "deg", -180, 180, 15, (value, length) -> new OpticalFault.Misaligned(value));
 
-    /** What the kinds have in common for those who draw them. */
+    /** The properties of kinds that decide how they are drawn. */
     public enum Family {
         /** No answer. */
         SILENT,
-        /** One distance for ever. */
+        /** Always the same distance. */
         CONSTANT,
         /** Wrong distances. */
         SHIFTED,
@@ -72,7 +72,7 @@ public enum FaultKind {
         INTERMITTENT
     }
 
-    /** The mean length of a burst that is given none, seconds. */
+    /** The mean length of a burst if none is given, seconds. */
     public static final double DEFAULT_LENGTH = 0.5;
 
     /** The shortest mean length of a burst, seconds. */
@@ -101,12 +101,7 @@ public enum FaultKind {
         this.factory = factory;
     }
 
-    /**
-     * The kind with a name.
-     *
-     * @param name the name in a file, in lower case
-     * @return the kind, empty where there is none of that name
-     */
+    /** Returns the kind of a name in a file, if there is one. */
     public static Optional<FaultKind> ofFileName(String name) {
         for (FaultKind kind : values()) {
             if (kind.fileName().equals(name)) {
@@ -116,32 +111,21 @@ public enum FaultKind {
         return Optional.empty();
     }
 
-    /**
-     * The name in scenario files.
-     *
-     * @return lower case
-     */
+    /** Returns the name in scenario files, in lower case. */
     public String fileName() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    /**
-     * Makes a fault of this kind.
-     *
-     * @param value its number, ignored by kinds without one
-     * @return the fault
-     * @throws IllegalArgumentException if the number is outside [{@link #minValue()}, {@link #maxValue()}]
-     */
+    /** Returns a fault of this kind with the default length; see {@link #createFault(double, double)}. */
     public Fault createFault(double value) {
         return createFault(value, DEFAULT_LENGTH);
     }
 
     /**
-     * Makes a fault of this kind.
+     * Returns a fault of this kind.
      *
-     * @param value its number, ignored by kinds without one
-     * @param length its mean length, seconds, ignored by kinds without one
-     * @return the fault
+     * @param value its number; ignored by kinds without one
+     * @param length its mean length, seconds; ignored by kinds without one
      * @throws IllegalArgumentException if the number is outside [{@link #minValue()}, {@link #maxValue()}]
      */
     public Fault createFault(double value, double length) {
@@ -167,47 +151,27 @@ public enum FaultKind {
         return this == BURSTS;
     }
 
-    /**
-     * Whether the kind has a number.
-     *
-     * @return false for {@link #OFF} and {@link #STUCK_AT_LAST}
-     */
+    /** Returns whether the kind has a number. */
     public boolean takesValue() {
         return this != OFF && this != STUCK_AT_LAST;
     }
 
-    /**
-     * The unit of the number.
-     *
-     * @return "m", or empty for a number without unit
-     */
+    /** Returns the unit of the number, empty for a number without a unit. */
     public String unit() {
         return unit;
     }
 
-    /**
-     * The least number allowed.
-     *
-     * @return in the unit
-     */
+    /** Returns the smallest number allowed. */
     public double minValue() {
         return minValue;
     }
 
-    /**
-     * The greatest number allowed.
-     *
-     * @return in the unit
-     */
+    /** Returns the greatest number allowed. */
     public double maxValue() {
         return maxValue;
     }
 
-    /**
-     * The number where none is given.
-     *
-     * @return in the unit
-     */
+    /** Returns the number to use if none is given. */
     public double defaultValue() {
         return defaultValue;
     }

@@ -2,13 +2,13 @@ package faultline.sensor;
 
 import faultline.geometry.Angles;
 
-/** Faults of the optics: the sensor sees something else than it should. Their numbers are degrees as in files. */
+/** Faults of the optics, which change what the sensor sees. Their angles are in degrees, as in files. */
 public final class OpticalFault {
 
     private OpticalFault() {}
 
     /**
-     * Dirt: nothing beyond a distance is seen: file kind {@code short-range}.
+     * Dirt: the sensor sees nothing beyond a distance: file kind {@code short-range}.
      *
      * @param value that distance, metres
      */
@@ -69,7 +69,7 @@ public final class OpticalFault {
     }
 
     /**
-     * The sensor has been knocked aside: file kind {@code misaligned}.
+     * The sensor is turned aside: file kind {@code misaligned}.
      *
      * @param value the error of its bearing, degrees, positive to the left
      */

@@ -1,8 +1,8 @@
 package faultline.sensor;
 
 /**
- * The limits of sensor settings, stated once: {@link SensorSpec} checks them, and the scenario format and the controls
- * of the window take them from here.
+ * The limits of sensor settings. {@link SensorSpec} checks them; the scenario format and the controls of the window use
+ * them.
  */
 public final class SensorLimits {
 

@@ -18,10 +18,10 @@ import faultline.geometry.Vector2;
 public record SensorSpec(
         String id, Vector2 mountPosition, double bearing, double range, double cone, boolean on, double noise) {
 
-    /** The range of a sensor that is given none, metres. */
+    /** The range if none is given, metres. */
     public static final double DEFAULT_RANGE = 0.8;
 
-    /** The cone of a sensor that is given none, 20 degrees. */
+    /** The cone if none is given, 20 degrees. */
     public static final double DEFAULT_CONE = Degrees.toRadians(20);
 
     public SensorSpec {

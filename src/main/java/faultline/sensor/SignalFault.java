@@ -1,6 +1,6 @@
 package faultline.sensor;
 
-/** Faults of the signal: what becomes of a distance on its way from the detector to the controller. */
+/** Faults of the signal, which change a distance on its way from the detector to the controller. */
 public final class SignalFault {
 
     private SignalFault() {}
@@ -11,7 +11,7 @@ public final class SignalFault {
         return reading <= range ? reading : Reading.NOTHING;
     }
 
-    /** Reports for ever what it reported last: file kind {@code stuck-at-last}. */
+    /** Always reports the last reading before the fault: file kind {@code stuck-at-last}. */
     public record StuckAtLast() implements Fault {
         @Override
         public double apply(double reading, FaultContext context) {

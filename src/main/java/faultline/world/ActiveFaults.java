@@ -8,16 +8,14 @@ import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The faults of one sensor at work, each with what it remembers since it set in; mutable, on the world's thread. */
+/** The active faults of one sensor with their contexts; mutable, on the world's thread. */
 final class ActiveFaults {
 
     private record Active(Fault fault, FaultContext context) {}
 
     private List<Active> active = new ArrayList<>();
 
-    /**
-     * Takes over the faults that a sensor has now: those that it had keep their memory. Returns whether any changed.
-     */
+    /** Replaces the faults; those that continue keep their state. Returns whether any changed. */
     boolean update(List<Fault> faults, long tick, double dt, double lastReported) {
         if (isCurrent(faults)) {
             return false;
@@ -49,7 +47,7 @@ final class ActiveFaults {
         return new Active(fault, fresh);
     }
 
-    /** Lets all faults act in their order; one that silences the sensor ends the chain. */
+    /** Applies all faults in their order, up to the first that silences the sensor. */
     double apply(double reading, long tick, double range, double neighbour, SensorRandom random) {
         double result = reading;
         for (Active each : active) {

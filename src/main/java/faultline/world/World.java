@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 
-/** The live world: steps 1 and 3 to 6 of a tick. Mutable; belongs to one thread. */
+/** The live world, which executes steps 1 and 3 to 6 of a tick. Mutable; belongs to one thread. */
 public final class World {
 
     private final WorldSpec spec;
@@ -38,10 +38,10 @@ public final class World {
     }
 
     /**
-     * A world at tick 0, before its first sensing.
+     * Creates a world at tick 0, before its first sensing.
      *
-     * @param spec the obstacles before anything moves
-     * @param robot as built
+     * @param spec the obstacles at the start
+     * @param robot the robot
      * @param start the robot's pose
      * @param dt the length of a tick, seconds
      * @param seed of all random numbers
@@ -58,12 +58,7 @@ public final class World {
         this.decay = robot.motor().decay(dt);
     }
 
-    /**
-     * Executes a command: step 1 of a tick.
-     *
-     * @param command the command
-     * @return the result; a refused command has changed nothing
-     */
+    /** Executes a command: step 1 of a tick. A refused command changes nothing. */
     public CommandResult execute(Command command) {
         CommandResult result = command.accept(commandHandler);
         motionStep.pollContact().ifPresent(contact -> recordCollision(contact, tick, tick * dt));
@@ -120,29 +115,17 @@ public final class World {
         sensed = true;
     }
 
-    /**
-     * How many ticks have passed.
-     *
-     * @return from 0
-     */
+    /** Returns the number of ticks that have passed. */
     public long tick() {
         return tick;
     }
 
-    /**
-     * The robot as it is built and set now.
-     *
-     * @return a value
-     */
+    /** Returns the robot with its current settings. */
     public RobotSpec robot() {
         return body.spec();
     }
 
-    /**
-     * The robot's pose.
-     *
-     * @return its heading is not normalised
-     */
+    /** Returns the robot's pose; its heading is not normalised. */
     public Pose pose() {
         return body.pose();
     }
@@ -153,20 +136,19 @@ public final class World {
     }
 
     /**
-     * What a sensor would read without noise and faults, switched on or not.
+     * Returns a sensor's reading without noise and faults, even if it is switched off; encoded as in
+     * {@link faultline.sensor.Reading}.
      *
-     * @param sensor its place in the robot's list
-     * @return encoded as in {@link faultline.sensor.Reading}
+     * @param sensor the sensor's index in the robot's list
      */
     public double trueReading(int sensor) {
         return sensors.truth(sensor);
     }
 
     /**
-     * What a sensor reports.
+     * Returns a sensor's reported reading; encoded as in {@link faultline.sensor.Reading}.
      *
-     * @param sensor its place in the robot's list
-     * @return encoded as in {@link faultline.sensor.Reading}
+     * @param sensor the sensor's index in the robot's list
      */
     public double reportedReading(int sensor) {
         return sensors.reported(sensor);
@@ -184,20 +166,12 @@ public final class World {
         sensors.copyReported(target);
     }
 
-    /**
-     * The robot's first contact.
-     *
-     * @return empty before it
-     */
+    /** Returns the robot's first collision, if there was one. */
     public Optional<Collision> collision() {
         return collisions.stream().findFirst();
     }
 
-    /**
-     * Everything as an immutable value.
-     *
-     * @return the world now
-     */
+    /** Returns the current state as an immutable value. */
     public Snapshot snapshot() {
         return new Snapshot(
                 tick,

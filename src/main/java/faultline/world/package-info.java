@@ -1,7 +1,6 @@
 /**
- * The world that the robot moves in: obstacles that stand or follow way-points, the robot's body among them, what its
- * sensors see, and what can be done to all this from outside (commands). The live {@link faultline.world.World} belongs
- * to one thread; everything that it hands out is an immutable value. Nothing here knows of controllers, clocks or
- * files.
+ * The world that the robot moves in: obstacles that stand still or follow way-points, the robot's body, what its
+ * sensors see, and the commands that change all this from outside. The live {@link faultline.world.World} belongs to
+ * one thread; everything that it returns is an immutable value. Nothing here depends on controllers, clocks or files.
  */
 package faultline.world;

@@ -203,7 +203,7 @@ class CommandLineTest {
             """)
     void badUsageIsExitCodeTwoAndOneLine(String arguments, String problem) {
         assertEquals(
-                new CommandResult(2, "", "faultline: " + problem + " (faultline --help tells more)\n"),
+                new CommandResult(2, "", "faultline: " + problem + " (see faultline --help)\n"),
                 command(arguments.split(" ")));
     }
 

@@ -62,7 +62,6 @@ class ImportCommandTest {
             """)
     void badUsageIsReported(String arguments, String sentence) throws Exception {
         assertEquals(2, importMap(arguments.split(" ")));
-        assertEquals(
-                "faultline: " + sentence + " (faultline --help tells more)\n", err.toString(StandardCharsets.UTF_8));
+        assertEquals("faultline: " + sentence + " (see faultline --help)\n", err.toString(StandardCharsets.UTF_8));
     }
 }

@@ -145,7 +145,7 @@ public final class CampaignFolder {
         }
     }
 
-    /** Writes the copy of the plan, and after it the manifest, which tells that the copy is whole. */
+    /** Writes the copy of the plan, and after it the manifest, which shows that the copy is complete. */
     private void write(CampaignPlan plan, String manifest) throws IOException {
         removeTemporaryFiles(folder);
         Files.createDirectories(plan());

@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Reads a file line by line, each with its line feed, so that a last line without one can be told. */
+/** Reads a file line by line. Lines include their line feed, so that an incomplete last line is recognised. */
 final class LineReader implements Closeable {
 
     private final InputStream in;

@@ -34,7 +34,7 @@ public record Shard(int number, int count) {
         return number < 1 || number > count ? Optional.empty() : Optional.of(new Shard(number, count));
     }
 
-    /** Returns the first run of this part, of a campaign with so many runs. */
+    /** Returns the first run of this part, of a campaign with a number of runs. */
     public long firstRun(long runs) {
         return runs * (number - 1) / count;
     }

@@ -1,6 +1,9 @@
 package faultline.control.wallfollower;
 
-/** Makes one sample of every so many, their mean in time and in reading. Noise shrinks by the root of their number. */
+/**
+ * Averages blocks of consecutive samples, in time and in reading. The noise shrinks by the square root of the block's
+ * size.
+ */
 final class BlockAverage {
 
     private int size = 1;
@@ -8,13 +11,13 @@ final class BlockAverage {
     private double clock;
     private double reading;
 
-    /** Starts anew, with the mean of so many samples, at least one. */
+    /** Starts a new average over blocks of a number of samples, at least one. */
     void start(int newSize) {
         size = newSize;
         count = 0;
     }
 
-    /** Takes a sample, and says whether that makes a mean complete. */
+    /** Adds a sample, and returns whether it completes a block. */
     boolean add(double newClock, double newReading) {
         if (count == 0) {
             clock = 0;
@@ -26,12 +29,12 @@ final class BlockAverage {
         return count == 0;
     }
 
-    /** The moment of the mean that was completed last, seconds. */
+    /** Returns the time of the last completed block, seconds. */
     double clock() {
         return clock;
     }
 
-    /** The reading of the mean that was completed last, metres; infinite where one of its samples is. */
+    /** Returns the reading of the last completed block, metres; infinite if one of its samples is. */
     double reading() {
         return reading;
     }

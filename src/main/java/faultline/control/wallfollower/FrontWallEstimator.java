@@ -1,7 +1,7 @@
 package faultline.control.wallfollower;
 
 /**
- * How far the robot's centre is from the wall ahead, whatever the angle at which that wall crosses the way.
+ * How far the robot's centre is from the wall ahead, at any angle of that wall.
  *
  * <p>One front reading fits a wall of any angle: the more slanted, the nearer its foot. A sensor looking aside settles
  * it, because a wall slanted to that side would show there no farther than it does. What counts is the most slanted

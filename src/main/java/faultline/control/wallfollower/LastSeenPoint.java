@@ -15,7 +15,7 @@ final class LastSeenPoint {
     private Vector2 mountPosition = Vector2.ZERO;
     private Vector2 fromMount = NOT_SEEN;
 
-    /** Takes a reading after a piece of straight way; what is behind the seat by now is forgotten. */
+    /** Takes a reading after a piece of straight way; what is behind the mounting position by now is forgotten. */
     void update(SensorView eye, double rolled) {
         fromMount = new Vector2(fromMount.x() - rolled, fromMount.y());
         if (fromMount.x() < 0) {

@@ -37,7 +37,7 @@ record SensorView(
      */
     double wallDistance(double normal) {
         // The nearest point in the cone is the foot, or lies on the edge next to it: h = R cos(max(0, |phi| - b)) +
-        // seat . n
+        // mount position . n
         double off = Math.max(0, Math.abs(normal - bearing) - halfCone);
         return minDistance() * StrictMath.cos(off)
                 + mountPosition.x() * StrictMath.cos(normal)

@@ -4,7 +4,7 @@ import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import java.util.List;
 
-/** The wall follower's state diagram for those who show it: the same table that the follower goes by. */
+/** The wall follower's state diagram: the same table that the follower uses. */
 public final class StateDiagram {
 
     /**

@@ -154,7 +154,9 @@ final class StateEstimate {
         return Math.max(leftNoise.standardDeviation(), frontNoise.standardDeviation());
     }
 
-    /** From the robot's centre to the seat of the sensor that faces the wall, metres. */
+    /**
+     * Returns the distance from the robot's centre to the mounting position of the sensor that faces the wall, metres.
+     */
     double sideMountOffset() {
         return views.left().present() ? views.left().mountPosition().y() : robot().width() / 2;
     }
@@ -164,7 +166,7 @@ final class StateEstimate {
         return wantedDistance + sideMountOffset();
     }
 
-    /** The way that the robot still rolls after it is told to stop, metres. */
+    /** Returns the distance that the robot still rolls after the command to stop, metres. */
     double stoppingDistance() {
         return robot().speed() * (motorLag() + current.dt());
     }

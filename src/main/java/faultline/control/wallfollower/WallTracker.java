@@ -33,7 +33,7 @@ final class WallTracker {
     private double previousInnovation;
     private double drift;
 
-    /** Starts anew at a reading, parallel to the wall. */
+    /** Restarts at a reading, parallel to the wall. */
     void start(double reading) {
         distance = reading;
         heading = 0;

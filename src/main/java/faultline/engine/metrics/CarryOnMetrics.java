@@ -20,16 +20,16 @@ public final class CarryOnMetrics implements TickObserver {
     /** The share of the wall that must be passed. */
     public static final double REQUIRED_SHARE = 0.80;
 
-    /** How many laps' time the robot has. */
+    /** The time that the robot has, in laps. */
     private static final double ALLOWED_LAPS = 2;
 
-    /** What a lap takes for its corners beyond its length by the robot's speed, seconds. */
+    /** The time that a lap takes in addition to its length divided by the robot's speed, seconds. */
     private static final double CORNER_TIME = 10;
 
-    /** The robot's way is looked at in steps of this, metres. */
+    /** The robot's path is sampled in steps of this length, metres. */
     private static final double STEP = 0.02;
 
-    /** A place counts as passed again after this much way, metres. */
+    /** The distance after which a place counts again, metres. */
     private static final double MIN_LAP = 1.0;
 
     private final WallCircuit circuit;
@@ -80,10 +80,8 @@ public final class CarryOnMetrics implements TickObserver {
     }
 
     /**
-     * Returns the distance that a setup's controller keeps between the robot's centre and the wall.
-     *
-     * @param setup the setup
-     * @return metres, empty if the controller follows no wall
+     * Returns the distance that a setup's controller keeps between the robot's centre and the wall, metres; empty if it
+     * does not follow walls.
      */
     public static OptionalDouble wantedDistance(SimulationSetup setup) {
         OptionalDouble wanted = setup.controller().wantedDistance();
@@ -110,7 +108,7 @@ public final class CarryOnMetrics implements TickObserver {
     }
 
     /**
-     * Notes where the robot is.
+     * Records the robot's state at a time.
      *
      * @param now seconds
      * @param centre of the robot, metres

@@ -9,19 +9,19 @@ import java.util.Set;
 import java.util.function.Supplier;
 
 /**
- * The share of the wall that was followed. The robot's offset path, that is, all places at the wanted distance from a
- * wall and nowhere nearer to any, falls into connected pieces; the piece of which the robot passed most is the wall
- * that it followed. A place is passed if the robot's centre came within {@link #TOLERANCE} of it.
+ * The followed share of the wall. The robot's offset path, that is, all places at the wanted distance from a wall and
+ * nowhere nearer to any, consists of connected pieces; the piece of which the robot passed most is the wall that it
+ * followed. A place is passed if the robot's centre was within {@link #TOLERANCE} of it.
  */
 final class Coverage {
 
-    /** How far from the wanted place the robot may pass, metres. */
+    /** The greatest distance at which the robot passes a place, metres. */
     static final double TOLERANCE = 0.05;
 
     /** The robot's path is looked at in one point of each cell of this side, metres. */
     private static final double CELL = 0.01;
 
-    /** Points of the path nearer to the last one than this are not looked at, metres. */
+    /** Points nearer than this to the last one are skipped, metres. */
     private static final double MIN_STEP = 0.002;
 
     private final Supplier<WallCircuit> circuits;
@@ -39,7 +39,7 @@ final class Coverage {
         this.circuits = circuits;
     }
 
-    /** Notes that the robot's centre was at a point; one point a square centimetre is kept. */
+    /** Records the position of the robot's centre. */
     void visit(Vector2 centre) {
         if (centre.distanceTo(last) >= MIN_STEP) {
             if (visitedCells.add(cell(centre))) {
@@ -56,8 +56,8 @@ final class Coverage {
     }
 
     /**
-     * The share so far, in [0, 1]; empty where nothing was passed. Costs what was visited since the last call, so it
-     * may be asked for again and again while the run goes on.
+     * Returns the share so far, in [0, 1]; empty if no place was passed. The cost depends on the points since the last
+     * call, so that it may be called often.
      */
     OptionalDouble share() {
         if (!pending.isEmpty()) {

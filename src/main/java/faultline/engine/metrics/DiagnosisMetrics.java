@@ -13,7 +13,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
 
-/** Compares what a controller's diagnosis thinks of the sensors with the faults that they have. */
+/** Compares the findings of a controller's diagnosis with the actual faults of the sensors. */
 public final class DiagnosisMetrics implements TickObserver {
 
     private final double onset;

@@ -25,13 +25,12 @@ public final class HeadlessRun {
     private HeadlessRun() {}
 
     /**
-     * Runs to the setup's duration, as fast as possible.
+     * Runs a setup to its duration, as fast as possible.
      *
-     * @param setup what to run
-     * @param mode where the controller runs
+     * @param setup the setup
+     * @param mode the thread of the controller
      * @param observers called at tick 0 and after every tick, in order
-     * @return what it came to
-     * @throws RunFailedException if the run broke
+     * @throws RunFailedException if the run failed
      */
     public static RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
         return run(setup, mode, observers, () -> false, new WallCircuits());
@@ -40,13 +39,12 @@ public final class HeadlessRun {
     /**
      * Runs to the setup's duration or until a condition holds, as fast as possible.
      *
-     * @param setup what to run
-     * @param mode where the controller runs
+     * @param setup the setup
+     * @param mode the thread of the controller
      * @param observers called at tick 0 and after every tick, in order
-     * @param finished asked after every tick
+     * @param finished called after every tick; true ends the run
      * @param circuits are shared with other runs in the same worlds
-     * @return the result
-     * @throws RunFailedException if the run broke
+     * @throws RunFailedException if the run failed
      */
     public static RunResult run(
             SimulationSetup setup,
@@ -60,12 +58,11 @@ public final class HeadlessRun {
     /**
      * Runs with a given controller in place of the setup's, to the setup's duration, as fast as possible.
      *
-     * @param setup what to run
+     * @param setup the setup
      * @param controller drives the robot; not closed with the run
-     * @param mode where the controller runs
+     * @param mode the thread of the controller
      * @param observers called at tick 0 and after every tick, in order
-     * @return the result
-     * @throws RunFailedException if the run broke
+     * @throws RunFailedException if the run failed
      */
     public static RunResult run(
             SimulationSetup setup, Controller controller, ControllerMode mode, List<TickObserver> observers) {

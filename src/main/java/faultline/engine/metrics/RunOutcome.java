@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** What expectations are compared with: the result of a run, or what a run has come to while it goes on. */
+/** The state of a run that expectations are compared with, during the run or at its end. */
 public interface RunOutcome {
 
     /** Returns the controller's last state. */

@@ -9,18 +9,18 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * What a headless run came to.
+ * The result of a headless run.
  *
- * @param ticks how many were made
+ * @param ticks the number of ticks made
  * @param simulatedSeconds ticks times dt
- * @param realTimeFactor simulated seconds per second of the clock
+ * @param realTimeFactor simulated seconds per second of real time
  * @param finalState the controller's last state
- * @param visitedStates all states that the controller passed through, in the order of their first appearance
+ * @param visitedStates all states of the controller in the order of their first appearance
  * @param coverageOrNaN the followed share of the wall that could be followed, in [0, 1]; NaN if no wall was followed
  * @param distanceRmsOrNaN the distance error on straight walls, metres, root mean square; NaN if none was followed
  * @param trajectoryHash of all ticks
- * @param seed that the run used
- * @param refusals what the timeline asked for and the world refused, one sentence each, in order
+ * @param seed of the run
+ * @param refusals the refused commands of the timeline, one sentence each, in order
  * @param rung the name of the rung that drove last; empty for a controller without a diagnosis
  * @param diagnosisEvents the changes of the sensors' health and of the rung, in order
  * @param finalSnapshot the world at the end

@@ -10,25 +10,21 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 
 /**
- * Writes the trace: a header, then a CSV row for tick 0 and after every tick. Numbers are the shortest that read back
- * to the same bits.
+ * Writes the trace as CSV: a header, and a row for tick 0 and each later tick. Every number is the shortest text that
+ * reads back to the same bits.
  */
 public final class TraceWriter implements TickObserver {
 
     private final Writer out;
     private boolean headerWritten;
 
-    /**
-     * A trace on a writer, which the caller closes.
-     *
-     * @param out where the rows go; buffered
-     */
+    /** Creates a trace on a buffered writer, which the caller closes. */
     public TraceWriter(Writer out) {
         this.out = out;
     }
 
     /**
-     * Writes the row of this moment.
+     * Writes the row of the current tick.
      *
      * @throws UncheckedIOException if the writer fails
      */

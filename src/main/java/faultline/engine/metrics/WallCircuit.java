@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.function.IntConsumer;
 
 /**
- * The ways along the walls of a world at one distance: places at that distance from a wall and nowhere nearer to any,
- * joined to connected ways. Immutable; runs in the same world can share one.
+ * The closed paths along the walls of a world at one distance: the places at that distance from a wall and nowhere
+ * nearer to any, joined to connected paths. Immutable; runs in the same world can share one.
  */
 public final class WallCircuit {
 
@@ -118,7 +118,7 @@ public final class WallCircuit {
         return (int) (mixed >>> 32) & first.length - 1;
     }
 
-    /** Calls back with every place within a radius of at most the tolerance of a point. */
+    /** Calls an action for every place within a radius of at most the tolerance around a point. */
     void forEachNear(Vector2 point, double radius, IntConsumer action) {
         long column = column(point.x());
         long row = column(point.y());

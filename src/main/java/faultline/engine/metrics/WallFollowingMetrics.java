@@ -12,12 +12,12 @@ import java.util.OptionalDouble;
 import java.util.Set;
 
 /**
- * Judges a wall follower from ground truth: how much of the wall it could follow it did follow, and how well it kept
- * the distance. Of other controllers it says nothing.
+ * Measures a wall follower from ground truth: the followed share of the wall, and the error of the distance. Other
+ * controllers have no measures.
  */
 final class WallFollowingMetrics implements TickObserver {
 
-    /** A straight piece of wall begins and ends this far from a wall's ends, metres. */
+    /** The distance from the ends of a wall beyond which it counts as straight, metres. */
     static final double STRAIGHT_MARGIN = 0.5;
 
     /** With more walls than this, finding the places to pass would hold up a run that is watched. */
@@ -74,17 +74,19 @@ final class WallFollowingMetrics implements TickObserver {
         return walls.size() > MAX_LIVE_WALLS;
     }
 
-    /** The share of the wall that was passed, in [0, 1]; empty where no wall was followed. */
+    /** Returns the followed share of the wall, in [0, 1]; empty if no wall was followed. */
     OptionalDouble coverage() {
         return isWallFollower ? coverage.share() : OptionalDouble.empty();
     }
 
-    /** The distance error on straight walls while following, metres, root mean square; empty where there was none. */
+    /**
+     * Returns the distance error on straight walls while following, metres, root mean square; empty if there were none.
+     */
     OptionalDouble distanceRms() {
         return straightError.root();
     }
 
-    /** The distance error on all walls while following, metres, root mean square; empty where there was none. */
+    /** Returns the distance error on all walls while following, metres, root mean square; empty if there were none. */
     OptionalDouble followRms() {
         return followError.root();
     }

@@ -12,8 +12,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The walls of a world as they stand before anything moves, as ground truth for judging a wall follower: what could be
- * followed at a distance, and how far the nearest wall is. Moving obstacles are no walls. Used by one thread.
+ * The walls of a world at the start, as ground truth for wall followers: what can be followed at a distance, and how
+ * far the nearest wall is. Moving obstacles do not count as walls. Confined to one thread.
  */
 public final class WallReference {
 
@@ -23,24 +23,19 @@ public final class WallReference {
     private final CandidateBuffer candidates = new CandidateBuffer();
     private final SpatialIndex index;
 
-    /**
-     * The walls of a world.
-     *
-     * @param world before anything moves
-     */
+    /** Creates the reference of a world at its start. */
     public WallReference(WorldSpec world) {
         shapes = CandidateBuffer.ofStaticShapes(world);
         index = SpatialIndex.of(shapes);
     }
 
     /**
-     * How much farther than wanted the nearest wall is from a point, if it is a straight piece of wall.
+     * Returns how much farther than wanted the nearest wall is from a point, metres; NaN if that wall is not straight
+     * there, or more than twice as far as wanted.
      *
      * @param centre the robot's centre
      * @param wanted the wanted distance from the centre, metres
-     * @param margin how far from a segment's ends the foot must lie, metres
-     * @return metres, positive for too far; not a number where the nearest wall is not straight, or farther than twice
-     *     what is wanted
+     * @param margin the smallest distance of the foot from the ends of a segment, metres
      */
     public double straightWallError(Vector2 centre, double wanted, double margin) {
         WallError error = wallError(centre, wanted, margin);
@@ -50,8 +45,8 @@ public final class WallReference {
     /**
      * How much farther than wanted the nearest wall is from a point.
      *
-     * @param metres positive for too far; not a number where the wall is farther than twice what is wanted
-     * @param straight whether the nearest wall is a straight piece of wall
+     * @param metres positive for too far; NaN if the wall is more than twice as far as wanted
+     * @param straight whether the nearest wall is straight there
      */
     record WallError(double metres, boolean straight) {}
 
@@ -80,11 +75,11 @@ public final class WallReference {
     }
 
     /**
-     * The places from which walls can be followed: points at a distance from a wall and nowhere nearer to any.
+     * Returns the places from which walls can be followed, in the order of the walls: points at a distance from a wall
+     * and nowhere nearer to any.
      *
      * @param distance from the wall to the robot's centre, metres
      * @param spacing of the samples along the walls, metres
-     * @return samples in the order of the walls
      */
     public List<Sample> samples(double distance, double spacing) {
         return samples(distance, spacing, 0);
@@ -120,8 +115,8 @@ public final class WallReference {
     /**
      * A place from which a piece of wall can be followed.
      *
-     * @param position where the robot's centre is then
-     * @param wallLength of the piece of wall, metres; 0 for a corner, which only joins two walls
+     * @param position of the robot's centre
+     * @param wallLength the length of the piece of wall, metres; 0 for a corner, which only joins two walls
      */
     public record Sample(Vector2 position, double wallLength) {}
 
@@ -140,7 +135,7 @@ public final class WallReference {
         sampleAroundPoint(segment.b(), distance, spacing, places);
     }
 
-    /** The arc about a corner is free just where the corner juts out. */
+    /** The arc around a corner is free only where the corner is convex. */
     private void sampleAroundPoint(Vector2 corner, double distance, double spacing, List<Sample> places) {
         int pieces = (int) Math.ceil(2 * StrictMath.PI * distance / spacing);
         for (int i = 0; i < pieces; i++) {
@@ -148,7 +143,7 @@ public final class WallReference {
         }
     }
 
-    /** Samples are spaced on the curve that is {@code reach} metres outside of the ellipse. */
+    /** Spaces the samples on the curve that is {@code reach} metres outside the ellipse. */
     private void sampleAroundEllipse(Ellipse oval, double distance, double spacing, double reach, List<Sample> places) {
         int pieces = Math.max(8, (int) Math.ceil(2 * StrictMath.PI * (oval.boundingRadius() + reach) / spacing));
         Vector2 before = oval.frame().toParent(new Vector2(oval.rx(), 0));

@@ -1,6 +1,5 @@
 /**
- * Measures of a run from ground truth: how much of the wall was followed, how far the robot was from the wanted
- * distance, traces as tables, and headless runs that collect them. A controller never sees any of it. Each object
- * belongs to the thread of its run.
+ * Measures of a run from ground truth: the followed share of the wall, the error of the distance, traces as tables, and
+ * headless runs that collect them. Controllers have no access to them. Each object belongs to the thread of its run.
  */
 package faultline.engine.metrics;

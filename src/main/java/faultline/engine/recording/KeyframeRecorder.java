@@ -2,17 +2,17 @@ package faultline.engine.recording;
 
 import faultline.engine.Frame;
 
-/** Keeps frames at evenly spaced ticks; whenever there are too many, every second one goes. */
+/** Keeps frames at evenly spaced ticks; if there are too many, every second one is dropped. */
 final class KeyframeRecorder {
 
-    /** How many are kept at most: with a simple room, some 3 MB. */
+    /** The greatest number of frames: about 3 MB in a simple room. */
     static final int MAX_FRAMES = 1024;
 
     private Frame[] frames = new Frame[MAX_FRAMES];
     private int size;
     private long stride = 1;
 
-    /** Whether the frame of a tick would be kept. */
+    /** Returns whether the frame of a tick would be kept. */
     boolean isDue(long tick) {
         return tick % stride == 0;
     }
@@ -28,7 +28,7 @@ final class KeyframeRecorder {
         }
     }
 
-    /** Views hold the old array, so the thinned one is another. */
+    /** Replaces the array, because views hold the old one. */
     private void thin() {
         Frame[] thinned = new Frame[MAX_FRAMES];
         for (int i = 0; i < MAX_FRAMES; i += 2) {

@@ -10,8 +10,8 @@ import faultline.engine.TickObserver;
 import faultline.world.CommandResult;
 
 /**
- * Remembers a run as it goes on, on its own thread: frames are looked at some sixty times a second, and what happens
- * between two of them must not be lost.
+ * Records a run on the thread of the run. Frames are taken only about sixty times a second, and what happens between
+ * two of them must not be lost.
  */
 public final class Recorder implements TickObserver, CommandListener {
 
@@ -29,7 +29,7 @@ public final class Recorder implements TickObserver, CommandListener {
     private double turnStart;
     private boolean collided;
 
-    /** Of a run that has not begun. */
+    /** Creates a recorder of a run that has not started. */
     public Recorder(SimulationSetup setup) {
         dt = setup.dt();
         sensors = setup.robot().sensors().size();

@@ -11,7 +11,7 @@ package faultline.engine.recording;
  */
 public record Recording(Trace trace, EventLog events, StateTally stateTally, Keyframes keyframes, HashTrace hashTrace) {
 
-    /** Of a run that is not recorded. */
+    /** The recording of a run that is not recorded. */
     public static final Recording EMPTY =
             new Recording(Trace.EMPTY, EventLog.EMPTY, StateTally.EMPTY, Keyframes.EMPTY, HashTrace.EMPTY);
 }

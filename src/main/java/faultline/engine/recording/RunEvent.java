@@ -7,31 +7,23 @@ import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Refusal;
 
-/** Something that happened in a run at one moment. */
+/** An event of a run. */
 public sealed interface RunEvent {
 
-    /**
-     * The tick at whose end it shows.
-     *
-     * @return from 0
-     */
+    /** Returns the tick at whose end the event shows. */
     long tick();
 
-    /**
-     * When it happened.
-     *
-     * @return seconds
-     */
+    /** Returns the time of the event, seconds. */
     double time();
 
     /**
-     * The controller came to another state.
+     * The controller changed its state.
      *
-     * @param tick the first in which it acted by it
+     * @param tick the first tick in the new state
      * @param time of that tick, seconds
-     * @param from the state that it left
-     * @param to the state that it came to
-     * @param condition the named condition of the arrow
+     * @param from the old state
+     * @param to the new state
+     * @param condition the condition of the transition
      */
     record StateChanged(long tick, double time, ControllerState from, ControllerState to, String condition)
             implements RunEvent {}
@@ -50,10 +42,10 @@ public sealed interface RunEvent {
     /**
      * The controller's diagnosis trusts a sensor more or less than before.
      *
-     * @param tick the first in which the controller acted by it
+     * @param tick the first tick in which the controller acts by it
      * @param time of that tick, seconds
-     * @param from how far it was trusted before
-     * @param health what the diagnosis thinks of the sensor now
+     * @param from the trust before
+     * @param health the finding about the sensor now
      */
     record HealthChanged(long tick, double time, SensorTrust from, SensorHealth health) implements RunEvent {}
 
@@ -68,20 +60,20 @@ public sealed interface RunEvent {
     record RungChanged(long tick, double time, String from, String to) implements RunEvent {}
 
     /**
-     * A command was carried out: one of the timeline, or one from outside.
+     * A command of the timeline or from outside was executed.
      *
-     * @param tick at whose start it was
+     * @param tick the tick at whose start it was executed
      * @param time of that tick, seconds
-     * @param command what was done
+     * @param command the command
      */
     record CommandExecuted(long tick, double time, Command command) implements RunEvent {}
 
     /**
      * A command was refused.
      *
-     * @param tick at whose start it was
+     * @param tick the tick at whose start it was refused
      * @param time of that tick, seconds
-     * @param command what was not done
+     * @param command the command
      * @param refusal the reason
      */
     record CommandRefused(long tick, double time, Command command, Refusal refusal) implements RunEvent {}
@@ -89,7 +81,7 @@ public sealed interface RunEvent {
     /**
      * The robot touched an obstacle for the first time.
      *
-     * @param tick at whose end it showed
+     * @param tick the tick of the contact
      * @param collision the contact
      */
     record Collided(long tick, Collision collision) implements RunEvent {
@@ -100,9 +92,9 @@ public sealed interface RunEvent {
     }
 
     /**
-     * The run became another than the earlier one that it is compared with.
+     * The run differs from the reference run for the first time.
      *
-     * @param tick the first in which they differ by a bit or more
+     * @param tick the first tick in which they differ by at least a bit
      * @param time of that tick, seconds
      */
     record Diverged(long tick, double time) implements RunEvent {}

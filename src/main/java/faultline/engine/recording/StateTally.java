@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * How long a controller has been in each of its states, and how often it took each way between them.
+ * The durations and visits of a controller's states, and the counts of its transitions.
  *
  * @param states in the order of their first appearance
- * @param transitions in the order in which they were first taken
+ * @param transitions in the order of their first appearance
  */
 public record StateTally(List<Dwell> states, List<TransitionCount> transitions) {
 
-    /** Of a run that is not recorded. */
+    /** The tally of a run that is not recorded. */
     public static final StateTally EMPTY = new StateTally(List.of(), List.of());
 
     public StateTally {
@@ -21,40 +21,29 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
     }
 
     /**
-     * A state that the controller was in.
+     * The visits to a state.
      *
      * @param state the state
-     * @param ticks in all
-     * @param visits how often it came there, the start included
+     * @param ticks the number of ticks in it
+     * @param visits the number of visits, including the one at the start
      */
     public record Dwell(ControllerState state, long ticks, long visits) {}
 
     /**
-     * A way from a state to a state that the controller took.
+     * The count of a transition.
      *
-     * @param from the state that it left
-     * @param to the state that it came to
-     * @param count how often
+     * @param from the state before
+     * @param to the state after
+     * @param count how often it was taken
      */
     public record TransitionCount(ControllerState from, ControllerState to, long count) {}
 
-    /**
-     * The stay in a state.
-     *
-     * @param state the state
-     * @return empty where the controller never was there
-     */
+    /** Returns the visits to a state, if there were any. */
     public Optional<Dwell> dwell(ControllerState state) {
         return states.stream().filter(stay -> stay.state().equals(state)).findFirst();
     }
 
-    /**
-     * How often a way was taken.
-     *
-     * @param from the state left
-     * @param to the state reached
-     * @return from 0
-     */
+    /** Returns how often a transition was taken. */
     public long transitionCount(ControllerState from, ControllerState to) {
         return transitions.stream()
                 .filter(way -> way.from().equals(from) && way.to().equals(to))

@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Counts the ticks in each state and the ways between states. */
+/** Counts the ticks in each state and the transitions. */
 final class StateTallyRecorder {
 
     private static final class Counter {
@@ -20,37 +20,24 @@ final class StateTallyRecorder {
     private final Map<TransitionKey, Counter> transitions = new LinkedHashMap<>();
     private Counter current = new Counter();
 
-    /**
-     * The controller starts.
-     *
-     * @param state in this state
-     */
+    /** Starts in a state. */
     public void start(ControllerState state) {
         current = states.computeIfAbsent(state, name -> new Counter());
         current.visits++;
     }
 
-    /**
-     * The controller comes from one state to another, or to the same state again.
-     *
-     * @param from the state left
-     * @param to the state reached
-     */
+    /** Counts a transition, which may lead to the same state. */
     public void recordTransition(ControllerState from, ControllerState to) {
         transitions.computeIfAbsent(new TransitionKey(from, to), ends -> new Counter()).visits++;
         start(to);
     }
 
-    /** A tick passes. */
+    /** Counts a tick. */
     public void tick() {
         current.ticks++;
     }
 
-    /**
-     * The counts by now.
-     *
-     * @return an immutable value
-     */
+    /** Returns the counts so far. */
     public StateTally view() {
         List<StateTally.Dwell> stays = new ArrayList<>();
         states.forEach((state, count) -> stays.add(new StateTally.Dwell(state, count.ticks, count.visits)));

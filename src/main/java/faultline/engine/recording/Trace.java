@@ -10,38 +10,30 @@ import java.util.List;
  */
 public record Trace(List<TraceLevel> levels) {
 
-    /** Of a run that is not recorded. */
+    /** The trace of a run that is not recorded. */
     public static final Trace EMPTY = new TraceRecorder(0).view();
 
     public Trace {
         levels = List.copyOf(levels);
     }
 
-    /**
-     * How many ticks are recorded, tick 0 included.
-     *
-     * @return the tick after the newest
-     */
+    /** Returns the number of recorded ticks, including tick 0. */
     public long tickCount() {
         return finestLevel().endBucket();
     }
 
-    /**
-     * The level at full resolution.
-     *
-     * @return one tick a bucket
-     */
+    /** Returns the level with one tick to a bucket. */
     public TraceLevel finestLevel() {
         return levels.get(0);
     }
 
     /**
-     * The finest level that still has the first of some ticks, and does not cut them into more than so many buckets.
+     * Returns the finest level that still contains a tick and divides a range of ticks into at most a number of
+     * buckets; the coarsest level if none does.
      *
      * @param from the first tick
      * @param to the tick after the last
-     * @param most how many buckets are enough
-     * @return the coarsest level where none will do
+     * @param most the greatest number of buckets
      */
     public TraceLevel levelFor(long from, long to, int most) {
         return levels.stream()

@@ -9,7 +9,7 @@ import java.util.List;
  */
 final class TraceRecorder {
 
-    /** Each level's buckets have so many times the ticks of the next finer one. */
+    /** How many times as many ticks a bucket has as one of the next finer level. */
     static final int FACTOR = 4;
 
     /** The coarsest level, of 4096 ticks a bucket, reaches back 67 million ticks. */

@@ -1,15 +1,16 @@
 package faultline.engine.session;
 
 /**
- * The only place that looks at a clock while a run goes on: how long to wait after a tick, and how fast the run really
- * is. Used by the thread of the run; it influences when a tick is made and never what it computes.
+ * Determines how long to wait after a tick, and measures the speed of the run. It is the only class that reads a clock
+ * during a run; it decides when a tick is made and never what the tick computes. Used by the thread of the run.
  */
 public final class Pacer {
 
     private static final double NANOS_PER_SECOND = 1e9;
 
     /**
-     * Debts of more than this are forgiven, so that a machine that was held up does not race afterwards, nanoseconds.
+     * The delay up to which late ticks are caught up, nanoseconds; a longer delay is ignored, so that the run does not
+     * race after a pause of the machine.
      */
     private static final long MAX_DEBT = 100_000_000;
 
@@ -28,7 +29,7 @@ public final class Pacer {
         restart();
     }
 
-    /** Forgets what was due: time begins to run now. */
+    /** Starts measuring from now. */
     void restart() {
         start = System.nanoTime();
         dueNanos = 0;
@@ -49,7 +50,7 @@ public final class Pacer {
         return speed;
     }
 
-    /** Counts a tick of some seconds. */
+    /** Counts a tick of a length in seconds. */
     public void tickCompleted(double dt) {
         dueNanos += dt / speed * NANOS_PER_SECOND;
         windowSeconds += dt;
@@ -61,12 +62,12 @@ public final class Pacer {
         }
     }
 
-    /** Times real time over the last window, 0 until the first is over. */
+    /** Returns the speed over the last window as a multiple of real time, 0 until the first window is over. */
     double achievedSpeed() {
         return achievedSpeed;
     }
 
-    /** How long to wait until the next tick is due, nanoseconds; not positive where it is. */
+    /** Returns the time until the next tick is due, nanoseconds; not positive if it is due. */
     public long nanosToWait() {
         long passed = System.nanoTime() - start;
         long wait = (long) dueNanos - passed;

@@ -13,8 +13,8 @@ import java.util.concurrent.CancellationException;
 import java.util.function.LongPredicate;
 
 /**
- * An earlier run, to be shown beside a later one: where the robot was at every tick, and how the two first differ. Made
- * by running it again, which gives the same bits.
+ * An earlier run to compare a later one with: the robot's pose at every tick, and the first difference of the two. It
+ * is made by repeating the run, which gives the same bits.
  */
 public final class ReferenceRun {
 
@@ -46,24 +46,21 @@ public final class ReferenceRun {
     }
 
     /**
-     * Runs a journal again, at full speed.
+     * Repeats the run of a journal at full speed, up to its end or to {@link HashTraceRecorder#MAX_HASHES} ticks.
      *
-     * @param journal of the earlier run
-     * @return the run up to where the journal ends, or as far as {@link HashTraceRecorder#MAX_HASHES} ticks go
-     * @throws RunFailedException if the controller threw
+     * @throws RunFailedException if the controller threw an exception
      */
     public static ReferenceRun replay(Journal journal) {
         return replay(journal, tick -> true);
     }
 
     /**
-     * Runs a journal again, at full speed, for as long as that is wanted.
+     * Repeats the run of a journal at full speed, up to its end or to {@link HashTraceRecorder#MAX_HASHES} ticks.
      *
      * @param journal of the earlier run
-     * @param onward asked before each tick, on the calling thread, whether to go on; given the tick before
-     * @return the run up to where the journal ends, or as far as {@link HashTraceRecorder#MAX_HASHES} ticks go
-     * @throws RunFailedException if the controller threw
-     * @throws CancellationException if it was not to go on
+     * @param onward called before each tick with the tick before; false cancels the run
+     * @throws RunFailedException if the controller threw an exception
+     * @throws CancellationException if the run was cancelled
      */
     public static ReferenceRun replay(Journal journal, LongPredicate onward) {
         try (Simulation simulation = new Simulation(journal.setup(), ControllerMode.DIRECT)) {
@@ -85,40 +82,23 @@ public final class ReferenceRun {
         return setup;
     }
 
-    /**
-     * The last tick that is recorded.
-     *
-     * @return not negative
-     */
+    /** Returns the last tick that is recorded. */
     public long lastTick() {
         return x.length - 1;
     }
 
-    /**
-     * Where the robot was.
-     *
-     * @param tick the tick; after the last one, the robot stays where it was then
-     * @return its heading is not normalised
-     */
+    /** Returns the robot's pose at a tick; after the last tick, the pose at the last. Its heading is not normalised. */
     public Pose pose(long tick) {
         int index = (int) Math.min(tick, lastTick());
         return new Pose(x[index], y[index], heading[index]);
     }
 
-    /**
-     * The robot's path.
-     *
-     * @return all of it
-     */
+    /** Returns the robot's whole path. */
     public RobotPath path() {
         return path;
     }
 
-    /**
-     * The trajectory's hash after every tick; what the run has in common with another shows by them.
-     *
-     * @return up to {@link #lastTick}
-     */
+    /** Returns the hash of the trajectory after every tick up to {@link #lastTick}. */
     public HashTrace hashTrace() {
         return hashTrace;
     }

@@ -177,7 +177,7 @@ final class SimulationThread implements Runnable {
         sendAnswers();
     }
 
-    /** Sends what callers wait for, in the order of their requests. */
+    /** Sends the answers to requests, in the order of the requests. */
     private void sendAnswers() {
         answers.forEach(Runnable::run);
         answers.clear();

@@ -37,7 +37,7 @@ public interface Surface {
     void drawText(String text, double x, double y, Color colour, Font font);
 
     /**
-     * Draws a line of text with a halo, which separates it from whatever lies beneath.
+     * Draws a line of text with a halo, which separates it from what is beneath.
      *
      * @param text drawn literally
      * @param x of the left end of its baseline
