@@ -59,6 +59,25 @@ final class Arguments {
         }
     }
 
+    /** Returns the values of an option that may be there several times, and the other arguments. */
+    static Map.Entry<List<String>, List<String>> takeAll(String option, List<String> arguments) throws UsageException {
+        List<String> values = new ArrayList<>();
+        List<String> others = new ArrayList<>();
+        for (int i = 0; i < arguments.size(); i++) {
+            String argument = arguments.get(i);
+            if (argument.startsWith(option + "=")) {
+                values.add(argument.substring(option.length() + 1));
+            } else if (!argument.equals(option)) {
+                others.add(argument);
+            } else if (++i < arguments.size()) {
+                values.add(arguments.get(i));
+            } else {
+                throw new UsageException(option + " needs a value");
+            }
+        }
+        return Map.entry(values, others);
+    }
+
     private void requireKnown(String option, List<String> known) throws UsageException {
         if (!known.contains(option)) {
             throw new UsageException("there is no option " + MessageText.quoted(option) + " here, allowed is "

@@ -30,6 +30,7 @@ final class CommandLine {
     CommandLine(CommandOutput output) {
         this.output = output;
         commands.put("run", new RunCommand(output)::run);
+        commands.put("compare", new CompareCommand(output)::run);
         commands.put("check", new CheckCommand(output)::run);
         commands.put("campaign", new CampaignCommand(output)::run);
         commands.put("merge", new CampaignCommand(output)::merge);

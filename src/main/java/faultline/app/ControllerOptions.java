@@ -22,9 +22,15 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
 
     private static final BigDecimal MAX_PATIENCE = new BigDecimal("10000000");
 
-    static ControllerOptions parse(Arguments given) throws UsageException {
+    /**
+     * Reads the options.
+     *
+     * @param given the arguments of the command
+     * @param hasController whether a controller is chosen
+     */
+    static ControllerOptions parse(Arguments given, boolean hasController) throws UsageException {
         for (String option : List.of("--patience", "--truth")) {
-            if (!given.has("--controller") && given.has(option)) {
+            if (!hasController && given.has(option)) {
                 throw new UsageException(option + " needs --controller COMMAND");
             }
         }

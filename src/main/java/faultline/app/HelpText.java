@@ -25,6 +25,10 @@ final class HelpText {
               --jar FILE.jar               find controllers in Java in this file as well
               --patience S|none            how long a child may take for an answer (default: 10)
               --truth                      give it the ground truth as well
+            faultline compare FILE --controller A --controller B... --out FILE.html
+                                           run each controller in the scenario; make a table and a page
+              --seeds N                    with N seeds from the file's on (default: 1)
+              --until, --jar, --patience, --truth   as for run
             faultline serve FILE [--truth] step a scenario from outside, over standard input and output
             faultline controller FILE      act as the child of --controller, with the controller of a scenario
             faultline import MAP --out FILE make a scenario of a floor plan: a map_server YAML file or an image

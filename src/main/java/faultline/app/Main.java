@@ -12,7 +12,7 @@ public final class Main {
      * @param args as described by {@code --help}
      */
     public static void main(String[] args) {
-        if (args.length > 0 && args[0].equals("run")) {
+        if (args.length > 0 && (args[0].equals("run") || args[0].equals("compare"))) {
             // Image output needs no display and must not fail if the configured one does not answer.
             System.setProperty("java.awt.headless", "true");
         }

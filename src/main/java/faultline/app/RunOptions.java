@@ -81,13 +81,14 @@ record RunOptions(
                 mode(arguments.value("--threads").orElse("none")),
                 outputs(arguments),
                 pace(arguments),
-                ControllerOptions.parse(arguments));
+                ControllerOptions.parse(arguments, arguments.has("--controller")));
         options.checkFilesDiffer();
         options.checkThreads();
         return options;
     }
 
-    private static UnaryOperator<SimulationSetup> duration(Arguments arguments) throws UsageException {
+    /** Returns what the option {@code --until} makes of a setup. */
+    static UnaryOperator<SimulationSetup> duration(Arguments arguments) throws UsageException {
         Optional<String> text = arguments.value("--until");
         if (text.isEmpty()) {
             return UnaryOperator.identity();

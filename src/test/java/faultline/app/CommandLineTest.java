@@ -179,8 +179,8 @@ class CommandLineTest {
             quoteCharacter = '`',
             textBlock =
                     """
-            rnu x.xml                       | there is no command "rnu", allowed is run, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --startup-time or a scenario file; did you mean "run"?
-            --hepl                          | there is no command "--hepl", allowed is run, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --startup-time or a scenario file; did you mean "--help"?
+            rnu x.xml                       | there is no command "rnu", allowed is run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --startup-time or a scenario file; did you mean "run"?
+            --hepl                          | there is no command "--hepl", allowed is run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --startup-time or a scenario file; did you mean "--help"?
             a.xml b.xml                     | the window takes one scenario file, not also "b.xml"
             run                             | run takes one scenario file, not none
             run a.xml b.xml                 | run takes one scenario file, not 2

@@ -8,9 +8,6 @@ import faultline.campaign.run.ResultColumns;
 import faultline.campaign.run.WorstRuns;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -59,21 +56,18 @@ public final class CampaignReport {
                 plan.header().name().isEmpty() ? "Campaign" : plan.header().name();
         FaultSections faults = new FaultSections(data);
         VariantSections variants = new VariantSections(data);
-        return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
-                + Html.escape(title) + "</title>\n<style>\n" + styleSheet()
-                + "</style>\n</head>\n<body>\n<header>\n<h1>"
-                + Html.escape(title) + "</h1>\n" + Html.paragraph(plan.header().description()) + "</header>\n<main>\n"
-                + summary()
-                + faults.matrix()
-                + variants.comparisons()
-                + faults.sensorSets()
-                + faults.delays()
-                + variants.responses()
-                + variants.distributions()
-                + worstRuns()
-                + dictionary()
-                + "</main>\n</body>\n</html>\n";
+        return Html.page(
+                title,
+                plan.header().description(),
+                summary()
+                        + faults.matrix()
+                        + variants.comparisons()
+                        + faults.sensorSets()
+                        + faults.delays()
+                        + variants.responses()
+                        + variants.distributions()
+                        + worstRuns()
+                        + dictionary());
     }
 
     private String summary() {
@@ -169,13 +163,5 @@ public final class CampaignReport {
                 .toList();
         return Html.section(
                 "Columns of runs.csv", Html.table("dictionary", List.of("column", "unit", "meaning"), rows));
-    }
-
-    private static String styleSheet() {
-        try (InputStream in = CampaignReport.class.getResourceAsStream("report.css")) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
     }
 }

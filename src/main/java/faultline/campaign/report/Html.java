@@ -1,5 +1,9 @@
 package faultline.campaign.report;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 
@@ -17,6 +21,23 @@ final class Html {
 
     static String format(String format, Object... values) {
         return String.format(Locale.ROOT, format, values);
+    }
+
+    /** Returns a page that needs nothing but itself. */
+    static String page(String title, String introduction, String content) {
+        return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
+                + escape(title) + "</title>\n<style>\n" + styleSheet()
+                + "</style>\n</head>\n<body>\n<header>\n<h1>" + escape(title) + "</h1>\n" + paragraph(introduction)
+                + "</header>\n<main>\n" + content + "</main>\n</body>\n</html>\n";
+    }
+
+    private static String styleSheet() {
+        try (InputStream in = Html.class.getResourceAsStream("report.css")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     /** Returns a section with a heading. */

@@ -1,0 +1,165 @@
+package faultline.app;
+
+import faultline.campaign.report.ControllerComparison;
+import faultline.campaign.report.ControllerRuns;
+import faultline.engine.ControllerMode;
+import faultline.engine.Journal;
+import faultline.engine.RobotPath;
+import faultline.engine.RunFailedException;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.TickObserver;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
+import faultline.external.ChildSource;
+import faultline.external.ControllerChoice;
+import faultline.external.ControllerStartException;
+import faultline.io.AtomicFile;
+import faultline.io.FileTarget;
+import faultline.io.MessageText;
+import faultline.scenario.JournalScenario;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** {@code compare}: runs several controllers in the same scenario with the same seeds. */
+final class CompareCommand {
+
+    private static final List<String> OPTION_NAMES = List.of("--seeds", "--out", "--until", "--jar", "--patience");
+    private static final List<String> FLAG_NAMES = List.of("--truth");
+    private static final int MAX_SEEDS = 10_000;
+
+    private final CommandOutput output;
+
+    CompareCommand(CommandOutput output) {
+        this.output = output;
+    }
+
+    /** The end of a run. */
+    private static final class Ending implements TickObserver {
+        private RobotPath path;
+        private Journal journal;
+
+        @Override
+        public void observe(Simulation simulation) {
+            if (simulation.ticks() == simulation.setup().ticks()) {
+                path = simulation.frame().path();
+                journal = simulation.journal();
+            }
+        }
+    }
+
+    int run(List<String> given) throws UsageException, ScenarioException, IOException {
+        Map.Entry<List<String>, List<String>> split = Arguments.takeAll("--controller", given);
+        List<String> choices = split.getKey();
+        Arguments arguments = new Arguments(split.getValue(), OPTION_NAMES, FLAG_NAMES);
+        ControllerOptions options = ControllerOptions.parse(arguments, !choices.isEmpty());
+        options.jars().forEach(ControllerChoice::addJar);
+        Path file = arguments.singleFile("compare");
+        Path page = arguments
+                .fileOption("--out")
+                .orElseThrow(() -> new UsageException("compare needs --out FILE.html, the page that it writes"));
+        if (choices.size() < 2 || choices.stream().distinct().count() < choices.size()) {
+            throw new UsageException("compare needs --controller at least twice, each time with another one");
+        }
+        if (FileTarget.findConflict(List.of(file), outputs(page, choices.size()))
+                .isPresent()) {
+            throw new UsageException("an output is the scenario itself, allowed is another file");
+        }
+        int seeds = seeds(arguments);
+        Scenario loaded = Scenario.load(file);
+        Scenario scenario = loaded.withSetup(RunOptions.duration(arguments).apply(loaded.setup()));
+        List<ControllerRuns> compared = new ArrayList<>();
+        Map<Path, Scenario> replays = new LinkedHashMap<>();
+        for (String choice : choices) {
+            compared.add(runAll(choice, scenario, seeds, options, replay(page, compared.size() + 1), replays));
+        }
+        return write(new ControllerComparison(scenario, compared), compared, page, replays);
+    }
+
+    private static int seeds(Arguments arguments) throws UsageException {
+        String text = arguments.value("--seeds").orElse("1");
+        if (!text.matches("[0-9]{1,5}") || Integer.parseInt(text) < 1 || Integer.parseInt(text) > MAX_SEEDS) {
+            throw new UsageException(
+                    "--seeds is " + MessageText.quoted(text) + ", allowed is a whole number from 1 to " + MAX_SEEDS);
+        }
+        return Integer.parseInt(text);
+    }
+
+    private static String baseName(Path page) {
+        return page.getFileName().toString().replaceFirst("\\.html?$", "");
+    }
+
+    private static Path table(Path page) {
+        return page.resolveSibling(baseName(page) + ".csv");
+    }
+
+    private static Path replay(Path page, int number) {
+        return page.resolveSibling(baseName(page) + "-" + number + ".xml");
+    }
+
+    private static List<Path> outputs(Path page, int controllers) {
+        List<Path> all = new ArrayList<>(List.of(page, table(page)));
+        for (int i = 1; i <= controllers; i++) {
+            all.add(replay(page, i));
+        }
+        return all;
+    }
+
+    private ControllerRuns runAll(
+            String choice,
+            Scenario scenario,
+            int seeds,
+            ControllerOptions options,
+            Path replayFile,
+            Map<Path, Scenario> replays) {
+        List<ControllerRuns.Run> runs = new ArrayList<>();
+        List<ControllerRuns.Broken> broken = new ArrayList<>();
+        for (int i = 0; i < seeds; i++) {
+            SimulationSetup setup = scenario.setup().withSeed(scenario.setup().seed() + i);
+            Ending ending = new Ending();
+            try {
+                RunResult result = runOnce(choice, scenario.name(), setup, options, ending);
+                runs.add(new ControllerRuns.Run(result, ending.path));
+                replays.putIfAbsent(replayFile, JournalScenario.create(scenario, ending.journal));
+            } catch (ControllerStartException e) {
+                throw e;
+            } catch (RunFailedException e) {
+                output.printError("the run with seed " + setup.seed() + " broke: " + e.getMessage());
+                broken.add(new ControllerRuns.Broken(setup.seed(), e.getMessage()));
+            }
+        }
+        return new ControllerRuns(choice, runs, broken);
+    }
+
+    private RunResult runOnce(
+            String choice, String scenario, SimulationSetup setup, ControllerOptions options, Ending ending) {
+        try (ChildSource source = new ChildSource(choice, options.terms(scenario, output::printError))) {
+            SimulationSetup chosen = ControllerChoice.apply(choice, setup, source);
+            List<TickObserver> observers =
+                    ControllerChoice.isCommand(choice) ? List.of(ending, source) : List.of(ending);
+            return HeadlessRun.run(chosen, ControllerMode.DIRECT, observers);
+        }
+    }
+
+    private int write(
+            ControllerComparison comparison, List<ControllerRuns> compared, Path page, Map<Path, Scenario> replays)
+            throws IOException {
+        AtomicFile.write(page, comparison.html().getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(table(page), comparison.csv().getBytes(StandardCharsets.UTF_8));
+        for (Map.Entry<Path, Scenario> replay : replays.entrySet()) {
+            replay.getValue().save(replay.getKey());
+        }
+        output.println(comparison.lines());
+        output.println("page: " + page);
+        output.println("table: " + table(page));
+        replays.keySet().forEach(replay -> output.println("replay: " + replay));
+        return compared.stream().allMatch(runs -> runs.broken().isEmpty()) ? ExitCode.SUCCESS : ExitCode.RUN_FAILED;
+    }
+}

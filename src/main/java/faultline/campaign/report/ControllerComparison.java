@@ -1,0 +1,143 @@
+package faultline.campaign.report;
+
+import faultline.campaign.run.Csv;
+import faultline.scenario.RunSummary;
+import faultline.scenario.Scenario;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * Several controllers in the same scenario with the same seeds: a table, and one page that needs nothing but itself.
+ */
+public final class ControllerComparison {
+
+    private final Scenario scenario;
+    private final List<ControllerRuns> controllers;
+
+    /**
+     * Creates a comparison.
+     *
+     * @param scenario the scenario of all runs
+     * @param controllers at least one, each with the same seeds
+     */
+    public ControllerComparison(Scenario scenario, List<ControllerRuns> controllers) {
+        this.scenario = scenario;
+        this.controllers = List.copyOf(controllers);
+    }
+
+    /** Returns one row for each run. */
+    public String csv() {
+        StringBuilder out = new StringBuilder(Csv.row(Stream.concat(
+                        Stream.of("controller", "seed"),
+                        Stream.concat(
+                                Arrays.stream(Metric.values()).map(Metric::column),
+                                Stream.of("state", "trajectory_hash", "problem")))
+                .toList()));
+        for (ControllerRuns controller : controllers) {
+            controller.runs().forEach(run -> out.append(row(controller, run)));
+            for (ControllerRuns.Broken broken : controller.broken()) {
+                List<String> cells = new ArrayList<>(List.of(controller.controller(), "" + broken.seed()));
+                Arrays.stream(Metric.values()).forEach(metric -> cells.add(""));
+                cells.addAll(List.of("", "", broken.reason()));
+                out.append(Csv.row(cells));
+            }
+        }
+        return out.toString();
+    }
+
+    private static String row(ControllerRuns controller, ControllerRuns.Run run) {
+        List<String> cells = new ArrayList<>(
+                List.of(controller.controller(), "" + run.result().seed()));
+        for (Metric metric : Metric.values()) {
+            cells.add(metric.of(run).isPresent() ? "" + metric.of(run).getAsDouble() : "");
+        }
+        cells.addAll(List.of(run.result().finalState().name(), RunSummary.formatHash(run.result()), ""));
+        return Csv.row(cells);
+    }
+
+    /** Returns one line for each controller under a header, in columns. */
+    public List<String> lines() {
+        List<List<String>> table = new ArrayList<>();
+        table.add(Stream.concat(
+                        Stream.of("controller", "runs"),
+                        Arrays.stream(Metric.values()).map(Metric::column))
+                .toList());
+        controllers.forEach(controller -> table.add(cells(controller)));
+        int columns = table.get(0).size();
+        int[] widths = new int[columns];
+        table.forEach(
+                row -> Arrays.setAll(widths, i -> Math.max(widths[i], row.get(i).length())));
+        return table.stream()
+                .map(row -> {
+                    StringBuilder line = new StringBuilder();
+                    for (int i = 0; i < columns; i++) {
+                        line.append(row.get(i))
+                                .append(" ".repeat(widths[i] - row.get(i).length() + 2));
+                    }
+                    return line.toString().stripTrailing();
+                })
+                .toList();
+    }
+
+    private static List<String> cells(ControllerRuns controller) {
+        String runs = controller.runs().size()
+                + (controller.broken().isEmpty()
+                        ? ""
+                        : " and " + controller.broken().size() + " broken");
+        return Stream.concat(
+                        Stream.of(controller.controller(), runs),
+                        Arrays.stream(Metric.values()).map(metric -> metric.summary(metric.values(controller.runs()))))
+                .toList();
+    }
+
+    /** Returns the page. */
+    public String html() {
+        String title = "Controllers in " + (scenario.name().isEmpty() ? "a scenario" : scenario.name());
+        return Html.page(title, scenario.description(), paths() + numbers() + spread() + broken());
+    }
+
+    private String paths() {
+        return Html.section(
+                "Paths",
+                Html.paragraph("Thick: the first seed. Thin: the others.")
+                        + ComparisonChart.paths(scenario.setup().world(), controllers)
+                        + ComparisonChart.legend(controllers));
+    }
+
+    private String numbers() {
+        List<String> header = Stream.concat(
+                        Stream.of("controller", "runs"),
+                        Arrays.stream(Metric.values()).map(Metric::column))
+                .toList();
+        List<List<String>> rows = controllers.stream()
+                .map(controller -> cells(controller).stream().map(Html::escape).toList())
+                .toList();
+        return Html.section(
+                "Numbers",
+                Html.paragraph("Means over the seeds with their 95 % confidence intervals.")
+                        + Html.table("numbers", header, rows));
+    }
+
+    private String spread() {
+        StringBuilder charts = new StringBuilder("<div class=\"charts\">\n");
+        for (Metric metric : Metric.values()) {
+            charts.append(ComparisonChart.spread(metric, controllers));
+        }
+        return Html.section("Spread", charts + "</div>\n" + ComparisonChart.legend(controllers));
+    }
+
+    private String broken() {
+        List<List<String>> rows = controllers.stream()
+                .flatMap(controller -> controller.broken().stream()
+                        .map(broken -> List.of(
+                                Html.escape(controller.controller()),
+                                "" + broken.seed(),
+                                Html.escape(broken.reason()))))
+                .toList();
+        return rows.isEmpty()
+                ? ""
+                : Html.section("Broken runs", Html.table("worst", List.of("controller", "seed", "problem"), rows));
+    }
+}

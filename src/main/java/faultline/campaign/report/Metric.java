@@ -1,0 +1,89 @@
+package faultline.campaign.report;
+
+import faultline.engine.metrics.RunResult;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+
+/** What controllers are compared by: one number of each run. */
+enum Metric {
+    /** The share of the wall that was followed. */
+    COVERAGE("coverage", "the share of the wall that was followed", "%.3f", run -> run.result()
+            .coverage()),
+    /** How far the distance to straight walls was from the wanted one. */
+    DISTANCE_RMS("distance_rms_m", "the distance error on straight walls, metres RMS", "%.4f", run -> run.result()
+            .distanceRms()),
+    /** Whether the robot collided. */
+    COLLISION("collision", "the share of the runs with a collision", "%.2f", run -> collided(run.result())),
+    /** How far the robot drove. */
+    PATH("path_m", "the length of the path, metres", "%.2f", run -> OptionalDouble.of(run.metres()));
+
+    private final String column;
+    private final String meaning;
+    private final String format;
+    private final Function<ControllerRuns.Run, OptionalDouble> value;
+
+    Metric(String column, String meaning, String format, Function<ControllerRuns.Run, OptionalDouble> value) {
+        this.column = column;
+        this.meaning = meaning;
+        this.format = format;
+        this.value = value;
+    }
+
+    private static OptionalDouble collided(RunResult result) {
+        return OptionalDouble.of(result.collision().isPresent() ? 1 : 0);
+    }
+
+    /** The name of its column. */
+    String column() {
+        return column;
+    }
+
+    /** What it measures, for people. */
+    String meaning() {
+        return meaning;
+    }
+
+    String format(double number) {
+        return String.format(Locale.ROOT, format, number);
+    }
+
+    /** The value of a run, empty where it has none. */
+    OptionalDouble of(ControllerRuns.Run run) {
+        return value.apply(run);
+    }
+
+    /** The values of those runs that have one. */
+    double[] values(List<ControllerRuns.Run> runs) {
+        return runs.stream()
+                .map(this::of)
+                .filter(OptionalDouble::isPresent)
+                .mapToDouble(OptionalDouble::getAsDouble)
+                .toArray();
+    }
+
+    /** The 95 % interval of the mean of some values; of a share where the values are 0 and 1. */
+    Interval interval(double[] values) {
+        double mean = Arrays.stream(values).average().orElse(Double.NaN);
+        if (this == COLLISION) {
+            return Interval.wilson(Arrays.stream(values).sum(), values.length);
+        }
+        double squares = Arrays.stream(values).map(x -> (x - mean) * (x - mean)).sum();
+        return Interval.mean(mean, Math.sqrt(squares / Math.max(1, values.length - 1)), values.length);
+    }
+
+    /** The mean of some values with its interval, if there are at least two, and their range. */
+    String summary(double[] values) {
+        if (values.length == 0) {
+            return "none";
+        }
+        double mean = Arrays.stream(values).average().orElseThrow();
+        if (values.length == 1) {
+            return format(mean);
+        }
+        Interval interval = interval(values);
+        return format(mean) + " [" + format(interval.low()) + ", " + format(interval.high()) + "]";
+    }
+}

@@ -1,0 +1,135 @@
+package faultline.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Controllers are compared in one scenario; the table, the page and the replays agree with single runs. */
+class CompareCommandTest {
+
+    private static final String SCENARIO = "scenarios/noisy-sensors.xml";
+    private static final String STRAIGHT =
+            "sh -c 'read h; echo \"{\\\"type\\\":\\\"ready\\\",\\\"protocol\\\":1}\"; i=0; "
+                    + "while read l; do case $l in *observe*) echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,"
+                    + "\\\"left_v\\\":2,\\\"right_v\\\":2.1}\";; esac; i=$((i+1)); done'";
+
+    @TempDir
+    private Path folder;
+
+    /** The result of a command. */
+    private record CommandResult(int code, String out, String err) {}
+
+    private static CommandResult command(String... args) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        int code = new CommandLine(new CommandOutput(
+                        new PrintStream(out, true, StandardCharsets.UTF_8),
+                        new PrintStream(err, true, StandardCharsets.UTF_8)))
+                .run(args);
+        return new CommandResult(code, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+    }
+
+    private CommandResult compare(String... more) {
+        return command(Stream.concat(Stream.of("compare", SCENARIO, "--out", page().toString()), Stream.of(more))
+                .toArray(String[]::new));
+    }
+
+    private Path page() {
+        return folder.resolve("page.html");
+    }
+
+    private List<String> table() throws Exception {
+        return Files.readAllLines(folder.resolve("page.csv"));
+    }
+
+    private static String hash(String... arguments) {
+        return command(arguments)
+                .out
+                .lines()
+                .filter(line -> line.startsWith("trajectory_hash: "))
+                .findFirst()
+                .orElseThrow()
+                .substring(17);
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void theTableHoldsEveryRunAndEachReplaysWithoutItsController() throws Exception {
+        CommandResult result =
+                compare("--controller", "wall-follower", "--controller", STRAIGHT, "--seeds", "2", "--until", "6");
+        assertEquals(0, result.code, result.err);
+        List<String> rows = table();
+        assertEquals(5, rows.size(), rows::toString);
+        String[] second = rows.get(2).split(",", -1);
+        assertEquals("wall-follower", second[0]);
+        assertEquals(hash("run", SCENARIO, "--until", "6", "--seed", second[1]), second[second.length - 2]);
+        for (int number = 1; number <= 2; number++) {
+            String[] first = rows.get(2 * number - 1).split(",", -1);
+            assertEquals(hash("run", folder.resolve("page-" + number + ".xml").toString()), first[first.length - 2]);
+        }
+    }
+
+    @Test
+    void thePageNeedsNothingButItself() throws Exception {
+        CommandResult result =
+                compare("--controller", "wall-follower", "--controller", "none", "--seeds", "3", "--until", "5");
+        assertEquals(0, result.code, result.err);
+        String html = Files.readString(page());
+        assertFalse(html.matches("(?s).*(src|href)=.*"), "the page refers to something else");
+        assertTrue(html.contains("<code>wall-follower</code>"));
+        assertEquals(2 * 3, html.split("stroke-linejoin=\"round\" d=\"M", -1).length - 1 - legendLines(html), "paths");
+        assertTrue(html.length() < 300_000, () -> html.length() + " characters");
+    }
+
+    /** The lines of the legends, and those of the intervals, which are drawn like paths. */
+    private static int legendLines(String html) {
+        return html.split("stroke-linejoin=\"round\" d=\"M2 5H32", -1).length
+                - 1
+                + html.split("stroke-width=\"5.0\"", -1).length
+                - 1;
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+    void aControllerThatBreaksIsReportedAndTheOthersRun() throws Exception {
+        CommandResult result = compare("--controller", "none", "--controller", "sh -c 'exit 5'", "--until", "1");
+        assertEquals(3, result.code);
+        assertTrue(result.err.contains("ended with exit code 5 before the first tick"), result.err);
+        assertTrue(table().get(2)
+                .endsWith(
+                        "\"the controller \"\"sh -c 'exit 5'\"\" ended with exit code 5 before the" + " first tick\""));
+        assertTrue(Files.readString(page()).contains("Broken runs"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            --controller none                                | compare needs --controller at least twice, each time with another one
+            --controller none --controller none              | compare needs --controller at least twice, each time with another one
+            --controller none --controller wall-follower --seeds 0 | --seeds is "0", allowed is a whole number from 1 to 10000
+            --controller none --controller                   | --controller needs a value
+            --controller none --controller x --sead 3        | there is no option "--sead" here
+            """)
+    void badUsageIsOneSentence(String arguments, String sentence) {
+        CommandResult result = compare(arguments.split(" "));
+        assertEquals(2, result.code);
+        assertTrue(result.err.startsWith("faultline: " + sentence), result.err);
+        assertEquals(1, result.err.lines().count());
+    }
+}
