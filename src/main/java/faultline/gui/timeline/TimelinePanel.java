@@ -19,8 +19,10 @@ import javax.swing.ScrollPaneConstants;
 /** The time line: the slider of the run, and below it the lanes, whose times are aligned with the slider. */
 public final class TimelinePanel extends JPanel {
 
+    /** The largest share of the window's height that the lanes take. */
+    private static final double MAX_WINDOW_SHARE = 0.2;
     /** The largest share of the height of canvas and time line that the lanes take. */
-    private static final double MAX_SHARE = 0.3;
+    private static final double MAX_STAGE_SHARE = 0.3;
 
     private static final int LANE_NAME_WIDTH = 80;
 
@@ -91,16 +93,20 @@ public final class TimelinePanel extends JPanel {
         return result;
     }
 
-    /** Gives the lanes at most a share of the height that they have in common with the canvas. */
+    /** Limits the height of the lanes: it must not change when the instruments are hidden and the canvas grows. */
     @Override
     public Dimension getPreferredSize() {
         Dimension size = super.getPreferredSize();
         int excess = scroll.isVisible() && getParent() != null
-                ? Math.max(
-                        0,
-                        lanes.getPreferredScrollableViewportSize().height
-                                - (int) (MAX_SHARE * getParent().getHeight()))
+                ? Math.max(0, lanes.getPreferredScrollableViewportSize().height - maxLanesHeight())
                 : 0;
         return new Dimension(size.width, size.height - excess);
+    }
+
+    private int maxLanesHeight() {
+        int window =
+                getRootPane() == null ? getParent().getHeight() : getRootPane().getHeight();
+        return (int) Math.min(
+                MAX_WINDOW_SHARE * window, MAX_STAGE_SHARE * getParent().getHeight());
     }
 }
