@@ -1,6 +1,7 @@
 package faultline.gui.instrument;
 
 import faultline.engine.recording.RunEvent;
+import faultline.gui.timeline.EventText;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
 import java.awt.Component;

@@ -2,6 +2,7 @@ package faultline.gui.instrument;
 
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
+import faultline.gui.timeline.EventText;
 import faultline.gui.text.Messages;
 import java.util.Optional;
 import javax.swing.table.AbstractTableModel;

@@ -7,6 +7,7 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
+import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
@@ -21,6 +22,9 @@ public final class FlatSliderUI extends BasicSliderUI {
 
     /** The client property that holds a value to be marked on the track, an Integer. */
     public static final String MARK_PROPERTY = "faultline.mark";
+
+    /** The client property that holds further marks, a list of {@link SliderMark}. */
+    public static final String MARKS_PROPERTY = "faultline.marks";
 
     private static final int MARK_SIZE = 5;
     private static final int THUMB_SIZE = 15;
@@ -72,10 +76,17 @@ public final class FlatSliderUI extends BasicSliderUI {
             g.setColor(Theme.currentColours().accent());
             g.fill(new RoundRectangle2D.Double(
                     trackRect.x, y, thumbRect.getCenterX() - trackRect.x, TRACK_HEIGHT, TRACK_HEIGHT, TRACK_HEIGHT));
+            if (slider.getClientProperty(MARKS_PROPERTY) instanceof List<?> marks) {
+                marks.forEach(mark -> paintMark(g, (SliderMark) mark, y + TRACK_HEIGHT / 2.0));
+            }
             if (slider.getClientProperty(MARK_PROPERTY) instanceof Integer value) {
                 paintMark(g, xPositionForValue(value), y + TRACK_HEIGHT / 2.0);
             }
         });
+    }
+
+    private void paintMark(Graphics2D g, SliderMark mark, double y) {
+        mark.paint(g, xPositionForValue(mark.value()), y);
     }
 
     private static void paintMark(Graphics2D g, double x, double y) {

@@ -7,7 +7,6 @@ import faultline.gui.theme.Theme;
 import faultline.paint.chart.Axis;
 import faultline.paint.surface.Palette;
 import faultline.paint.surface.SensorColours;
-import faultline.world.Command;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
@@ -147,7 +146,7 @@ final class LanePainter {
     }
 
     private void paintBar(TimelineItem item, Rectangle2D bounds, boolean selected) {
-        SensorColours colours = colours(item);
+        SensorColours colours = item.colours(theme.palette(), lanes.laneOf(item));
         Shape bar = new RoundRectangle2D.Double(
                 bounds.getX() + 0.5, bounds.getY() + 0.5, bounds.getWidth() - 1, bounds.getHeight() - 1, 5, 5);
         g.setColor(Palette.withAlpha(colours.fill(), BAR_ALPHA));
@@ -160,16 +159,6 @@ final class LanePainter {
             paintHandle(bounds.getMaxX(), bounds);
         }
         paintLabel(item, bounds);
-    }
-
-    /** Returns the colours of an item's sensor or motors, grey for a sensor that is switched off. */
-    private SensorColours colours(TimelineItem item) {
-        if (item.command() instanceof Command.SwitchSensor) {
-            return new SensorColours(theme.palette().muted(), theme.palette().muted());
-        }
-        return item.lane() instanceof Lane.OfSensor
-                ? theme.palette().sensorColours(lanes.laneOf(item))
-                : new SensorColours(theme.palette().robot(), theme.palette().robotOutline());
     }
 
     private void paintHandle(double x, Rectangle2D bounds) {

@@ -5,10 +5,14 @@ import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.FlatSliderUI;
+import faultline.gui.theme.SliderMark;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.event.MouseEvent;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 import javax.swing.JLabel;
@@ -22,8 +26,14 @@ import javax.swing.JSlider;
 public final class TimeBar extends JPanel {
 
     private static final int GAP = 10;
+    private static final int MARK_REACH = 3;
 
-    private final JSlider slider = new JSlider(0, 0, 0);
+    private final JSlider slider = new JSlider(0, 0, 0) {
+        @Override
+        public String getToolTipText(MouseEvent event) {
+            return markAt(event.getX()).map(SliderMark::text).orElseGet(super::getToolTipText);
+        }
+    };
     private final JLabel currentTimeLabel = new JLabel(timeText(0));
     private final JLabel endTimeLabel = new JLabel(timeText(0));
     private final transient LongConsumer seekHandler;
@@ -33,6 +43,7 @@ public final class TimeBar extends JPanel {
 
     private double dt;
     private boolean updating;
+    private transient List<SliderMark> marks = List.of();
 
     /**
      * Creates a time bar without a run.
@@ -96,6 +107,21 @@ public final class TimeBar extends JPanel {
             updating = false;
             updateLabels();
         }
+    }
+
+    /** Shows the marks of events and faults. */
+    void setMarks(List<SliderMark> newMarks) {
+        slider.putClientProperty(FlatSliderUI.MARKS_PROPERTY, newMarks);
+        marks = newMarks;
+        slider.repaint();
+    }
+
+    /** Returns the topmost mark at an x coordinate of the slider. */
+    private Optional<SliderMark> markAt(int x) {
+        TimeAxis axis = axis();
+        return marks.stream()
+                .filter(mark -> Math.abs(axis.x(mark.value() * dt) - slider.getX() - x) <= MARK_REACH)
+                .reduce((lower, upper) -> upper);
     }
 
     /** Marks the moment at which the run first differs from the reference run, null for none. */

@@ -1,6 +1,8 @@
 package faultline.gui.timeline;
 
 import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.paint.surface.Palette;
+import faultline.paint.surface.SensorColours;
 import faultline.world.Command;
 import java.util.List;
 
@@ -37,6 +39,21 @@ public record TimelineItem(Command command, double start, double end) {
     /** Returns the lane of this item. */
     public Lane lane() {
         return Lane.of(command);
+    }
+
+    /**
+     * Returns the colours of this item's sensor or motors, grey for a sensor that is switched off.
+     *
+     * @param palette the colours of the scene
+     * @param sensor the index of the sensor, if it is about one
+     */
+    public SensorColours colours(Palette palette, int sensor) {
+        if (command instanceof Command.SwitchSensor) {
+            return new SensorColours(palette.muted(), palette.muted());
+        }
+        return lane() instanceof Lane.OfSensor
+                ? palette.sensorColours(sensor)
+                : new SensorColours(palette.robot(), palette.robotOutline());
     }
 
     /** Returns this item with other times; those of a moment are equal. */

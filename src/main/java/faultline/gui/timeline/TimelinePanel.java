@@ -1,6 +1,8 @@
 package faultline.gui.timeline;
 
 import faultline.engine.Frame;
+import faultline.engine.recording.EventLog;
+import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.theme.SeparatorBorder;
 import faultline.gui.theme.TextSize;
@@ -8,6 +10,7 @@ import faultline.robot.MotorSide;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.LongConsumer;
@@ -29,6 +32,9 @@ public final class TimelinePanel extends JPanel {
     private final TimeBar bar;
     private final LaneView lanes;
     private final JScrollPane scroll;
+    private final transient TimelineEditor editor;
+    /** What the marks on the slider were made of. */
+    private transient List<Object> markedState = List.of();
 
     /**
      * Creates a time line without a run.
@@ -39,6 +45,7 @@ public final class TimelinePanel extends JPanel {
      */
     public TimelinePanel(LongConsumer jump, Consumer<Frame> preview, TimelineEditor editor) {
         super(new BorderLayout(0, 1));
+        this.editor = editor;
         bar = new TimeBar(jump, preview);
         bar.setLeadingWidth(TextSize.scaled(LANE_NAME_WIDTH));
         lanes = new LaneView(editor);
@@ -72,12 +79,25 @@ public final class TimelinePanel extends JPanel {
      * Shows the current tick and the last one.
      *
      * @param end the last tick
+     * @param scenarioEnd the last tick of the scenario's duration
      * @param dt the length of a tick, seconds
      */
-    public void setFrame(SessionFrame frame, long end, double dt) {
+    public void setFrame(SessionFrame frame, long end, long scenarioEnd, double dt) {
         bar.setFrame(frame, end, dt);
+        updateMarks(frame, scenarioEnd, dt);
         if (scroll.isVisible()) {
             lanes.update(lanesOf(frame), bar.axis(), bar.shownTime());
+        }
+    }
+
+    /** Makes new marks only if something has happened since the last ones. */
+    private void updateMarks(SessionFrame frame, long scenarioEnd, double dt) {
+        EventLog log = frame.recording().events();
+        RunEvent first = log.endIndex() > log.firstIndex() ? log.get(log.firstIndex()) : null;
+        List<Object> state = Arrays.asList(editor.model(), log.endIndex(), first, scenarioEnd);
+        if (!state.equals(markedState)) {
+            markedState = state;
+            bar.setMarks(RunMarks.of(frame, editor.model().items(), scenarioEnd, dt));
         }
     }
 

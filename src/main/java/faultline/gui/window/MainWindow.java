@@ -300,6 +300,7 @@ public final class MainWindow extends JFrame {
                                 Math.max(
                                         runController.navigator().furthestTick(),
                                         open.setup().ticks()),
+                                open.setup().ticks(),
                                 open.setup().dt());
             });
             runActions.update(status);

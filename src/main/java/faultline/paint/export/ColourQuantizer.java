@@ -61,7 +61,8 @@ final class ColourQuantizer {
                 palette.robot(),
                 palette.robotOutline(),
                 palette.path(),
-                palette.contact());
+                palette.contact(),
+                palette.collision());
         return Stream.concat(
                 scene, palette.sensors().stream().flatMap(sensor -> Stream.of(sensor.fill(), sensor.outline())));
     }

@@ -39,14 +39,14 @@ final class CollisionPainter {
         for (Vector2 contact : world.contacts()) {
             Vector2 place = context.camera().toScreen(contact);
             context.drawRing(
-                    place.x(), place.y(), CONTACT_RADIUS, 2, context.palette().contact());
+                    place.x(), place.y(), CONTACT_RADIUS, 2, context.palette().collision());
         }
         world.collision()
                 .ifPresent(collision -> paintMark(context, context.camera().toScreen(collision.point())));
     }
 
     private static void paintMark(DrawContext context, Vector2 at) {
-        Color colour = context.palette().contact();
+        Color colour = context.palette().collision();
         context.drawRing(at.x(), at.y(), RING_RADIUS, 2.4, colour);
         context.draw(
                 new Line2D.Double(at.x() - CROSS_ARM, at.y() - CROSS_ARM, at.x() + CROSS_ARM, at.y() + CROSS_ARM),
@@ -70,11 +70,11 @@ final class CollisionPainter {
         Shape badge = new RoundRectangle2D.Double(
                 frame.getX() + 0.5, frame.getY() + 0.5, frame.getWidth(), frame.getHeight(), 8, 8);
         context.fill(badge, context.palette().canvas());
-        context.draw(badge, context.palette().contact(), DrawContext.solidStroke(1.6));
+        context.draw(badge, context.palette().collision(), DrawContext.solidStroke(1.6));
         double middle = frame.getY() + 0.5 + (PADDING + height) / 2;
         context.fill(
                 new Ellipse2D.Double(frame.getX() + PADDING, middle - DOT_RADIUS, 2 * DOT_RADIUS, 2 * DOT_RADIUS),
-                context.palette().contact());
+                context.palette().collision());
         for (int i = 0; i < lines.size(); i++) {
             context.drawText(
                     lines.get(i),

@@ -80,17 +80,17 @@ public final class InteractionPainter {
     private static void paintPreview(DrawContext context, Shape outline, boolean blocked) {
         context.draw(
                 outline,
-                blocked ? context.palette().contact() : context.palette().accent(),
+                blocked ? context.palette().collision() : context.palette().accent(),
                 PREVIEW_STROKE);
         if (blocked) {
             Rectangle2D box = outline.getBounds2D();
             context.draw(
                     new Line2D.Double(box.getMinX(), box.getMinY(), box.getMaxX(), box.getMaxY()),
-                    context.palette().contact(),
+                    context.palette().collision(),
                     CROSS_STROKE);
             context.draw(
                     new Line2D.Double(box.getMinX(), box.getMaxY(), box.getMaxX(), box.getMinY()),
-                    context.palette().contact(),
+                    context.palette().collision(),
                     CROSS_STROKE);
         }
     }
@@ -149,7 +149,7 @@ public final class InteractionPainter {
                 context,
                 reason,
                 positionBelow(context, there, mouse),
-                context.palette().contact());
+                context.palette().collision());
     }
 
     private static Vector2 positionBelow(DrawContext context, List<Obstacle> there, Vector2 mouse) {

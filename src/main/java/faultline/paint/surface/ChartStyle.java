@@ -15,31 +15,14 @@ public record ChartStyle(Palette palette, Color grid, List<Color> series, List<C
 
     /** For paper and light windows. */
     public static final ChartStyle LIGHT = new ChartStyle(
-            new Palette(
-                    false,
-                    Color.WHITE,
-                    Palette.LIGHT.grid(),
-                    Palette.LIGHT.gridMajor(),
-                    Palette.LIGHT.text(),
-                    Palette.LIGHT.muted(),
-                    Palette.LIGHT.accent(),
-                    Palette.LIGHT.obstacle(),
-                    Palette.LIGHT.obstacleOutline(),
-                    Palette.LIGHT.moving(),
-                    Palette.LIGHT.movingOutline(),
-                    Palette.LIGHT.robot(),
-                    Palette.LIGHT.robotOutline(),
-                    Palette.LIGHT.path(),
-                    Palette.LIGHT.contact(),
-                    Palette.LIGHT.reference(),
-                    Palette.LIGHT.sensors()),
+            Palette.LIGHT.forFigures(Color.WHITE, new Color(0x009E73), new Color(0xD55E00)),
             new Color(0xE3E7EC),
             List.of(new Color(0x0B4F79), new Color(0xD55E00), new Color(0x009E73), new Color(0x7A4B8C)),
             List.of(new Color(0xF1F6FA), new Color(0xCBDDEA), new Color(0x8DB3D0), new Color(0x54748D)));
 
     /** For dark windows. */
     public static final ChartStyle DARK = new ChartStyle(
-            Palette.DARK,
+            Palette.DARK.forFigures(Palette.DARK.canvas(), new Color(0x2BC48A), new Color(0xFF6B5E)),
             new Color(0x2C323A),
             List.of(new Color(0x7FC8F2), new Color(0xFF9A52), new Color(0x2BC48A), new Color(0xD9A6E8)),
             List.of(new Color(0x1F2F3C), new Color(0x35566E), new Color(0x5C8FB5), new Color(0xB7DDF5)));

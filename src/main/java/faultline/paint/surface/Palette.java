@@ -22,7 +22,8 @@ import java.util.List;
  * @param robot the robot's body
  * @param robotOutline the robot's outline, wheels and arrow
  * @param path the robot's path
- * @param contact intersection points, contacts and the first collision
+ * @param contact intersection points of cones
+ * @param collision contacts and the first collision, and what cannot be done
  * @param reference a reference run
  * @param sensors the colours of the sensors in the robot's order, after Okabe and Ito; reused for further sensors
  */
@@ -42,6 +43,7 @@ public record Palette(
         Color robotOutline,
         Color path,
         Color contact,
+        Color collision,
         Color reference,
         List<SensorColours> sensors) {
 
@@ -60,9 +62,10 @@ public record Palette(
             new Color(0x8A5F00),
             new Color(0x56B4E9),
             new Color(0x0B4F79),
-            new Color(0x009E73),
+            new Color(0x4338CA),
             new Color(0xD55E00),
-            new Color(0x7A4FA3),
+            new Color(0xC8102E),
+            new Color(0x9B2F8F),
             List.of(
                     SensorColours.of(0xE69F00, 0xAF7900),
                     SensorColours.of(0x56B4E9, 0x438CB6),
@@ -88,9 +91,10 @@ public record Palette(
             new Color(0xF2C36B),
             new Color(0x3FA7D6),
             new Color(0xCDEBFA),
-            new Color(0x2BC48A),
-            new Color(0xFF6B5E),
-            new Color(0xC3A5EC),
+            new Color(0x93A0FF),
+            new Color(0xFF9A52),
+            new Color(0xFF5468),
+            new Color(0xE39BDB),
             List.of(
                     SensorColours.of(0xE69F00, 0xE69F00),
                     SensorColours.of(0x56B4E9, 0x56B4E9),
@@ -103,6 +107,29 @@ public record Palette(
 
     public Palette {
         sensors = List.copyOf(sensors);
+    }
+
+    /** Returns these colours with the background, the path and the intersection points of figures on paper. */
+    Palette forFigures(Color newCanvas, Color newPath, Color newContact) {
+        return new Palette(
+                dark,
+                newCanvas,
+                grid,
+                gridMajor,
+                text,
+                muted,
+                accent,
+                obstacle,
+                obstacleOutline,
+                moving,
+                movingOutline,
+                robot,
+                robotOutline,
+                newPath,
+                newContact,
+                collision,
+                reference,
+                sensors);
     }
 
     /** Returns the colours of a sensor; its index in the robot's order from 0. */

@@ -61,7 +61,8 @@ public enum SvgTheme {
                 theme.palette().robot(),
                 theme.palette().robotOutline(),
                 theme.palette().path(),
-                theme.palette().contact());
+                theme.palette().contact(),
+                theme.palette().collision());
     }
 
     /** Returns the text of an SVG file with the colours of this theme. */

@@ -11,6 +11,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
+import faultline.gui.timeline.EventText;
 import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -57,8 +58,8 @@ class EventLogViewTest {
         assertEquals(
                 List.of(
                         "0.000 Command rear turned off",
-                        "0.010 Health rear is not trusted: it gives no answer",
-                        "0.010 Rung All sensors → Left and front"),
+                        "0.010 Health rear is not trusted: no answer",
+                        "0.010 Rung 1 of 6: all sensors → 2 of 6: wall side and front"),
                 rows());
     }
 

@@ -59,7 +59,7 @@ class RenderRequestTest {
                 "the robot's body");
         assertTrue(
                 elements(svg, "path")
-                        .anyMatch(path -> path.getAttribute("stroke").equals("#009e73")),
+                        .anyMatch(path -> path.getAttribute("stroke").equals("#4338ca")),
                 "the robot's path");
         assertTrue(
                 elements(svg, "path")
@@ -82,7 +82,7 @@ class RenderRequestTest {
                         List.of(overlay))
                 .toSvg());
         List<Element> strokes = elements(svg, "path")
-                .filter(path -> path.getAttribute("stroke").equals("#7a4fa3"))
+                .filter(path -> path.getAttribute("stroke").equals("#9b2f8f"))
                 .toList();
         assertTrue(
                 strokes.stream()
@@ -101,7 +101,7 @@ class RenderRequestTest {
                         .equals(overlay.caption().get(0))),
                 "the caption");
         assertTrue(elements(parse(without.toSvg()), "path")
-                .noneMatch(path -> path.getAttribute("stroke").equals("#7a4fa3")));
+                .noneMatch(path -> path.getAttribute("stroke").equals("#9b2f8f")));
     }
 
     @Test

@@ -142,7 +142,7 @@ class ScenePainterTest {
         Collision collision = new Collision(point, 1.5, 150, "box", Map.of(), List.of());
         faultline.engine.RobotPath path = SampleFrames.pathThrough(AT_2_1.position());
         Frame frame = SampleFrames.frame(AT_2_1, path, List.of(), List.of(), List.of(point), Optional.of(collision));
-        Pixels.render(frame, LIGHT).assertColour(LIGHT.contact(), point);
+        Pixels.render(frame, LIGHT).assertColour(LIGHT.collision(), point);
         BufferedImage plain = FrameRenderer.render(SampleFrames.frameOf(AT_2_1), LIGHT, 900, 640)
                 .getSubimage(0, 0, 200, 30);
         BufferedImage badged = FrameRenderer.render(frame, LIGHT, 900, 640).getSubimage(0, 0, 200, 30);

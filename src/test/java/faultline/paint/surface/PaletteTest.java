@@ -4,8 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -33,6 +35,8 @@ class PaletteTest {
                 p.accent(),
                 "muted",
                 p.muted()));
+        lines.put("collision", p.collision());
+        lines.put("reference", p.reference());
         for (int i = 0; i < p.sensors().size(); i++) {
             lines.put("sensor " + (i + 1), p.sensorColours(i).outline());
         }
@@ -45,6 +49,25 @@ class PaletteTest {
         Palette p = palette(dark);
         assertContrast("text", 4.5, p.text(), p.canvas());
         assertContrast("muted text", 4.5, p.muted(), p.canvas());
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void pathCollisionsAndReferenceHaveColoursThatNoSensorHas(boolean dark) {
+        Palette p = palette(dark);
+        List<Color> taken = new ArrayList<>(List.of(p.path(), p.collision(), p.reference()));
+        p.sensors().forEach(sensor -> taken.addAll(List.of(sensor.fill(), sensor.outline())));
+        for (int i = 0; i < 3; i++) {
+            for (int j = i + 1; j < taken.size(); j++) {
+                assertTrue(distance(taken.get(i), taken.get(j)) > 60, taken.get(i) + " and " + taken.get(j));
+            }
+        }
+    }
+
+    private static double distance(Color a, Color b) {
+        return Math.sqrt(Math.pow(a.getRed() - b.getRed(), 2)
+                + Math.pow(a.getGreen() - b.getGreen(), 2)
+                + Math.pow(a.getBlue() - b.getBlue(), 2));
     }
 
     @ParameterizedTest

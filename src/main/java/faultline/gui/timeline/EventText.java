@@ -1,21 +1,20 @@
-package faultline.gui.instrument;
+package faultline.gui.timeline;
 
 import faultline.engine.recording.RunEvent;
 import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
-import faultline.gui.timeline.CommandText;
 import faultline.world.Command;
 import java.util.Locale;
 
 /** Describes the events of a run. */
-final class EventText {
+public final class EventText {
 
     private EventText() {}
 
     /** Returns the kind of an event. */
-    static String kind(RunEvent event) {
+    public static String kind(RunEvent event) {
         if (event instanceof RunEvent.CommandExecuted done) {
             return Messages.get(CommandText.isFaultChange(done.command()) ? "event.fault" : "event.command");
         }
@@ -38,7 +37,7 @@ final class EventText {
     }
 
     /** Returns whether an event is a sensor fault, a sensor that is not trusted any more, or a collision. */
-    static boolean isFailure(RunEvent event) {
+    public static boolean isFailure(RunEvent event) {
         return event instanceof RunEvent.Collided
                 || event instanceof RunEvent.HealthChanged change
                         && !change.health().isTrusted()
@@ -47,12 +46,12 @@ final class EventText {
                         && broken.command() instanceof Command.InjectMotorFault;
     }
 
-    static String time(RunEvent event) {
+    public static String time(RunEvent event) {
         return format("%.3f", event.time());
     }
 
     /** Describes an event. */
-    static String sentence(RunEvent event) {
+    public static String sentence(RunEvent event) {
         if (event instanceof RunEvent.StateChanged move) {
             return Messages.get(
                     "diagram.last",

@@ -1,0 +1,85 @@
+package faultline.gui.timeline;
+
+import faultline.control.FollowerState;
+import faultline.engine.recording.EventLog;
+import faultline.engine.recording.RunEvent;
+import faultline.engine.session.SessionFrame;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.SliderMark;
+import faultline.gui.theme.SliderMark.Form;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The marks on the time slider: collisions, corners, the starts of faults, and the end of the scenario. */
+final class RunMarks {
+
+    private final List<SliderMark> marks = new ArrayList<>();
+    private final SessionFrame frame;
+    private final double dt;
+
+    private RunMarks(SessionFrame frame, double dt) {
+        this.frame = frame;
+        this.dt = dt;
+    }
+
+    /**
+     * Returns the marks, later ones over earlier ones.
+     *
+     * @param frame the newest frame
+     * @param items the items of the time line
+     * @param end the last tick of the scenario
+     * @param dt the length of a tick, seconds
+     */
+    static List<SliderMark> of(SessionFrame frame, List<TimelineItem> items, long end, double dt) {
+        RunMarks result = new RunMarks(frame, dt);
+        EventLog log = frame.recording().events();
+        for (long i = log.firstIndex(); i < log.endIndex(); i++) {
+            if (log.get(i) instanceof RunEvent.StateChanged change && change.to() == FollowerState.TURN) {
+                result.addEvent(change);
+            }
+        }
+        items.stream().filter(TimelineItem::isInterval).forEach(result::addItem);
+        if (end > 0) {
+            result.marks.add(new SliderMark(
+                    value(end), Form.TICK, theme -> theme.palette().text(), Messages.get("time.end")));
+        }
+        for (long i = log.firstIndex(); i < log.endIndex(); i++) {
+            if (log.get(i) instanceof RunEvent.Collided collided) {
+                result.marks.add(new SliderMark(
+                        value(collided.tick()),
+                        Form.DISC,
+                        theme -> theme.palette().collision(),
+                        EventText.sentence(collided)));
+            }
+        }
+        return List.copyOf(result.marks);
+    }
+
+    private void addEvent(RunEvent event) {
+        marks.add(new SliderMark(
+                value(event.tick()), Form.TICK, theme -> theme.palette().muted(), EventText.sentence(event)));
+    }
+
+    private void addItem(TimelineItem item) {
+        marks.add(new SliderMark(
+                value(Math.round(item.start() / dt)),
+                Form.TICK,
+                theme -> item.colours(theme.palette(), sensorIndex(item)).outline(),
+                TimelineText.description(item)));
+    }
+
+    private int sensorIndex(TimelineItem item) {
+        for (int i = 0; i < frame.snapshot().sensors().size(); i++) {
+            if (item.lane()
+                    .equals(new Lane.OfSensor(
+                            frame.snapshot().sensors().get(i).spec().id()))) {
+                return i;
+            }
+        }
+        return 0;
+    }
+
+    private static int value(long tick) {
+        return (int) Math.min(Integer.MAX_VALUE - 1, tick);
+    }
+}

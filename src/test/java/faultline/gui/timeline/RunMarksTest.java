@@ -1,0 +1,58 @@
+package faultline.gui.timeline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.recording.Recorder;
+import faultline.engine.session.SessionFrame;
+import faultline.gui.theme.SliderMark;
+import faultline.gui.theme.Theme;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** The marks of a run that drives straight into a wall with a broken sensor. */
+class RunMarksTest {
+
+    private static final TimelineItem FAULT =
+            new TimelineItem(new Command.InjectFault("left", new Fault.Dead()), 1.5, 2.5);
+
+    private static SessionFrame crash(SimulationSetup setup) {
+        Recorder recorder = new Recorder(setup);
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT, recorder)) {
+            recorder.observe(simulation);
+            while (simulation.collision().isEmpty()) {
+                simulation.tick();
+                recorder.observe(simulation);
+            }
+            return new SessionFrame(simulation.frame(), recorder.view());
+        }
+    }
+
+    @Test
+    void faultsTheEndAndTheCollisionAreMarkedInThisOrder() throws ScenarioException {
+        SimulationSetup setup = Scenario.loadShipped("office.xml")
+                .setup()
+                .withController(new ControllerSpec.Drive(2, 2))
+                .withDuration(100);
+        SessionFrame frame = crash(setup);
+        List<SliderMark> marks = RunMarks.of(frame, List.of(FAULT), setup.ticks(), setup.dt());
+        assertEquals(
+                List.of(setup.tickAt(1.5), setup.ticks(), frame.snapshot().tick()),
+                marks.stream().map(mark -> (long) mark.value()).toList());
+        assertEquals(
+                List.of(SliderMark.Form.TICK, SliderMark.Form.TICK, SliderMark.Form.DISC),
+                marks.stream().map(SliderMark::form).toList());
+        assertEquals("left: off, no reading, 1.50 – 2.50 s", marks.get(0).text());
+        assertEquals(
+                Theme.LIGHT.palette().sensorColours(2).outline(),
+                marks.get(0).colour().apply(Theme.LIGHT));
+        assertEquals(Theme.LIGHT.palette().collision(), marks.get(2).colour().apply(Theme.LIGHT));
+    }
+}
