@@ -122,28 +122,12 @@ public final class AnimatedGifWriter implements AutoCloseable {
         IIOMetadataNode root = new IIOMetadataNode(METADATA_FORMAT);
         root.appendChild(node(
                 "ImageDescriptor",
-                "imageLeftPosition",
-                Integer.toString(part.x),
-                "imageTopPosition",
-                Integer.toString(part.y),
-                "imageWidth",
-                Integer.toString(part.width),
-                "imageHeight",
-                Integer.toString(part.height),
-                "interlaceFlag",
-                "FALSE"));
+                "imageLeftPosition=" + part.x + " imageTopPosition=" + part.y + " imageWidth=" + part.width
+                        + " imageHeight=" + part.height + " interlaceFlag=FALSE"));
         root.appendChild(node(
                 "GraphicControlExtension",
-                "disposalMethod",
-                "doNotDispose",
-                "userInputFlag",
-                "FALSE",
-                "transparentColorFlag",
-                "FALSE",
-                "delayTime",
-                Integer.toString(delay),
-                "transparentColorIndex",
-                "0"));
+                "disposalMethod=doNotDispose userInputFlag=FALSE transparentColorFlag=FALSE"
+                        + " transparentColorIndex=0 delayTime=" + delay));
         if (previousFrame == null) {
             root.appendChild(loopExtension());
         }
@@ -152,18 +136,19 @@ public final class AnimatedGifWriter implements AutoCloseable {
     }
 
     private static IIOMetadataNode loopExtension() {
-        IIOMetadataNode extension =
-                node("ApplicationExtension", "applicationID", "NETSCAPE", "authenticationCode", "2.0");
+        IIOMetadataNode extension = node("ApplicationExtension", "applicationID=NETSCAPE authenticationCode=2.0");
         extension.setUserObject(LOOP_FOREVER.clone());
         IIOMetadataNode extensions = new IIOMetadataNode("ApplicationExtensions");
         extensions.appendChild(extension);
         return extensions;
     }
 
-    private static IIOMetadataNode node(String name, String... attributes) {
+    /** Returns a node; {@code attributes} are written as name=value, separated by spaces. */
+    private static IIOMetadataNode node(String name, String attributes) {
         IIOMetadataNode node = new IIOMetadataNode(name);
-        for (int i = 0; i < attributes.length; i += 2) {
-            node.setAttribute(attributes[i], attributes[i + 1]);
+        for (String attribute : attributes.split(" ")) {
+            int equals = attribute.indexOf('=');
+            node.setAttribute(attribute.substring(0, equals), attribute.substring(equals + 1));
         }
         return node;
     }

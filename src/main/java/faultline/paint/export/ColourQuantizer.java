@@ -1,7 +1,6 @@
 package faultline.paint.export;
 
 import faultline.paint.surface.Palette;
-import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBuffer;
 import java.awt.image.DataBufferByte;
@@ -40,31 +39,10 @@ final class ColourQuantizer {
     /** Returns a quantizer for pictures that resemble a sample. */
     static ColourQuantizer of(Palette palette, BufferedImage sample) {
         Set<Integer> chosen = new LinkedHashSet<>();
-        paletteColours(palette).forEach(colour -> chosen.add(colour.getRGB() & 0xFFFFFF));
+        palette.colours().forEach(colour -> chosen.add(colour.getRGB() & 0xFFFFFF));
         cubeColours().forEach(chosen::add);
         frequentColours(sample).takeWhile(colour -> chosen.size() < MAX_COLOURS).forEach(chosen::add);
         return new ColourQuantizer(chosen.stream().mapToInt(Integer::intValue).toArray());
-    }
-
-    private static Stream<Color> paletteColours(Palette palette) {
-        Stream<Color> scene = Stream.of(
-                palette.canvas(),
-                palette.grid(),
-                palette.gridMajor(),
-                palette.text(),
-                palette.muted(),
-                palette.accent(),
-                palette.obstacle(),
-                palette.obstacleOutline(),
-                palette.moving(),
-                palette.movingOutline(),
-                palette.robot(),
-                palette.robotOutline(),
-                palette.path(),
-                palette.contact(),
-                palette.collision());
-        return Stream.concat(
-                scene, palette.sensors().stream().flatMap(sensor -> Stream.of(sensor.fill(), sensor.outline())));
     }
 
     private static Stream<Integer> cubeColours() {

@@ -2,6 +2,7 @@ package faultline.paint.surface;
 
 import java.awt.Color;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The colours of a scene. Lines and rings that carry meaning have a contrast to the canvas of at least 3:1 and text of
@@ -135,6 +136,29 @@ public record Palette(
     /** Returns the colours of a sensor; its index in the robot's order from 0. */
     public SensorColours sensorColours(int index) {
         return sensors.get(index % sensors.size());
+    }
+
+    /** Returns all colours: those of the scene, then those of the sensors. */
+    public List<Color> colours() {
+        Stream<Color> scene = Stream.of(
+                canvas,
+                grid,
+                gridMajor,
+                text,
+                muted,
+                accent,
+                obstacle,
+                obstacleOutline,
+                moving,
+                movingOutline,
+                robot,
+                robotOutline,
+                path,
+                contact,
+                collision,
+                reference);
+        return Stream.concat(scene, sensors.stream().flatMap(sensor -> Stream.of(sensor.fill(), sensor.outline())))
+                .toList();
     }
 
     /** Returns a translucent colour; alpha from 0, invisible, to 255, opaque. */

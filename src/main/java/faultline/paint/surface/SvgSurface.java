@@ -22,29 +22,16 @@ public final class SvgSurface implements Surface {
 
     /** Creates an empty picture; width and height in pixels. */
     public SvgSurface(int width, int height) {
-        out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"")
-                .append(width)
-                .append("\" height=\"")
-                .append(height)
-                .append("\" viewBox=\"0 0 ")
-                .append(width)
-                .append(' ')
-                .append(height)
-                .append("\" font-family=\"")
-                .append(SvgFormat.FONT_FAMILIES)
-                .append("\" stroke-linejoin=\"round\">\n");
+        out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height
+                + "\" viewBox=\"0 0 " + width + " " + height
+                + "\" font-family=\"" + SvgFormat.FONT_FAMILIES + "\" stroke-linejoin=\"round\">\n");
     }
 
     /** Creates a picture that is filled with a background colour; width and height in pixels. */
     public SvgSurface(int width, int height, Color background) {
         this(width, height);
-        out.append("<rect width=\"")
-                .append(width)
-                .append("\" height=\"")
-                .append(height)
-                .append('"')
-                .append(SvgFormat.colourAttributes("fill", background))
-                .append("/>\n");
+        String fill = SvgFormat.colourAttributes("fill", background);
+        out.append("<rect width=\"" + width + "\" height=\"" + height + "\"" + fill + "/>\n");
     }
 
     /** Returns the text of the SVG file. */
@@ -60,20 +47,15 @@ public final class SvgSurface implements Surface {
     @Override
     public void fill(Shape shape, Color colour) {
         boolean evenOdd = shape.getPathIterator(null).getWindingRule() == PathIterator.WIND_EVEN_ODD;
-        out.append(startTag(shape))
-                .append(SvgFormat.colourAttributes("fill", colour))
-                .append(evenOdd ? " fill-rule=\"evenodd\"" : "")
-                .append("/>\n");
+        out.append(startTag(shape) + SvgFormat.colourAttributes("fill", colour)
+                + (evenOdd ? " fill-rule=\"evenodd\"" : "") + "/>\n");
     }
 
     @Override
     public void draw(Shape shape, Color colour, Stroke stroke) {
         if (stroke instanceof BasicStroke line) {
-            out.append(startTag(shape))
-                    .append(" fill=\"none\"")
-                    .append(SvgFormat.colourAttributes("stroke", colour))
-                    .append(strokeAttributes(line))
-                    .append("/>\n");
+            String attributes = SvgFormat.colourAttributes("stroke", colour) + strokeAttributes(line);
+            out.append(startTag(shape) + " fill=\"none\"" + attributes + "/>\n");
         } else {
             fill(stroke.createStrokedShape(shape), colour);
         }
@@ -158,15 +140,8 @@ public final class SvgSurface implements Surface {
     }
 
     private void appendText(double x, double y, String attributes, String content) {
-        out.append("<text x=\"")
-                .append(SvgFormat.number(x))
-                .append("\" y=\"")
-                .append(SvgFormat.number(y))
-                .append('"')
-                .append(attributes)
-                .append('>')
-                .append(content)
-                .append("</text>\n");
+        String position = "x=\"" + SvgFormat.number(x) + "\" y=\"" + SvgFormat.number(y) + '"';
+        out.append("<text " + position + attributes + ">" + content + "</text>\n");
     }
 
     @Override

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
  * The background for which the colours of an SVG file are chosen. Pictures are drawn in the colours of the light theme.
@@ -28,8 +27,11 @@ public enum SvgTheme {
         Map<String, String> pairs = new LinkedHashMap<>();
         addPairs(pairs, ChartStyle.LIGHT.series(), ChartStyle.DARK.series());
         addPairs(pairs, ChartStyle.LIGHT.classes(), ChartStyle.DARK.classes());
-        addPairs(pairs, otherColours(ChartStyle.LIGHT), otherColours(ChartStyle.DARK));
-        addPairs(pairs, sensorColours(ChartStyle.LIGHT), sensorColours(ChartStyle.DARK));
+        pairs.putIfAbsent(SvgFormat.toHex(ChartStyle.LIGHT.grid()), SvgFormat.toHex(ChartStyle.DARK.grid()));
+        addPairs(
+                pairs,
+                ChartStyle.LIGHT.palette().colours(),
+                ChartStyle.DARK.palette().colours());
         return pairs;
     }
 
@@ -37,32 +39,6 @@ public enum SvgTheme {
         for (int i = 0; i < light.size(); i++) {
             pairs.putIfAbsent(SvgFormat.toHex(light.get(i)), SvgFormat.toHex(dark.get(i)));
         }
-    }
-
-    private static List<Color> sensorColours(ChartStyle style) {
-        return style.palette().sensors().stream()
-                .flatMap(colours -> Stream.of(colours.fill(), colours.outline()))
-                .toList();
-    }
-
-    private static List<Color> otherColours(ChartStyle theme) {
-        return List.of(
-                theme.grid(),
-                theme.palette().canvas(),
-                theme.palette().grid(),
-                theme.palette().gridMajor(),
-                theme.palette().text(),
-                theme.palette().muted(),
-                theme.palette().accent(),
-                theme.palette().obstacle(),
-                theme.palette().obstacleOutline(),
-                theme.palette().moving(),
-                theme.palette().movingOutline(),
-                theme.palette().robot(),
-                theme.palette().robotOutline(),
-                theme.palette().path(),
-                theme.palette().contact(),
-                theme.palette().collision());
     }
 
     /** Returns the text of an SVG file with the colours of this theme. */
