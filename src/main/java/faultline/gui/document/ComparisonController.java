@@ -114,10 +114,8 @@ public final class ComparisonController implements WorkspaceListener {
     }
 
     /**
-     * Compares the ticks since the last call with the reference run.
-     *
-     * @param frame the newest frame
-     * @return the comparison so far, empty if there is no reference run; the same object as before if nothing is new
+     * Compares the ticks since the last call with the reference run. Returns the comparison so far, the same object as
+     * before if nothing is new; empty if there is no reference run.
      */
     public Optional<RunComparison> update(SessionFrame frame) {
         assert EventQueue.isDispatchThread();

@@ -73,10 +73,8 @@ public final class DocumentStore {
     }
 
     /**
-     * Saves the edited scenario, with the comments of its present file.
-     *
-     * @param file the file to write
-     * @param then called when the file has been written
+     * Saves the edited scenario, with the comments of its present file, and calls {@code then} when the file is
+     * written.
      */
     public void save(Path file, Runnable then) {
         workspace.openDocument().ifPresent(now -> {

@@ -169,9 +169,8 @@ public final class RunController implements WorkspaceListener {
     }
 
     /**
-     * Sets the speed of this run and of all later ones.
-     *
-     * @param factor times real time, positive; positive infinity for unlimited speed
+     * Sets the speed of this run and of all later ones, times real time, positive; positive infinity for unlimited
+     * speed.
      */
     public void setSpeed(double factor) {
         speed = factor;

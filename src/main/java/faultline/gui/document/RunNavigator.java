@@ -28,10 +28,8 @@ public final class RunNavigator implements WorkspaceListener {
     }
 
     /**
-     * Moves the run to the end of a tick, asynchronously, and pauses it there. Later commands are executed again at
-     * their ticks, unless another command is executed before.
-     *
-     * @param tick the tick, not negative
+     * Moves the run to the end of a tick, not negative, asynchronously, and pauses it there. Later commands are
+     * executed again at their ticks, unless another command is executed before.
      */
     public void seek(long tick) {
         endResimulation();

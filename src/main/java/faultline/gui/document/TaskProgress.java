@@ -17,9 +17,7 @@ public final class TaskProgress {
     }
 
     /**
-     * Sets the completed fraction, in [0, 1].
-     *
-     * @throws CancellationException if the task has been cancelled
+     * Sets the completed fraction, in [0, 1]; throws a {@link CancellationException} if the task has been cancelled.
      */
     public void setFraction(double completed) {
         throwIfCancelled();

@@ -12,9 +12,8 @@ public interface WorkspaceListener {
     default void scenarioRestarted() {}
 
     /**
-     * The run has been moved to another tick; later edits are still ahead. Followed by {@link #sessionStarted}.
-     *
-     * @param tick the number of ticks that have passed
+     * The run has been moved to the end of another tick; later edits are still ahead. Followed by
+     * {@link #sessionStarted}.
      */
     default void runRepositioned(long tick) {}
 
@@ -30,20 +29,10 @@ public interface WorkspaceListener {
     /** The name of the file, or whether there are unsaved changes, may have changed. */
     default void titleChanged() {}
 
-    /**
-     * A task has failed and has changed nothing.
-     *
-     * @param task the kind of task
-     * @param file the file that it worked on
-     * @param failure what it has thrown
-     */
+    /** A task that worked on a file has failed and has changed nothing. */
     default void taskFailed(TaskKind task, Path file, Throwable failure) {}
 
-    /**
-     * The scenario has been saved.
-     *
-     * @param file the file; another one may be open by now
-     */
+    /** The scenario has been saved to a file; another one may be open by now. */
     default void scenarioSaved(Path file) {}
 
     /** The journal has been saved to a file. */

@@ -18,11 +18,8 @@ public final class ObstacleCopies {
     private ObstacleCopies() {}
 
     /**
-     * Returns copies with new ids, a little to the right and below the originals, or at the same place if none of them
-     * exists any more.
-     *
-     * @param originals the obstacles
-     * @param taken the ids in use
+     * Returns copies with new ids that are not taken, a little to the right and below the originals, or at the same
+     * place if none of the originals exists any more.
      */
     public static List<Obstacle> copyOf(List<Obstacle> originals, Collection<String> taken) {
         Vector2 by = originals.stream().map(Obstacle::id).anyMatch(taken::contains) ? OFFSET : Vector2.ZERO;

@@ -45,13 +45,9 @@ public final class ShapeHandles {
     }
 
     /**
-     * Returns an obstacle after one of its handles was dragged. Of a rectangle the opposite corner or side stays, of a
-     * circle or an ellipse the centre, of other shapes all other points.
-     *
-     * @param obstacle the obstacle before
-     * @param handle the index of the handle in {@link #positions}
-     * @param to the position of the mouse, metres
-     * @param snap the steps that sizes and positions are rounded to
+     * Returns an obstacle after the handle with an index in {@link #positions} was dragged to a point, metres. Of a
+     * rectangle the opposite corner or side stays, of a circle or an ellipse the centre, of other shapes all other
+     * points.
      */
     public static Obstacle dragHandle(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
         return obstacle.shape().accept(HANDLES).drag(obstacle, handle, to, snap);

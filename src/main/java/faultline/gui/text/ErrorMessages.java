@@ -15,12 +15,7 @@ public final class ErrorMessages {
 
     private ErrorMessages() {}
 
-    /**
-     * Describes an exception.
-     *
-     * @param exception the exception
-     * @return a phrase without a full stop, in the user's language if the message is known
-     */
+    /** Describes an exception by a phrase without a full stop, in the user's language if the message is known. */
     public static String describe(Throwable exception) {
         if (exception.getCause() != null
                 && (exception instanceof CompletionException || exception instanceof UncheckedIOException)) {
@@ -44,13 +39,7 @@ public final class ErrorMessages {
                         () -> Messages.get("reason.inside", exception.getClass().getSimpleName()));
     }
 
-    /**
-     * Describes an exception about a file whose name the user already knows.
-     *
-     * @param exception the exception
-     * @param file a name that may precede the reason
-     * @return the phrase without the name
-     */
+    /** Describes an exception about a file without its name, which the user already knows. */
     public static String describe(Throwable exception, Path file) {
         String prefix = file + ": ";
         String text = describe(exception);

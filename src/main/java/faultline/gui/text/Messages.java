@@ -63,20 +63,12 @@ public final class Messages {
         }
     }
 
-    /**
-     * Returns the text of a key.
-     *
-     * @throws MissingResourceException if there is none
-     */
+    /** Returns the text of a key; throws a {@link MissingResourceException} if there is none. */
     public static String get(String key) {
         return bundle.getString(key);
     }
 
-    /**
-     * Returns the text of a key with its placeholders replaced.
-     *
-     * @throws MissingResourceException if there is none
-     */
+    /** Returns the text of a key with its placeholders replaced. */
     public static String get(String key, String... values) {
         return new MessageFormat(get(key), Locale.ROOT).format(values);
     }

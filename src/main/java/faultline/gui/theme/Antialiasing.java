@@ -17,12 +17,7 @@ public final class Antialiasing {
 
     private Antialiasing() {}
 
-    /**
-     * Paints on a copy of the graphics, so that changes to it do not affect other painters.
-     *
-     * @param graphics the target
-     * @param painting the painting
-     */
+    /** Paints on a copy of the graphics, so that changes to it do not affect other painters. */
     public static void paint(Graphics graphics, Consumer<Graphics2D> painting) {
         Graphics2D own = (Graphics2D) graphics.create();
         try {
@@ -36,10 +31,8 @@ public final class Antialiasing {
     }
 
     /**
-     * Returns a rounded rectangle whose one-pixel outline is aligned with the pixel grid. Its size includes the
-     * outline.
-     *
-     * @return the centre line of the outline
+     * Returns the centre line of the one-pixel outline of a rounded rectangle, aligned with the pixel grid. The size of
+     * the rectangle includes the outline.
      */
     public static Shape roundedRectangle(double x, double y, double width, double height) {
         return new RoundRectangle2D.Double(x + 0.5, y + 0.5, width - 1, height - 1, CORNER_DIAMETER, CORNER_DIAMETER);

@@ -20,11 +20,7 @@ public final class FocusRing extends FocusAdapter {
     private final Component component;
     private boolean shown;
 
-    /**
-     * Creates a ring that observes the focus of a component.
-     *
-     * @param component the component, which must call {@link #paint} after it has painted itself
-     */
+    /** Creates a ring for a component, which must call {@link #paint} after it has painted itself. */
     public FocusRing(Component component) {
         this.component = component;
         component.addFocusListener(this);

@@ -77,11 +77,7 @@ public final class MainWindow extends JFrame {
             new ReplayNotifier(runController.navigator(), this::showNote);
     private final Timer poll = new Timer(POLL_MILLIS, event -> poll());
 
-    /**
-     * Creates a window without a scenario, not yet visible.
-     *
-     * @param preferences supplies and stores the window's bounds and settings
-     */
+    /** Creates a window without a scenario, not yet visible. */
     public MainWindow(WindowPreferences preferences) {
         assert EventQueue.isDispatchThread();
         this.preferences = preferences;
@@ -239,11 +235,7 @@ public final class MainWindow extends JFrame {
         fileController.openWithoutAsking(file);
     }
 
-    /**
-     * Opens a shipped scenario asynchronously.
-     *
-     * @param name the name of its file
-     */
+    /** Opens a shipped scenario asynchronously, given the name of its file. */
     public void openShipped(String name) {
         fileController.openShippedWithoutAsking(name);
     }
@@ -267,10 +259,7 @@ public final class MainWindow extends JFrame {
 
     /**
      * Starts to store unsaved edits where a crash cannot lose them, and offers those of an earlier crash
-     * asynchronously.
-     *
-     * @param recovery the store
-     * @param otherwise called if no crash has left any edits
+     * asynchronously. If there are none, {@code otherwise} is called.
      */
     public void enableRecovery(RecoveryStore recovery, Runnable otherwise) {
         Autosave autosave = new Autosave(workspace, recovery);

@@ -66,12 +66,7 @@ public final class AnimatedGifWriter implements AutoCloseable {
         return (long) Math.floor(ticks * dt * 100 / delay + 1e-6);
     }
 
-    /**
-     * Adds a picture.
-     *
-     * @param picture of the same size as the first
-     * @throws IOException if it cannot be written
-     */
+    /** Adds a picture of the same size as the first. */
     public void addFrame(BufferedImage picture) throws IOException {
         if (quantizer == null) {
             quantizer = ColourQuantizer.of(palette, picture);

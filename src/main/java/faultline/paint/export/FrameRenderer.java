@@ -27,15 +27,7 @@ public final class FrameRenderer {
         return (int) (width * Math.max(MIN_ASPECT, Math.min(MAX_ASPECT, aspect)));
     }
 
-    /**
-     * Renders a whole world with the default layers.
-     *
-     * @param frame the frame
-     * @param palette its colours; {@link Palette#LIGHT} for files
-     * @param width pixels, positive
-     * @param height pixels, positive
-     * @return a new opaque picture
-     */
+    /** Renders a whole world with the default layers as a new opaque picture; width and height in pixels, positive. */
     public static BufferedImage render(Frame frame, Palette palette, int width, int height) {
         return new RenderRequest(frame, fitCamera(frame.snapshot(), width, height), palette, Layer.defaults())
                 .toImage(1);

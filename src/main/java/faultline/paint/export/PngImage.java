@@ -12,13 +12,7 @@ public final class PngImage {
 
     private PngImage() {}
 
-    /**
-     * Writes an image.
-     *
-     * @param image the image
-     * @param out the target; not closed
-     * @throws IOException as thrown by the target
-     */
+    /** Writes an image to a stream, which is not closed. */
     public static void write(BufferedImage image, OutputStream out) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(bytes)) {

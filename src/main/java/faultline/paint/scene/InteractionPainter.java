@@ -33,23 +33,13 @@ public final class InteractionPainter {
 
     private InteractionPainter() {}
 
-    /**
-     * Paints the preview of an obstacle.
-     *
-     * @param context the target
-     * @param there the obstacle at its wanted position
-     * @param blocked whether it cannot be there
-     */
+    /** Paints the preview of an obstacle at its wanted position, crossed out if it cannot be there. */
     public static void paintPreview(DrawContext context, Obstacle there, boolean blocked) {
         paintPreview(context, SelectionPainter.screenOutline(context, there), blocked);
     }
 
     /**
-     * Paints the bounding box of the previews of several obstacles.
-     *
-     * @param context the target
-     * @param there the obstacles at their wanted positions, at least one
-     * @param blocked whether one of them cannot be there
+     * Paints the bounding box of the previews of obstacles, at least one, crossed out if one of them cannot be there.
      */
     public static void paintPreview(DrawContext context, List<Obstacle> there, boolean blocked) {
         paintPreview(context, bounds(context, there).orElseThrow(), blocked);
@@ -62,14 +52,7 @@ public final class InteractionPainter {
                 .reduce(Rectangle2D::createUnion);
     }
 
-    /**
-     * Paints the preview of the robot.
-     *
-     * @param context the target
-     * @param robot the robot
-     * @param pose its wanted pose
-     * @param blocked whether it cannot be there
-     */
+    /** Paints the preview of the robot at its wanted pose, crossed out if it cannot be there. */
     public static void paintRobotPreview(DrawContext context, RobotSpec robot, Pose pose, boolean blocked) {
         RobotPainter.paint(context, robot, pose);
         Shape platform = new Rectangle2D.Double(-robot.length() / 2, -robot.width() / 2, robot.length(), robot.width());
@@ -96,11 +79,8 @@ public final class InteractionPainter {
     }
 
     /**
-     * Paints the points of a sketch, joined by lines.
-     *
-     * @param context the target
-     * @param points in the world, metres, at least one; the last is under the mouse
-     * @param closed whether the last is joined to the first
+     * Paints the points of a sketch in the world, metres, at least one, joined by lines. The last one is under the
+     * mouse; if the sketch is closed, it is joined to the first.
      */
     public static void paintSketch(DrawContext context, List<Vector2> points, boolean closed) {
         List<Vector2> places = points.stream().map(context.camera()::toScreen).toList();
@@ -121,12 +101,8 @@ public final class InteractionPainter {
     }
 
     /**
-     * Paints the values that are being changed, below the obstacles or else beside the mouse.
-     *
-     * @param context the target
-     * @param values such as {@code x 1.20 m}
-     * @param there the obstacles at their wanted positions
-     * @param mouse pixels
+     * Paints the values that are being changed, below the obstacles at their wanted positions, or else beside the
+     * mouse.
      */
     public static void paintValues(DrawContext context, String values, List<Obstacle> there, Vector2 mouse) {
         paintTextBox(
@@ -136,14 +112,7 @@ public final class InteractionPainter {
                 context.palette().accent());
     }
 
-    /**
-     * Paints the reason why a change is refused, at the position of {@link #paintValues}.
-     *
-     * @param context the target
-     * @param reason one sentence
-     * @param there the obstacles at their wanted positions
-     * @param mouse pixels
-     */
+    /** Paints the reason why a change is refused, at the position of {@link #paintValues}. */
     public static void paintRefusal(DrawContext context, String reason, List<Obstacle> there, Vector2 mouse) {
         paintTextBox(
                 context,

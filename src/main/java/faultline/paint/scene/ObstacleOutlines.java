@@ -102,12 +102,8 @@ public final class ObstacleOutlines {
     }
 
     /**
-     * Returns the pose of an obstacle after a rotation, eq. (1).
-     *
-     * @param obstacle the obstacle
-     * @param about the centre of rotation in the world, metres
-     * @param turn radians, counter-clockwise
-     * @return the pose after the rotation
+     * Returns the pose of an obstacle after a rotation about a point of the world by an angle, radians, counter-
+     * clockwise: eq. (1).
      */
     public static Pose rotatedPose(Obstacle obstacle, Vector2 about, double turn) {
         Pose pose = obstacle.pose();

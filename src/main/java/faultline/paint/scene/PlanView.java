@@ -37,12 +37,8 @@ public final class PlanView {
     private final DrawContext context;
 
     /**
-     * Creates a view.
-     *
-     * @param surface the target
-     * @param area filled as far as the proportions of {@code bounds} allow
-     * @param bounds the part of the world, metres, y the lower edge
-     * @param style its colours
+     * Creates a view of a part of the world, metres, y its lower edge. It fills the area as far as its proportions
+     * allow.
      */
     public PlanView(Surface surface, PixelRectangle area, Rectangle2D bounds, ChartStyle style) {
         this.surface = surface;
@@ -108,15 +104,7 @@ public final class PlanView {
         surface.fill(Shapes.arrowhead(toPicture(to), direction, ARROWHEAD_LENGTH, ARROWHEAD_WIDTH), style.colour());
     }
 
-    /**
-     * Draws a text beside a point of the world.
-     *
-     * @param text the text
-     * @param at the point, metres
-     * @param right offset to the right, pixels
-     * @param down offset downwards, pixels
-     * @param style of the text
-     */
+    /** Draws a text at an offset to the right and downwards, pixels, from a point of the world, metres. */
     public void drawLabel(String text, Vector2 at, double right, double down, TextStyle style) {
         surface.drawText(text, toPicture(at).plus(new Vector2(right, down)), style);
     }

@@ -65,13 +65,7 @@ public final class SelectionPainter {
         context.draw(screenOutline(context, obstacle), context.palette().accent(), OUTLINE_STROKE);
     }
 
-    /**
-     * Paints the handles of the only selected obstacle.
-     *
-     * @param context the target
-     * @param obstacle the obstacle
-     * @param places of the handles that change its size, metres
-     */
+    /** Paints the handles of the only selected obstacle; {@code places} are those that change its size, metres. */
     public static void paintHandles(DrawContext context, Obstacle obstacle, List<Vector2> places) {
         paintHandle(context, stalkEnd(context.camera(), obstacle, 0), handlePosition(context.camera(), obstacle));
         places.stream().map(context.camera()::toScreen).forEach(place -> paintSquareHandle(context, place));

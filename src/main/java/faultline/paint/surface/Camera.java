@@ -36,13 +36,8 @@ public record Camera(double x, double y, double scale, int width, int height) {
     }
 
     /**
-     * Returns the camera that shows a part of the world as large as possible in the middle of a picture.
-     *
-     * @param bounds metres
-     * @param margin kept free on every side, pixels
-     * @param width of the picture, pixels, positive
-     * @param height of the picture, pixels, positive
-     * @return the camera
+     * Returns the camera that shows a part of the world, metres, as large as possible in the middle of a picture of the
+     * given size, pixels, with a margin on every side.
      */
     public static Camera fit(Rectangle2D bounds, double margin, int width, int height) {
         double across = Math.max(1, width - 2 * margin) / bounds.getWidth();
@@ -51,11 +46,8 @@ public record Camera(double x, double y, double scale, int width, int height) {
     }
 
     /**
-     * Returns the camera that shows a part of the world as large as it fits in the middle of an area of a picture.
-     *
-     * @param bounds metres
-     * @param area pixels; the picture ends at its lower right corner
-     * @return the camera
+     * Returns the camera that shows a part of the world, metres, as large as possible in the middle of an area of a
+     * picture that ends at the lower right corner of the area.
      */
     public static Camera fit(Rectangle2D bounds, PixelRectangle area) {
         double scale = clampScale(Math.min(area.width() / bounds.getWidth(), area.height() / bounds.getHeight()));
@@ -99,11 +91,8 @@ public record Camera(double x, double y, double scale, int width, int height) {
     }
 
     /**
-     * Returns this camera zoomed about a fixed position in the picture.
-     *
-     * @param screen the position, pixels
-     * @param factor above 1 to zoom in, below 1 to zoom out; limited at the ends of the scale
-     * @return the zoomed camera
+     * Returns this camera zoomed about a fixed position in the picture, pixels; the factor is above 1 to zoom in, and
+     * limited at the ends of the scale.
      */
     public Camera zoomedAbout(Vector2 screen, double factor) {
         double zoomed = clampScale(scale * factor);

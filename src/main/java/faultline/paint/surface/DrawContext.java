@@ -29,13 +29,7 @@ public record DrawContext(Surface surface, Camera camera, Palette palette, Font 
 
     private static final int HALO_ALPHA = 200;
 
-    /**
-     * Creates a context that paints pixels, with the font of files.
-     *
-     * @param graphics its user space is the picture
-     * @param camera from the world to the picture
-     * @param palette the colours
-     */
+    /** Creates a context that paints pixels, with the font of files; the user space of the graphics is the picture. */
     public DrawContext(Graphics2D graphics, Camera camera, Palette palette) {
         this(new GraphicsSurface(graphics), camera, palette, DEFAULT_FONT);
     }

@@ -32,15 +32,7 @@ public final class Shapes {
         return new Ellipse2D.Double(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius);
     }
 
-    /**
-     * Returns the head of an arrow.
-     *
-     * @param tip of the arrow
-     * @param direction of the arrow, a unit vector
-     * @param length from the tip to the base
-     * @param width of the base
-     * @return a triangle
-     */
+    /** Returns the head of an arrow, a triangle; the direction is a unit vector, the width that of the base. */
     public static Path2D arrowhead(Vector2 tip, Vector2 direction, double length, double width) {
         Vector2 base = tip.minus(direction.times(length));
         Vector2 half = direction.perpendicular().times(width / 2);

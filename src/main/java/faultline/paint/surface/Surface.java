@@ -37,14 +37,8 @@ public interface Surface {
     void drawText(String text, double x, double y, Color colour, Font font);
 
     /**
-     * Draws a line of text with a halo, which separates it from what is beneath.
-     *
-     * @param text drawn literally
-     * @param x of the left end of its baseline
-     * @param y of the left end of its baseline
-     * @param colour of the letters
-     * @param halo colour around the letters; may be translucent
-     * @param font of the letters
+     * Draws a line of text literally, with a halo that separates it from what is below; x and y are those of the left
+     * end of its baseline.
      */
     void drawHaloedText(String text, double x, double y, Color colour, Color halo, Font font);
 

@@ -50,10 +50,8 @@ public record TextStyle(double size, Color colour, Anchor anchor, boolean bold, 
     }
 
     /**
-     * Estimates the width of a text. Letters are counted, not measured, so that a layout is the same with every font.
-     *
-     * @param text one line
-     * @return pixels
+     * Estimates the width of a line of text, pixels. Letters are counted, not measured, so that a layout is the same
+     * with every font.
      */
     public double estimateWidth(String text) {
         return size
