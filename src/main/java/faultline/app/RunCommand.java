@@ -33,9 +33,7 @@ final class RunCommand {
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
         requireController(scenario, options.controller().isPresent());
         try (RunOutputs outputs = new RunOutputs(options)) {
-            RunResult result = options.controller().isPresent()
-                    ? runChosen(options.controller().get(), scenario, options, outputs)
-                    : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+            RunResult result = runKeepingOutputs(scenario, options, outputs);
             outputs.finish(scenario);
             if (options.json()) {
                 return printJson(scenario, result, options.child().truth());
@@ -44,6 +42,17 @@ final class RunCommand {
                 output.println("truth: given to the controller");
             }
             return printResult(scenario, result);
+        }
+    }
+
+    private RunResult runKeepingOutputs(Scenario scenario, RunOptions options, RunOutputs outputs) throws IOException {
+        try {
+            return options.controller().isPresent()
+                    ? runChosen(options.controller().get(), scenario, options, outputs)
+                    : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+        } catch (HeadlessRun.ResultFailedException e) {
+            outputs.finish(scenario);
+            throw e;
         }
     }
 

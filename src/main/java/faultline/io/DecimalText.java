@@ -26,7 +26,7 @@ public final class DecimalText {
      * Surrounding blanks are ignored.
      */
     public static Optional<BigDecimal> parse(String text) {
-        String trimmed = text.strip();
+        String trimmed = XmlText.strip(text);
         if (trimmed.length() > MAX_LENGTH || !DECIMAL.matcher(trimmed).matches()) {
             return Optional.empty();
         }
@@ -50,7 +50,7 @@ public final class DecimalText {
     }
 
     private static double withSignOf(double value, String text) {
-        return value == 0 && text.strip().startsWith("-") ? -0.0 : value;
+        return value == 0 && XmlText.strip(text).startsWith("-") ? -0.0 : value;
     }
 
     /** Returns the text of a finite number, with an exponent only if the number is very large or very small. */

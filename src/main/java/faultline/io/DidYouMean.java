@@ -9,6 +9,9 @@ public final class DidYouMean {
 
     private static final int MAX_LENGTH = 60;
 
+    /** So many names of about the right length are compared, so that a question takes milliseconds at most. */
+    private static final int MAX_COMPARED = 2000;
+
     private DidYouMean() {}
 
     /**
@@ -32,7 +35,14 @@ public final class DidYouMean {
         String lower = given.toLowerCase(Locale.ROOT);
         int least = Math.max(1, given.length() / 3) + 1;
         Optional<String> best = Optional.empty();
+        int compared = 0;
         for (String name : known) {
+            if (Math.abs(name.length() - given.length()) >= least) {
+                continue;
+            }
+            if (++compared > MAX_COMPARED || least == 0) {
+                return best;
+            }
             int changes = editDistance(lower, name.toLowerCase(Locale.ROOT));
             if (changes < least) {
                 least = changes;

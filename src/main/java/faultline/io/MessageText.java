@@ -43,6 +43,17 @@ public final class MessageText {
                 || c >= Character.MIN_SURROGATE && c <= Character.MAX_SURROGATE;
     }
 
+    /**
+     * Returns a text as a cell of a table, with an apostrophe before a sign at which a spreadsheet would take it for a
+     * formula. Numbers stay as they are.
+     */
+    public static String cell(String text) {
+        boolean formula = !text.isEmpty()
+                && "=+-@".indexOf(text.charAt(0)) >= 0
+                && DecimalText.parse(text).isEmpty();
+        return formula ? "'" + text : text;
+    }
+
     /** Returns the name of an enum constant in camel case, such as {@code tooDeep} for {@code TOO_DEEP}. */
     public static String camelCase(String constant) {
         return Pattern.compile("_(.)")

@@ -10,6 +10,23 @@ public final class XmlText {
         return replaceInvalid(text, ' ').replaceAll("\\s+", " ").strip();
     }
 
+    /** Returns a text without the white space of XML around it; other blanks stay. */
+    public static String strip(String text) {
+        int begin = 0;
+        int end = text.length();
+        while (begin < end && isBlank(text.charAt(begin))) {
+            begin++;
+        }
+        while (end > begin && isBlank(text.charAt(end - 1))) {
+            end--;
+        }
+        return text.substring(begin, end);
+    }
+
+    private static boolean isBlank(char c) {
+        return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    }
+
     /** Returns a text for use between double quotes; it reads back to the same characters, including white space. */
     public static String escapeAttribute(String text) {
         return escapeText(text)

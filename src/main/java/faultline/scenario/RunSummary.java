@@ -31,7 +31,8 @@ public final class RunSummary {
                                 .collect(Collectors.joining(" ")),
                 "collision: "
                         + result.collision().map(RunSummary::formatCollision).orElse("none"),
-                "collided_with: " + result.collision().map(Collision::obstacle).orElse("none"),
+                "collided_with: "
+                        + result.collision().map(RunSummary::formatObstacle).orElse("none"),
                 "coverage: " + formatNumber(result.coverageOrNaN(), "%.4f"),
                 "distance_rms_m: " + formatNumber(result.distanceRmsOrNaN(), "%.6f"),
                 "trajectory_hash: " + formatHash(result),
@@ -54,6 +55,11 @@ public final class RunSummary {
     /** Returns a result's trajectory hash as 16 hexadecimal digits. */
     public static String formatHash(RunResult result) {
         return String.format(Locale.ROOT, "%016x", result.trajectoryHash());
+    }
+
+    /** An obstacle may have the id that stands for no obstacle. */
+    private static String formatObstacle(Collision collision) {
+        return collision.obstacle().equals("none") ? "\"none\"" : collision.obstacle();
     }
 
     private static String formatCollision(Collision collision) {

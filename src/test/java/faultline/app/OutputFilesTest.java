@@ -185,4 +185,20 @@ class OutputFilesTest {
             return files.mapToLong(file -> file.toFile().length()).max().orElse(0);
         }
     }
+
+    @Test
+    void anIdThatASpreadsheetWouldRunIsWrittenAsText() throws IOException {
+        String id = "=HYPERLINK(x)";
+        Path file = Files.writeString(
+                folder.resolve("a.xml"),
+                "<scenario xmlns=\"urn:faultline:scenario:1\" duration=\"0\"><world width=\"6\" height=\"4\"/>"
+                        + "<robot x=\"1\" y=\"1\" defaultSensors=\"false\"><sensor id=\"" + id
+                        + "\" x=\"0\" y=\"0\" bearing=\"0\"/></robot></scenario>");
+        Path trace = folder.resolve("trace.csv");
+        PrintStream none = new PrintStream(new ByteArrayOutputStream());
+        String[] arguments = {"run", file.toString(), "--trace", trace.toString()};
+        assertEquals(0, new CommandLine(new CommandOutput(none, none)).run(arguments));
+        String header = Files.readAllLines(trace).get(0);
+        assertTrue(header.endsWith(",collided,'=HYPERLINK(x).true,'=HYPERLINK(x).reading"), header);
+    }
 }

@@ -65,7 +65,7 @@ final class FactorReader {
     private static Optional<AttributePath> readPath(AttributeReader fields) {
         String text = fields.id("attribute");
         Optional<AttributePath> path = AttributePath.parse(text);
-        if (path.isEmpty() && !text.equals("?")) {
+        if (path.isEmpty() && fields.isValid("attribute", text)) {
             fields.report("attribute", text, AttributePath.RULE);
         }
         return path;

@@ -1,5 +1,6 @@
 package faultline.campaign.run;
 
+import faultline.io.MessageText;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -12,7 +13,7 @@ public final class Csv {
     public static String row(List<String> cells) {
         StringBuilder row = new StringBuilder();
         for (String cell : cells) {
-            row.append(quoted(cell)).append(',');
+            row.append(quoted(MessageText.cell(cell))).append(',');
         }
         row.setCharAt(row.length() - 1, '\n');
         return row.toString();

@@ -13,7 +13,7 @@ import java.util.function.Supplier;
  * nowhere nearer to any, consists of connected pieces; the piece of which the robot passed most is the wall that it
  * followed. A place is passed if the robot's centre was within {@link #TOLERANCE} of it.
  */
-final class Coverage {
+final class Coverage implements CoverageMeter {
 
     /** The greatest distance at which the robot passes a place, metres. */
     static final double TOLERANCE = 0.05;
@@ -39,8 +39,8 @@ final class Coverage {
         this.circuits = circuits;
     }
 
-    /** Records the position of the robot's centre. */
-    void visit(Vector2 centre) {
+    @Override
+    public void visit(Vector2 centre) {
         if (centre.distanceTo(last) >= MIN_STEP) {
             if (visitedCells.add(cell(centre))) {
                 pending.add(centre);
@@ -55,11 +55,8 @@ final class Coverage {
         return column << 32 ^ row & 0xFFFF_FFFFL;
     }
 
-    /**
-     * Returns the share so far, in [0, 1]; empty if no place was passed. The cost depends on the points since the last
-     * call, so that it may be called often.
-     */
-    OptionalDouble share() {
+    @Override
+    public OptionalDouble share() {
         if (!pending.isEmpty()) {
             if (passed.length == 0) {
                 circuit = circuits.get();

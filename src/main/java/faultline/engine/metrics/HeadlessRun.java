@@ -105,6 +105,24 @@ public final class HeadlessRun {
         }
     }
 
+    /** Thrown if a run has ended, but its result cannot be computed. */
+    public static final class ResultFailedException extends RunFailedException {
+
+        private static final long serialVersionUID = 1L;
+
+        ResultFailedException(Throwable cause) {
+            super("its coverage could not be computed: " + cause, cause);
+        }
+    }
+
+    private static double coverage(WallFollowingMetrics wall) {
+        try {
+            return wall.coverage().orElse(Double.NaN);
+        } catch (RuntimeException | OutOfMemoryError e) {
+            throw new ResultFailedException(e);
+        }
+    }
+
     private static RunResult result(
             Simulation simulation,
             WallFollowingMetrics wall,
@@ -118,7 +136,7 @@ public final class HeadlessRun {
                 simulation.time() / seconds,
                 simulation.telemetry().state(),
                 List.copyOf(states),
-                wall.coverage().orElse(Double.NaN),
+                coverage(wall),
                 wall.distanceRms().orElse(Double.NaN),
                 simulation.trajectoryHash(),
                 simulation.setup().seed(),

@@ -3,6 +3,7 @@ package faultline.engine.metrics;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import faultline.geometry.Angles;
+import faultline.io.MessageText;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 import java.io.IOException;
@@ -48,11 +49,8 @@ public final class TraceWriter implements TickObserver {
     private static void appendHeader(Simulation simulation, StringBuilder row) {
         row.append("tick,t,x,y,heading_deg,v,omega,left_v,right_v,state,collided");
         for (SensorSpec sensor : simulation.robot().sensors()) {
-            row.append(',')
-                    .append(sensor.id())
-                    .append(".true,")
-                    .append(sensor.id())
-                    .append(".reading");
+            String name = MessageText.cell(sensor.id());
+            row.append(',').append(name).append(".true,").append(name).append(".reading");
         }
         row.append('\n');
     }

@@ -20,6 +20,12 @@ final class WallFollowingMetrics implements TickObserver {
     /** The distance from the ends of a wall beyond which it counts as straight, metres. */
     static final double STRAIGHT_MARGIN = 0.5;
 
+    /** The circuit of a world with at most so many walls is found as a whole, and shared with other runs. */
+    private static final int MAX_SHARED_WALLS = 1000;
+
+    /** The greatest length of all walls of such a world, metres. */
+    private static final double MAX_SHARED_LENGTH = 1000;
+
     /** With more walls than this, finding the places to pass would hold up a run that is watched. */
     private static final int MAX_LIVE_WALLS = 5000;
 
@@ -32,7 +38,7 @@ final class WallFollowingMetrics implements TickObserver {
 
     private final double distance;
     private final WallReference walls;
-    private final Coverage coverage;
+    private final CoverageMeter coverage;
     private final MeanSquare straightError = new MeanSquare();
     private final MeanSquare followError = new MeanSquare();
 
@@ -48,7 +54,9 @@ final class WallFollowingMetrics implements TickObserver {
         hasOwnStates = !(setup.controller() instanceof ControllerSpec.WallFollowing);
         walls = new WallReference(setup.world());
         distance = wanted.orElse(0);
-        coverage = new Coverage(() -> circuits.forCoverage(setup, walls, distance));
+        coverage = walls.size() > MAX_SHARED_WALLS || walls.length() > MAX_SHARED_LENGTH
+                ? new CoverageOnDemand(walls, distance)
+                : new Coverage(() -> circuits.forCoverage(setup, walls, distance));
     }
 
     @Override

@@ -1,8 +1,6 @@
 package faultline.engine.metrics;
 
 import faultline.geometry.ConvexShape;
-import faultline.geometry.Disc;
-import faultline.geometry.Ellipse;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import faultline.world.CandidateBuffer;
@@ -52,8 +50,7 @@ public final class WallReference {
 
     /** Returns how much farther than wanted the nearest wall is; parameters as {@link #straightWallError}. */
     WallError wallError(Vector2 centre, double wanted, double margin) {
-        candidates.clear();
-        index.findNear(centre.x(), centre.y(), 2 * wanted, candidates);
+        findNear(centre, 2 * wanted);
         double least = NONE;
         boolean straight = false;
         for (int i = 0; i < candidates.size(); i++) {
@@ -100,16 +97,62 @@ public final class WallReference {
     private List<Sample> samples(double distance, double spacing, double reach) {
         List<Sample> places = new ArrayList<>();
         for (int i = 0; i < shapes.size(); i++) {
-            ConvexShape figure = shapes.shape(i);
-            if (figure instanceof Segment segment) {
-                sampleAlongSegment(segment, distance, spacing, places);
-            } else if (figure instanceof Disc disc) {
-                sampleAroundEllipse(disc.toEllipse(), distance, spacing, reach, places);
-            } else {
-                sampleAroundEllipse((Ellipse) figure, distance, spacing, reach, places);
+            List<PlaceRow> rows = PlaceRow.of(shapes.shape(i), distance, spacing, reach);
+            boolean bothSides = rows.get(0) instanceof PlaceRow.Side;
+            if (bothSides) {
+                addInTurn(rows.get(0), rows.get(1), distance, places);
+            }
+            for (PlaceRow row : rows.subList(bothSides ? 2 : 0, rows.size())) {
+                for (int place = 0; place < row.size(); place++) {
+                    addIfFree(row, place, distance, places);
+                }
             }
         }
         return places;
+    }
+
+    private void addInTurn(PlaceRow left, PlaceRow right, double distance, List<Sample> places) {
+        for (int place = 0; place < left.size(); place++) {
+            addIfFree(left, place, distance, places);
+            addIfFree(right, place, distance, places);
+        }
+    }
+
+    private void addIfFree(PlaceRow row, int index, double distance, List<Sample> places) {
+        Vector2 place = row.place(index);
+        CandidateBuffer near = findNear(place, distance);
+        for (int i = 0; i < near.size(); i++) {
+            if (isTooNear(near.shape(i), place, distance)) {
+                return;
+            }
+        }
+        places.add(new Sample(place, row.wallLength(index)));
+    }
+
+    /** Returns whether a wall is nearer to a place than the places of the walls are. */
+    static boolean isTooNear(ConvexShape wall, Vector2 place, double distance) {
+        return wall.nearestTo(place).distanceTo(place) < distance * (1 - 1e-6);
+    }
+
+    /** Returns the walls near a point, and perhaps others, until the next call. */
+    CandidateBuffer findNear(Vector2 point, double radius) {
+        candidates.clear();
+        index.findNear(point.x(), point.y(), radius, candidates);
+        return candidates;
+    }
+
+    /** Returns about how long all walls are, metres. */
+    double length() {
+        double length = 0;
+        for (int i = 0; i < shapes.size(); i++) {
+            length += 2 * shapes.shape(i).boundingRadius();
+        }
+        return length;
+    }
+
+    /** Returns all walls. */
+    CandidateBuffer walls() {
+        return shapes;
     }
 
     /**
@@ -119,54 +162,4 @@ public final class WallReference {
      * @param wallLength the length of the piece of wall, metres; 0 for a corner, which only joins two walls
      */
     public record Sample(Vector2 position, double wallLength) {}
-
-    private void sampleAlongSegment(Segment segment, double distance, double spacing, List<Sample> places) {
-        double length = segment.length();
-        int pieces = Math.max(1, (int) Math.ceil(length / spacing));
-        if (length > 0) {
-            Vector2 normal = segment.b().minus(segment.a()).times(1 / length).perpendicular();
-            for (int i = 0; i < pieces; i++) {
-                Vector2 foot = segment.pointAt((i + 0.5) / pieces);
-                addIfFree(foot, normal, distance, length / pieces, places);
-                addIfFree(foot, normal.times(-1), distance, length / pieces, places);
-            }
-        }
-        sampleAroundPoint(segment.a(), distance, spacing, places);
-        sampleAroundPoint(segment.b(), distance, spacing, places);
-    }
-
-    /** The arc around a corner is free only where the corner is convex. */
-    private void sampleAroundPoint(Vector2 corner, double distance, double spacing, List<Sample> places) {
-        int pieces = (int) Math.ceil(2 * StrictMath.PI * distance / spacing);
-        for (int i = 0; i < pieces; i++) {
-            addIfFree(corner, Vector2.direction(2 * StrictMath.PI * i / pieces), distance, 0, places);
-        }
-    }
-
-    /** Spaces the samples on the curve that is {@code reach} metres outside the ellipse. */
-    private void sampleAroundEllipse(Ellipse oval, double distance, double spacing, double reach, List<Sample> places) {
-        int pieces = Math.max(8, (int) Math.ceil(2 * StrictMath.PI * (oval.boundingRadius() + reach) / spacing));
-        Vector2 before = oval.frame().toParent(new Vector2(oval.rx(), 0));
-        for (int i = 1; i <= pieces; i++) {
-            Vector2 unit = Vector2.direction(2 * StrictMath.PI * i / pieces);
-            Vector2 point = oval.frame().toParent(new Vector2(oval.rx() * unit.x(), oval.ry() * unit.y()));
-            Vector2 across = new Vector2(unit.x() / oval.rx(), unit.y() / oval.ry());
-            Vector2 normal = across.times(1 / across.length())
-                    .rotated(oval.frame().cos(), oval.frame().sin());
-            addIfFree(point, normal, distance, point.distanceTo(before), places);
-            before = point;
-        }
-    }
-
-    private void addIfFree(Vector2 foot, Vector2 normal, double distance, double length, List<Sample> places) {
-        Vector2 place = foot.plus(normal.times(distance));
-        candidates.clear();
-        index.findNear(place.x(), place.y(), distance, candidates);
-        for (int i = 0; i < candidates.size(); i++) {
-            if (candidates.shape(i).nearestTo(place).distanceTo(place) < distance * (1 - 1e-6)) {
-                return;
-            }
-        }
-        places.add(new Sample(place, length));
-    }
 }

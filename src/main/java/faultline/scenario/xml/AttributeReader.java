@@ -5,7 +5,7 @@ import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
 import faultline.io.Message;
 import faultline.io.MessageText;
-import java.math.BigDecimal;
+import faultline.io.XmlText;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -24,6 +24,9 @@ public final class AttributeReader {
     /** Attributes that tell an editor where the schema is; they are ignored. */
     private static final Set<String> SCHEMA_LOCATION_ATTRIBUTES =
             Set.of("xsi:schemaLocation", "xsi:noNamespaceSchemaLocation");
+
+    /** Stands in for an id that could not be read; no file can hold it. */
+    private static final String INVALID_ID = "\0";
 
     /** A valid outline in place of points that could not be read. */
     private static final List<Vector2> PLACEHOLDER_POINTS = List.of(Vector2.ZERO, new Vector2(1, 0), new Vector2(0, 1));
@@ -104,8 +107,10 @@ public final class AttributeReader {
 
     private long integer(String name, String text, long least, long most) {
         try {
-            long value = Long.parseLong(text.strip());
-            if (value >= least && value <= most) {
+            String digits = XmlText.strip(text);
+            long value = Long.parseLong(digits);
+            // The digits of other scripts are numbers to Java, but not to XML.
+            if (value >= least && value <= most && digits.chars().allMatch(c -> c < 128)) {
                 return value;
             }
         } catch (NumberFormatException e) {
@@ -119,7 +124,12 @@ public final class AttributeReader {
     public String id(String name) {
         Optional<String> given = required(name, Allowed.ID::with);
         given.filter(text -> !isValidId(text)).ifPresent(text -> report(name, text, Allowed.ID.with()));
-        return given.filter(AttributeReader::isValidId).orElse("?");
+        return given.filter(AttributeReader::isValidId).orElse(INVALID_ID);
+    }
+
+    /** Returns whether {@link #id} has returned what the file has, and not a stand-in. */
+    public boolean isValid(String name, String id) {
+        return id.equals(node.attributes().get(name));
     }
 
     private static boolean isValidId(String text) {
@@ -140,9 +150,9 @@ public final class AttributeReader {
     }
 
     private <T> Optional<T> choice(String name, String text, Map<String, T> options, List<String> words) {
-        Optional<T> chosen = Optional.ofNullable(options.get(text.strip()));
+        Optional<T> chosen = Optional.ofNullable(options.get(XmlText.strip(text)));
         if (chosen.isEmpty()) {
-            report(name, text, Allowed.names(words, text.strip()));
+            reportValue(name, text, () -> Allowed.names(words, XmlText.strip(text)));
         }
         return chosen;
     }
@@ -192,7 +202,7 @@ public final class AttributeReader {
         for (String text : required(name, () -> allowed).orElse("0,0 1,0 0,1").split("\\|", -1)) {
             List<Vector2> ring = points(name, text, left, allowed);
             if (ring.size() < 3) {
-                report(name, text.strip(), allowed);
+                report(name, XmlText.strip(text), allowed);
                 return List.of(PLACEHOLDER_POINTS);
             }
             rings.add(ring);
@@ -203,7 +213,12 @@ public final class AttributeReader {
 
     /** Reports an invalid value. */
     public void report(String name, String given, Object allowed) {
-        problems.add(node, ProblemKind.VALUE.with(name, node.name(), MessageText.excerpt(given), allowed));
+        reportValue(name, given, () -> allowed);
+    }
+
+    /** Reports a value, with a rule that is made only if the problem is listed. */
+    void reportValue(String name, String given, Supplier<Object> allowed) {
+        problems.add(node, () -> ProblemKind.VALUE.with(name, node.name(), MessageText.excerpt(given), allowed.get()));
     }
 
     /**
@@ -215,7 +230,7 @@ public final class AttributeReader {
             if (!requested.contains(name) && !SCHEMA_LOCATION_ATTRIBUTES.contains(name)) {
                 problems.add(
                         node,
-                        ProblemKind.UNKNOWN_ATTRIBUTE.with(
+                        () -> ProblemKind.UNKNOWN_ATTRIBUTE.with(
                                 node.name(),
                                 MessageText.excerpt(name),
                                 requested.isEmpty() ? Allowed.NONE.with() : Allowed.names(requested, name)));
@@ -223,7 +238,7 @@ public final class AttributeReader {
             }
         }
         missing.forEach((name, allowed) ->
-                problems.add(node, ProblemKind.MISSING_ATTRIBUTE.with(node.name(), name, allowed.get())));
+                problems.add(node, () -> ProblemKind.MISSING_ATTRIBUTE.with(node.name(), name, allowed.get())));
     }
 
     private Optional<String> required(String name, Supplier<Object> allowed) {
@@ -240,19 +255,21 @@ public final class AttributeReader {
                 .map(exact -> DecimalText.toDouble(exact, text))
                 .filter(nearest -> nearest != 0 || range.minInclusive());
         if (value.isEmpty()) {
-            report(name, text, numberRule(range));
+            reportValue(name, text, () -> numberRule(range));
         }
         return value.orElse(placeholder(range));
     }
 
     private double parseAngle(String name, String text, NumberRange range) {
-        Optional<BigDecimal> exact = DecimalText.parse(text)
+        Optional<Double> radians = DecimalText.parse(text)
                 .filter(number -> text.indexOf('e') < 0 && text.indexOf('E') < 0)
-                .filter(range::contains);
-        if (exact.isEmpty()) {
-            report(name, text, plainNumberRule(range));
+                .filter(range::contains)
+                .map(number -> DecimalText.toRadians(number, text))
+                .filter(nearest -> nearest != 0 || range.minInclusive());
+        if (radians.isEmpty()) {
+            reportValue(name, text, () -> plainNumberRule(range));
         }
-        return exact.map(number -> DecimalText.toRadians(number, text)).orElse(1.0);
+        return radians.orElse(1.0);
     }
 
     private static Message numberRule(NumberRange range) {

@@ -1,11 +1,13 @@
 package faultline.scenario.xml;
 
 import faultline.io.MessageText;
+import faultline.io.XmlText;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 
 /** Checks the content of elements. */
 public final class ElementRules {
@@ -14,12 +16,13 @@ public final class ElementRules {
 
     /** Reports text, and every child that is not among the allowed ones. */
     public static void checkChildren(XmlElement node, Collection<String> allowed, Problems problems) {
-        if (!node.text().isBlank()) {
+        String text = XmlText.strip(node.text());
+        if (!text.isEmpty()) {
             problems.add(
                     node,
                     ProblemKind.TEXT.with(
                             node.name(),
-                            MessageText.excerpt(node.text().strip()),
+                            MessageText.excerpt(text),
                             allowed.isEmpty()
                                     ? Allowed.NOTHING.with()
                                     : Allowed.ELEMENTS.with(Allowed.names(allowed))));
@@ -29,21 +32,23 @@ public final class ElementRules {
                 reportUnknown(
                         node,
                         child,
-                        allowed.isEmpty() ? Allowed.NOTHING.with() : Allowed.names(allowed, child.name()),
+                        () -> allowed.isEmpty() ? Allowed.NOTHING.with() : Allowed.names(allowed, child.name()),
                         problems);
             }
         }
     }
 
-    private static void reportUnknown(XmlElement node, XmlElement child, Object allowed, Problems problems) {
-        problems.add(child, ProblemKind.UNKNOWN_ELEMENT.with(node.name(), MessageText.oneLine(child.name()), allowed));
+    private static void reportUnknown(XmlElement node, XmlElement child, Supplier<Object> allowed, Problems problems) {
+        problems.add(
+                child,
+                () -> ProblemKind.UNKNOWN_ELEMENT.with(node.name(), MessageText.excerpt(child.name()), allowed.get()));
     }
 
     /** Returns the text of an element that must not contain anything else. */
     public static String readText(XmlElement node, Problems problems) {
         new AttributeReader(node, problems).reportUnknownAndMissing();
         for (XmlElement child : node.children()) {
-            reportUnknown(node, child, Allowed.TEXT.with(), problems);
+            reportUnknown(node, child, Allowed.TEXT::with, problems);
         }
         return node.text();
     }

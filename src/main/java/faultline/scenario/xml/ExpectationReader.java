@@ -4,6 +4,7 @@ import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.engine.ControllerFactory;
 import faultline.engine.metrics.Expectation;
+import faultline.io.XmlText;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -41,14 +42,14 @@ final class ExpectationReader {
         fields.text("states").ifPresent(text -> readStates(fields, text)
                 .forEach(state -> conditions.add(new Expectation.VisitedState(state))));
         fields.text("finalState")
-                .ifPresent(name ->
-                        conditions.add(new Expectation.FinalState(readState(fields, "finalState", name.strip()))));
+                .ifPresent(name -> conditions.add(
+                        new Expectation.FinalState(readState(fields, "finalState", XmlText.strip(name)))));
         fields.reportUnknownAndMissing();
         return new Expectation(conditions);
     }
 
     private List<ControllerState> readStates(AttributeReader fields, String text) {
-        return Arrays.stream(text.strip().split("\\s+", MAX_STATES))
+        return Arrays.stream(XmlText.strip(text).split("[ \\t\\n\\r]+", MAX_STATES))
                 .map(state -> readState(fields, "states", state))
                 .toList();
     }

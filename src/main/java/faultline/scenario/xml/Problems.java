@@ -4,6 +4,7 @@ import faultline.io.Message;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Supplier;
 
 /** Collects the problems of one file, so that they are reported together. */
 public final class Problems {
@@ -34,10 +35,21 @@ public final class Problems {
     }
 
     void add(SourceLocation place, Message message) {
-        Problem problem = new Problem(file, place, message);
+        add(place, () -> message);
+    }
+
+    /** Adds a problem whose message takes time to make, as one with a suggestion does: only if it is listed. */
+    void add(XmlElement node, Supplier<Message> message) {
+        add(node.location(), message);
+    }
+
+    private void add(SourceLocation place, Supplier<Message> message) {
         if (problems.size() == MAX_LISTED) {
             omitted++;
-        } else if (!problems.contains(problem)) {
+            return;
+        }
+        Problem problem = new Problem(file, place, message.get());
+        if (!problems.contains(problem)) {
             problems.add(problem);
         }
     }

@@ -7,12 +7,11 @@ import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
-import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.IntStream;
 
 /** Reads the robot and its initial pose. */
 final class RobotReader {
@@ -98,21 +97,19 @@ final class RobotReader {
 
     /** Returns the standard sensors with the settings of the file, followed by the file's other sensors. */
     private List<SensorSpec> readSensors(XmlElement robot, List<SensorSpec> standard) {
-        List<SensorSpec> sensors = new ArrayList<>(standard);
+        Map<String, SensorSpec> sensors = new LinkedHashMap<>();
+        standard.forEach(sensor -> sensors.put(sensor.id(), sensor));
         Map<String, SourceLocation> ids = new HashMap<>();
-        robot.childrenNamed("sensor").forEach(node -> {
+        List<XmlElement> elements = robot.childrenNamed("sensor").toList();
+        if (elements.size() > ScenarioLimits.MAX_SENSORS) {
+            problems.add(robot, ProblemKind.TOO_MANY_SENSORS.with(ScenarioLimits.MAX_SENSORS));
+        }
+        elements.stream().limit(ScenarioLimits.MAX_SENSORS).forEach(node -> {
             SensorSpec sensor = readSensor(node, standard);
             ElementRules.checkUniqueId(node, sensor.id(), ids, problems);
-            addOrReplace(sensor, sensors);
+            sensors.put(sensor.id(), sensor);
         });
-        return sensors;
-    }
-
-    private static void addOrReplace(SensorSpec sensor, List<SensorSpec> sensors) {
-        IntStream.range(0, sensors.size())
-                .filter(i -> sensors.get(i).id().equals(sensor.id()))
-                .findFirst()
-                .ifPresentOrElse(i -> sensors.set(i, sensor), () -> sensors.add(sensor));
+        return List.copyOf(sensors.values());
     }
 
     private SensorSpec readSensor(XmlElement node, List<SensorSpec> standard) {

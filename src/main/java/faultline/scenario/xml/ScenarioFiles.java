@@ -84,7 +84,8 @@ public final class ScenarioFiles {
      */
     public static ScenarioContent parse(String name, byte[] bytes) throws ScenarioException {
         if (bytes.length == 0) {
-            throw problem(name, ProblemKind.EMPTY_FILE.with());
+            throw new ScenarioException(
+                    List.of(new Problem(name, new SourceLocation(1, 1), ProblemKind.EMPTY_FILE.with())));
         }
         return ScenarioReader.read(name, bytes);
     }

@@ -12,6 +12,9 @@ final class ScenarioLimits {
     /** The number of elements of a file. */
     static final int MAX_ELEMENTS = 300_000;
 
+    /** The number of sensors of a robot. */
+    static final int MAX_SENSORS = 1000;
+
     /** The nesting depth of elements; the format needs five. */
     static final int MAX_DEPTH = 20;
 

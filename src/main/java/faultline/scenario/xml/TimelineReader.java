@@ -225,11 +225,13 @@ final class TimelineReader {
 
     private static String readKnownId(AttributeReader fields, String attribute, Set<String> ids, Allowed rule) {
         String id = fields.id(attribute);
-        if (fields.isPresent(attribute) && !ids.contains(id) && !id.equals("?")) {
-            fields.report(
+        if (fields.isValid(attribute, id) && !ids.contains(id)) {
+            fields.reportValue(
                     attribute,
                     id,
-                    ids.isEmpty() ? Allowed.NO_IDS.with() : Allowed.withHint(rule.with(Allowed.names(ids)), id, ids));
+                    () -> ids.isEmpty()
+                            ? Allowed.NO_IDS.with()
+                            : Allowed.withHint(rule.with(Allowed.names(ids)), id, ids));
         }
         return id;
     }

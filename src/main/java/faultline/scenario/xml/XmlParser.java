@@ -16,6 +16,7 @@ import javax.xml.parsers.SAXParserFactory;
 import javax.xml.validation.Schema;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
+import org.xml.sax.helpers.DefaultHandler;
 
 /**
  * Parses a file to a tree of elements, without document types, external resources and entity expansion. The parser's
@@ -41,7 +42,7 @@ public final class XmlParser {
     /** Returns the root element; empty, with a problem, if the file is not well-formed or has another root. */
     public Optional<XmlElement> parse() {
         try {
-            newParser(format.schema()).parse(new ByteArrayInputStream(bytes), tree);
+            newNonValidatingParser().parse(new ByteArrayInputStream(bytes), tree);
             return tree.root();
         } catch (XmlTreeBuilder.LimitExceededException e) {
             problems.add(
@@ -59,19 +60,29 @@ public final class XmlParser {
         return Optional.empty();
     }
 
-    /** Reports a violation of the schema that no reader has found; called if there are no other problems. */
+    /**
+     * Reports the first thing that the schema does not allow. Only for files without other problems, because the
+     * validator is slow to report many.
+     */
     public void reportSchemaError() {
-        tree.schemaError()
-                .ifPresent(offence -> problems.add(
-                        new SourceLocation(offence.getLineNumber(), offence.getColumnNumber()),
-                        ProblemKind.SCHEMA.with(format.schemaFile(), schemaRule(offence))));
+        try {
+            newParser(format.schema()).parse(new ByteArrayInputStream(bytes), new FirstError());
+        } catch (SAXParseException e) {
+            problems.add(
+                    new SourceLocation(e.getLineNumber(), e.getColumnNumber()),
+                    ProblemKind.SCHEMA.with(format.schemaFile()));
+        } catch (SAXException | IOException e) {
+            problems.add(SourceLocation.NONE, ProblemKind.UNREADABLE_XML.with());
+        }
     }
 
-    /**
-     * Returns the name of the violated rule of XML Schema, with which the parser's message begins in every language.
-     */
-    private static String schemaRule(SAXParseException offence) {
-        return offence.getMessage().split(":", 2)[0];
+    /** Ends the pass at the first error. */
+    private static final class FirstError extends DefaultHandler {
+
+        @Override
+        public void error(SAXParseException exception) throws SAXException {
+            throw exception;
+        }
     }
 
     /** Returns a parser that accepts the same documents without validating them. */
@@ -106,6 +117,9 @@ public final class XmlParser {
         if (message.startsWith("JAXP")) {
             return ProblemKind.PARSER_LIMIT.with();
         }
+        if (tree.isEmpty() && looksLikeUtf16()) {
+            return ProblemKind.ENCODING.with();
+        }
         String before = excerpt(e);
         List<XmlElement> open = tree.openElements();
         if (open.isEmpty()) {
@@ -116,6 +130,15 @@ public final class XmlParser {
         return before.isEmpty()
                 ? ProblemKind.MALFORMED_INSIDE.with(element, line)
                 : ProblemKind.MALFORMED_AFTER_INSIDE.with(before, element, line);
+    }
+
+    /** Every second byte of the beginning is zero, or there is the mark of UTF-16. */
+    private boolean looksLikeUtf16() {
+        if (bytes.length < 4) {
+            return false;
+        }
+        int mark = (bytes[0] & 0xff) << 8 | bytes[1] & 0xff;
+        return mark == 0xfeff || mark == 0xfffe || mark == '<' || mark == '<' << 8;
     }
 
     private Message describeNoXml(String before) {

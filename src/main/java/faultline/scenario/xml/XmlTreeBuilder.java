@@ -15,7 +15,7 @@ import org.xml.sax.SAXParseException;
 import org.xml.sax.ext.Attributes2;
 import org.xml.sax.helpers.DefaultHandler;
 
-/** Builds the tree of elements in one pass of the parser, and keeps the first violation of the schema. */
+/** Builds the tree of elements from one pass of the parser. */
 final class XmlTreeBuilder extends DefaultHandler {
 
     /** Ends the pass because the file exceeds a limit. */
@@ -45,7 +45,6 @@ final class XmlTreeBuilder extends DefaultHandler {
     private Locator locator;
     private int elementCount;
     private XmlElement root;
-    private SAXParseException schemaError;
 
     /** Creates a builder for documents whose elements are in a namespace. */
     XmlTreeBuilder(String namespace) {
@@ -101,12 +100,6 @@ final class XmlTreeBuilder extends DefaultHandler {
         pendingElements.peek().text.append(buffer, start, length);
     }
 
-    /** A validating parser reports some text that is not white space here. */
-    @Override
-    public void ignorableWhitespace(char[] buffer, int start, int length) {
-        characters(buffer, start, length);
-    }
-
     @Override
     public void endElement(String uri, String localName, String qName) {
         PendingElement done = pendingElements.pop();
@@ -120,24 +113,18 @@ final class XmlTreeBuilder extends DefaultHandler {
         }
     }
 
-    /** Called for violations of the schema; errors of XML itself are fatal. */
-    @Override
-    public void error(SAXParseException exception) {
-        schemaError = schemaError == null ? exception : schemaError;
-    }
-
     @Override
     public void fatalError(SAXParseException exception) throws SAXException {
         throw exception;
     }
 
-    Optional<XmlElement> root() {
-        return Optional.ofNullable(root);
+    /** Returns whether no element has begun. */
+    boolean isEmpty() {
+        return elementCount == 0;
     }
 
-    /** Returns the first violation of the schema. */
-    Optional<SAXParseException> schemaError() {
-        return Optional.ofNullable(schemaError);
+    Optional<XmlElement> root() {
+        return Optional.ofNullable(root);
     }
 
     /** Returns the elements that are still open, the innermost first. */

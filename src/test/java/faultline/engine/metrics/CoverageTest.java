@@ -8,7 +8,9 @@ import faultline.geometry.Vector2;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -44,7 +46,7 @@ class CoverageTest {
         visit(coverage, way);
     }
 
-    private static void visit(Coverage coverage, List<Vector2> way) {
+    private static void visit(CoverageMeter coverage, List<Vector2> way) {
         for (int i = 1; i < way.size(); i++) {
             Vector2 from = way.get(i - 1);
             Vector2 all = way.get(i).minus(from);
@@ -125,5 +127,68 @@ class CoverageTest {
                 new Vector2(0.35, 0.35));
         visit(cramped, belowTheSlot);
         assertEquals(1, cramped.share().orElse(-1), "though 3 m of wall lie behind the slot, 0.4 m wide");
+    }
+
+    /** Shapes that touch, overlap, leave gaps about as wide as the robot's way, and repeat each other. */
+    private static WorldSpec clutter(Random random) {
+        List<Obstacle> obstacles = new ArrayList<>();
+        for (int i = 0; i < 3 + random.nextInt(12); i++) {
+            Pose pose = new Pose(8 * random.nextDouble(), 6 * random.nextDouble(), random.nextInt(8) * Math.PI / 4);
+            ObstacleShape shape =
+                    switch (random.nextInt(5)) {
+                        case 0 -> new ObstacleShape.Circle(0.02 + random.nextDouble());
+                        case 1 -> new ObstacleShape.Ellipse(0.05 + random.nextDouble(), 0.01 + random.nextDouble());
+                        case 2 ->
+                            new ObstacleShape.Wall(List.of(
+                                    Vector2.ZERO,
+                                    new Vector2(3 * random.nextDouble(), 0),
+                                    new Vector2(3 * random.nextDouble(), 2)));
+                        default ->
+                            new ObstacleShape.Rectangle(0.01 + 2 * random.nextDouble(), 0.01 + random.nextDouble());
+                    };
+            obstacles.add(new Obstacle("o" + i, shape, pose));
+            if (random.nextInt(4) == 0) {
+                obstacles.add(new Obstacle("twin" + i, shape, pose));
+            }
+        }
+        return new WorldSpec(8, 6, random.nextBoolean(), 3, obstacles);
+    }
+
+    @Test
+    void whatIsSampledOnDemandGivesTheSameBitsAsSamplingAllWalls() {
+        Random random = new Random(813);
+        int present = 0;
+        for (int i = 0; i < 60; i++) {
+            WorldSpec world = clutter(random);
+            double wanted = List.of(0.012, 0.2, 0.35, 0.7, 1.5).get(random.nextInt(5));
+            WallReference walls = new WallReference(world);
+            CoverageOnDemand lazy = new CoverageOnDemand(walls, wanted);
+            Coverage eager = new Coverage(() -> WallCircuit.forCoverage(walls, wanted));
+            List<WallReference.Sample> places = walls.samples(wanted, 0.01);
+            for (int stretch = 0; stretch < 3 && !places.isEmpty(); stretch++) {
+                int from = random.nextInt(places.size());
+                for (int k = from; k < Math.min(places.size(), from + 400); k++) {
+                    Vector2 point = places.get(k)
+                            .position()
+                            .plus(new Vector2(0.06 * random.nextDouble(), 0.06 * random.nextDouble()));
+                    lazy.visit(point);
+                    eager.visit(point);
+                }
+                if (random.nextBoolean()) {
+                    assertEquals(eager.share(), lazy.share(), "world " + i + " in the middle of a run");
+                }
+            }
+            assertEquals(eager.share(), lazy.share(), "world " + i);
+            present += lazy.share().isPresent() ? 1 : 0;
+        }
+        assertTrue(present > 40, present + " worlds had a way");
+    }
+
+    @Test
+    void aWorldOfManyKilometresTakesLittleTimeAndMemory() {
+        CoverageOnDemand huge =
+                new CoverageOnDemand(new WallReference(new WorldSpec(10_000, 10_000, true, 3, List.of())), WANTED);
+        visit(huge, List.of(new Vector2(WANTED, WANTED), new Vector2(WANTED + 100, WANTED)));
+        assertEquals(100.05 / (4 * (10_000 - 2 * WANTED)), huge.share().orElseThrow(), 1e-5);
     }
 }

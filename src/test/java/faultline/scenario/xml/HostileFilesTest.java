@@ -2,15 +2,20 @@ package faultline.scenario.xml;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.text.Translations;
 import faultline.scenario.Scenario;
 import java.io.IOException;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Files that are no scenario at all, or that mean harm: one line each. */
 class HostileFilesTest {
@@ -39,7 +44,7 @@ class HostileFilesTest {
     void anUnreadableFileIsReportedWithoutALocation() throws IOException {
         assertEquals("none.xml: there is no such file", problemIn(folder.resolve("none.xml")));
         assertEquals(folder + ": this is a folder, allowed is a scenario file", problemIn(folder));
-        assertEquals("file.xml: the file is empty, allowed is a scenario", problemIn(""));
+        assertEquals("file.xml:1:1: the file is empty, allowed is a scenario", problemIn(""));
     }
 
     @Test
@@ -62,6 +67,34 @@ class HostileFilesTest {
         assertEquals(
                 "file.xml:1:17: the bytes are not text in the encoding that the file names, allowed is UTF-8",
                 problemIn("<scenario name=\"\u00ff\"/>".getBytes(StandardCharsets.ISO_8859_1)));
+    }
+
+    @Test
+    void aFileInUtf16ThatSaysUtf8IsReportedAsSuch() throws IOException {
+        for (Charset charset : List.of(StandardCharsets.UTF_16BE, StandardCharsets.UTF_16LE, StandardCharsets.UTF_16)) {
+            assertEquals(
+                    "the bytes are not text in the encoding that the file names, allowed is UTF-8",
+                    problemIn("<?xml version=\"1.0\" encoding=\"UTF-8\"?><scenario/>".getBytes(charset))
+                            .split(": ", 2)[1]);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"seed=\"\u0661\"", "duration=\"\u20035\"", "recorded=\"\u2003true\"", "seed=\"\u20031\""})
+    void oddDigitsAndBlanksAreReportedByTheirValue(String attribute) throws IOException {
+        String text = OPEN.replace(">", " " + attribute + "><world width=\"6\" height=\"4\"/><robot x=\"1\" y=\"1\"/>")
+                + "</scenario>";
+        String problem = problemIn(text);
+        assertTrue(problem.contains(attribute.split("=")[0] + " of <scenario> is \""), problem);
+    }
+
+    @Test
+    void anObstacleMayHaveAQuestionMarkForItsId() throws Exception {
+        String text = OPEN + "<world width=\"6\" height=\"4\"><circle id=\"?\" x=\"3\" y=\"3\" radius=\"0.1\"/></world>"
+                + "<robot x=\"1\" y=\"1\"/><timeline><remove at=\"1\" obstacle=\"?\"/></timeline></scenario>";
+        Scenario.load(Files.writeString(folder.resolve("good.xml"), text));
+        String wrong = text.replace("id=\"?\"", "id=\"x\"");
+        assertTrue(problemIn(wrong).contains("obstacle of <remove> is \"?\", allowed is one of the obstacles: x"));
     }
 
     @Test

@@ -1,0 +1,143 @@
+package faultline.engine.metrics;
+
+import faultline.geometry.Vector2;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+
+/**
+ * Measures the coverage of one run in a large world: as {@link Coverage}, to the bit, but walls are sampled only where
+ * the robot was, and where they are connected to those.
+ */
+final class CoverageOnDemand implements CoverageMeter {
+
+    /** How far from the wanted place the robot may pass, metres. */
+    private static final double TOLERANCE = Coverage.TOLERANCE;
+
+    /** Samples along the walls are this far apart, metres. */
+    private static final double SPACING = 0.01;
+
+    /** Places nearer to each other than this are joined, metres. */
+    private static final double JOIN_DISTANCE = 0.025;
+
+    /** Points of the way nearer to the last one than this are not looked at, metres. */
+    private static final double MIN_STEP = 0.002;
+
+    /** Walls are compared with the way by squares of this side first, metres. */
+    private static final double AREA_SIZE = 1;
+
+    private final WallReference walls;
+    private final double distance;
+    private final Set<Long> visited = new HashSet<>();
+    /** The points visited since the share was last computed, and the squares that they lie in. */
+    private final Map<Long, Vector2> pending = new HashMap<>();
+
+    private final Set<Long> pendingAreas = new HashSet<>();
+    private Vector2 last = new Vector2(Double.POSITIVE_INFINITY, 0);
+    /** Made when it is first needed. */
+    private PlaceMap places;
+
+    private int pieces;
+    private double share = Double.NaN;
+
+    /** A record of passing walls at a distance from the robot's centre, metres. */
+    CoverageOnDemand(WallReference walls, double distance) {
+        this.walls = walls;
+        this.distance = distance;
+    }
+
+    @Override
+    public void visit(Vector2 centre) {
+        if (centre.distanceTo(last) >= MIN_STEP) {
+            long cell = CellKey.of(centre, SPACING, 0, 0);
+            if (visited.add(cell)) {
+                pending.put(cell, centre);
+                pendingAreas.add(CellKey.of(centre, AREA_SIZE, 0, 0));
+            }
+            last = centre;
+        }
+    }
+
+    @Override
+    public OptionalDouble share() {
+        if (!pending.isEmpty()) {
+            places = places == null ? new PlaceMap(walls, distance, SPACING, JOIN_DISTANCE) : places;
+            pending.values().forEach(point -> places.sampleNear(point, TOLERANCE));
+            places.runs().forEach(runs -> runs.forEach(this::markPassed));
+            pending.clear();
+            pendingAreas.clear();
+            share = greatestShare();
+        }
+        return Double.isNaN(share) ? OptionalDouble.empty() : OptionalDouble.of(share);
+    }
+
+    private void markPassed(PlaceRun run) {
+        for (int i = nextNearWay(run, 0); i < run.size(); i = nextNearWay(run, i + 1)) {
+            if (run.isFree(i) && !run.isPassed(i) && isPassed(run.place(i))) {
+                run.setPassed(i);
+                if (run.piece(i) == PlaceRun.NO_PIECE) {
+                    places.fill(run, i, pieces++);
+                }
+            }
+        }
+    }
+
+    /** Returns the share of the piece of which most was passed; of equals the one that begins first. */
+    private double greatestShare() {
+        PieceLengths lengths = new PieceLengths(pieces);
+        int wall = 0;
+        for (List<PlaceRun> runs : places.runs()) {
+            for (PlaceRun run : runs) {
+                for (int i = 0; i < run.size(); i++) {
+                    if (run.piece(i) >= 0) {
+                        lengths.add(run.piece(i), run.wallLength(i), run.isPassed(i), wall, run.rank(i));
+                    }
+                }
+            }
+            wall++;
+        }
+        return lengths.greatestShare();
+    }
+
+    /** Returns the first place of a run, from an index on, that may have been passed; if there is none, the size. */
+    private int nextNearWay(PlaceRun run, int from) {
+        int i = from;
+        while (i < run.size() && i % PlaceRun.SHORT == 0 && !isNearWay(run, i)) {
+            i += PlaceRun.SHORT;
+        }
+        return Math.min(i, run.size());
+    }
+
+    /** Returns whether the robot has been near one of some places, the first of which is given, since the last call. */
+    private boolean isNearWay(PlaceRun run, int first) {
+        Vector2 middle = run.place(Math.min(first + PlaceRun.SHORT / 2, run.size() - 1));
+        double radius = run.isAlone() ? PlaceRun.SHORT * JOIN_DISTANCE / 2 : 2 * run.radius();
+        if (radius + TOLERANCE > AREA_SIZE) {
+            return true;
+        }
+        for (int dx = -1; dx <= 1; dx++) {
+            for (int dy = -1; dy <= 1; dy++) {
+                if (pendingAreas.contains(CellKey.of(middle, AREA_SIZE, dx, dy))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean isPassed(Vector2 place) {
+        int reach = (int) Math.ceil(TOLERANCE / SPACING);
+        for (int dx = -reach; dx <= reach; dx++) {
+            for (int dy = -reach; dy <= reach; dy++) {
+                Vector2 point = pending.get(CellKey.of(place, SPACING, dx, dy));
+                if (point != null && point.distanceTo(place) <= TOLERANCE) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,147 @@
+package faultline.engine.metrics;
+
+import faultline.geometry.ConvexShape;
+import faultline.geometry.Disc;
+import faultline.geometry.Ellipse;
+import faultline.geometry.Segment;
+import faultline.geometry.Vector2;
+import java.util.List;
+
+/**
+ * Places at a distance from one wall, in a row along it. Whether they are nearer to another wall is not considered.
+ * Places are computed when they are asked for, because a wall may be very long.
+ */
+sealed interface PlaceRow {
+
+    /** Returns the number of places. */
+    int size();
+
+    /** Returns a place. */
+    Vector2 place(int index);
+
+    /** Returns the length of the piece of wall that belongs to a place, metres; 0 at a corner, which only joins two. */
+    double wallLength(int index);
+
+    /**
+     * Returns the position of a place in the order of all places of the wall, in which those of two sides alternate.
+     */
+    long rank(int index);
+
+    /** Returns how many places at either end may be near to those of another row of the same wall. */
+    int shared(double joinDistance);
+
+    /**
+     * Returns the rows of a wall: both sides of a segment and the arcs around its ends, or the way around an ellipse.
+     *
+     * @param wall the wall
+     * @param distance of the places, metres
+     * @param spacing of the places, metres
+     * @param reach how far outside of an ellipse the places have that spacing, metres
+     */
+    static List<PlaceRow> of(ConvexShape wall, double distance, double spacing, double reach) {
+        if (wall instanceof Segment segment) {
+            int around = (int) Math.ceil(2 * StrictMath.PI * distance / spacing);
+            int along = Math.max(1, (int) Math.ceil(segment.length() / spacing));
+            PlaceRow start = new Arc(segment.a(), distance, around, 2L * along);
+            PlaceRow end = new Arc(segment.b(), distance, around, 2L * along + around);
+            return segment.length() > 0
+                    ? List.of(Side.of(segment, 1, distance, along), Side.of(segment, -1, distance, along), start, end)
+                    : List.of(start, end);
+        }
+        Ellipse oval = wall instanceof Disc disc ? disc.toEllipse() : (Ellipse) wall;
+        double around = 2 * StrictMath.PI * (oval.boundingRadius() + reach);
+        return List.of(new Ring(oval, distance, Math.max(8, (int) Math.ceil(around / spacing))));
+    }
+
+    /** The places on one side of a segment. */
+    record Side(Segment segment, Vector2 offset, int size, boolean left) implements PlaceRow {
+
+        private static Side of(Segment segment, int side, double distance, int size) {
+            Vector2 along = segment.b().minus(segment.a()).times(1 / segment.length());
+            return new Side(segment, along.perpendicular().times(side).times(distance), size, side > 0);
+        }
+
+        @Override
+        public long rank(int index) {
+            return 2L * index + (left ? 0 : 1);
+        }
+
+        @Override
+        public Vector2 place(int index) {
+            return segment.pointAt((index + 0.5) / size).plus(offset);
+        }
+
+        @Override
+        public double wallLength(int index) {
+            return segment.length() / size;
+        }
+
+        /** Places of the arcs count as free up to a little beside their corner. */
+        @Override
+        public int shared(double joinDistance) {
+            return 2 + (int) Math.min(size, (joinDistance + 0.002 * offset.length()) / wallLength(0));
+        }
+    }
+
+    /** The places around an end of a segment, which are free just where a corner juts out. */
+    record Arc(Vector2 corner, double distance, int size, long firstRank) implements PlaceRow {
+
+        @Override
+        public long rank(int index) {
+            return firstRank + index;
+        }
+
+        @Override
+        public Vector2 place(int index) {
+            return corner.plus(
+                    Vector2.direction(2 * StrictMath.PI * index / size).times(distance));
+        }
+
+        @Override
+        public double wallLength(int index) {
+            return 0;
+        }
+
+        @Override
+        public int shared(double joinDistance) {
+            return size;
+        }
+    }
+
+    /** The places around an ellipse. */
+    record Ring(Ellipse oval, double distance, int size) implements PlaceRow {
+
+        @Override
+        public long rank(int index) {
+            return index;
+        }
+
+        @Override
+        public Vector2 place(int index) {
+            Vector2 unit = unit(index + 1);
+            Vector2 across = new Vector2(unit.x() / oval.rx(), unit.y() / oval.ry());
+            Vector2 normal = across.times(1 / across.length())
+                    .rotated(oval.frame().cos(), oval.frame().sin());
+            return foot(unit).plus(normal.times(distance));
+        }
+
+        private Vector2 unit(int index) {
+            return Vector2.direction(2 * StrictMath.PI * index / size);
+        }
+
+        private Vector2 foot(Vector2 unit) {
+            return oval.frame().toParent(new Vector2(oval.rx() * unit.x(), oval.ry() * unit.y()));
+        }
+
+        @Override
+        public double wallLength(int index) {
+            Vector2 before = index == 0 ? oval.frame().toParent(new Vector2(oval.rx(), 0)) : foot(unit(index));
+            return foot(unit(index + 1)).distanceTo(before);
+        }
+
+        @Override
+        public int shared(double joinDistance) {
+            return 0;
+        }
+    }
+}

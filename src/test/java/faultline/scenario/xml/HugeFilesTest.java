@@ -1,0 +1,142 @@
+package faultline.scenario.xml;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.function.IntFunction;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Files of up to 16 MB that are made to be slow: each is judged in 10 seconds of processor time and 512 MB. */
+class HugeFilesTest {
+
+    private static final double MAX_SECONDS = 10;
+    private static final String ROBOT = "<robot x=\"1\" y=\"1\"/>";
+
+    @TempDir
+    private Path folder;
+
+    private static String repeat(int count, IntFunction<String> element) {
+        return IntStream.range(0, count).mapToObj(element).collect(Collectors.joining());
+    }
+
+    private static String scenario(String world, String robot, String timeline) {
+        return "<scenario xmlns=\"urn:faultline:scenario:1\"><world width=\"60\" height=\"40\">" + world + "</world>"
+                + robot + (timeline.isEmpty() ? "" : "<timeline>" + timeline + "</timeline>") + "</scenario>";
+    }
+
+    private static String unknownIds() {
+        String x = "x".repeat(40);
+        return scenario(
+                repeat(70_000, i -> "<circle id=\"" + x + "c" + i + "\" x=\"3\" y=\"3\" radius=\"0.1\"/>"),
+                ROBOT,
+                repeat(70_000, i -> "<remove at=\"1\" obstacle=\"" + x + "d" + i + "\"/>"));
+    }
+
+    private static String wrongAttributes() {
+        return scenario(repeat(290_000, i -> "<circle id=\"c" + i + "\" z=\"" + i + "\"/>"), ROBOT, "");
+    }
+
+    private static String sensors(int count) {
+        return scenario(
+                "",
+                "<robot x=\"1\" y=\"1\">"
+                        + repeat(count, i -> "<sensor id=\"s" + i + "\" x=\"0\" y=\"0\" bearing=\"0\"/>") + "</robot>",
+                "");
+    }
+
+    private static String wrongFaults() {
+        return scenario(
+                "",
+                ROBOT,
+                repeat(190_000, i -> "<fault at=\"" + i + "\" sensor=\"frnt\" kind=\"stuckk\" value=\"x\"/>"));
+    }
+
+    private static String puts() {
+        return scenario(
+                "",
+                ROBOT,
+                repeat(99_000, i -> "<put at=\"1\"><circle id=\"p" + i + "\" x=\"3\" y=\"3\" radius=\"0.1\"/></put>"));
+    }
+
+    /** Returns the problems of a file, of which no more than a hundred are listed. */
+    private static List<Problem> judge(String text) {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        assertTrue(bytes.length <= ScenarioLimits.MAX_BYTES, bytes.length + " bytes");
+        long start = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+        List<Problem> problems = List.of();
+        try {
+            ScenarioFiles.parse("file.xml", bytes);
+        } catch (ScenarioException e) {
+            problems = e.problems();
+        }
+        double seconds = (ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - start) / 1e9;
+        assertTrue(seconds < MAX_SECONDS, seconds + " s");
+        assertTrue(problems.size() <= Problems.MAX_LISTED + 1, problems.size() + " problems");
+        return problems;
+    }
+
+    @Test
+    void wrongElementsAreCountedAndTheFirstHundredListed() {
+        assertEquals(
+                "file.xml: and 69900 more problems",
+                judge(unknownIds()).get(Problems.MAX_LISTED).toString());
+        assertEquals(Problems.MAX_LISTED + 1, judge(wrongAttributes()).size());
+        assertEquals(Problems.MAX_LISTED + 1, judge(wrongFaults()).size());
+    }
+
+    @Test
+    void aRobotHasAThousandSensorsAtMost() {
+        assertEquals(List.of(), judge(sensors(1000)));
+        assertEquals(
+                "<robot> has too many sensors, allowed is 1000",
+                judge(sensors(250_000)).get(0).message().toString());
+    }
+
+    @Test
+    void manyCommandsAreGood() {
+        assertEquals(List.of(), judge(puts()));
+    }
+
+    @Test
+    void aTinyAngleThatRoundsToZeroIsRefused() {
+        String wall = "<wall id=\"w\" x=\"0\" y=\"0\" points=\"2,2 3,3\" specular=\"0." + "0".repeat(330) + "1\"/>";
+        assertTrue(judge(scenario(wall, ROBOT, "")).get(0).toString().contains("specular of <wall> is \"0.000"));
+    }
+
+    @Test
+    void halfAGigabyteIsEnough() throws Exception {
+        Path classes = Path.of(ScenarioFiles.class
+                .getProtectionDomain()
+                .getCodeSource()
+                .getLocation()
+                .toURI());
+        Process check = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-Xmx512m",
+                        "-cp",
+                        classes.toString(),
+                        "faultline.app.Main",
+                        "check",
+                        Files.writeString(folder.resolve("ids.xml"), unknownIds())
+                                .toString(),
+                        Files.writeString(folder.resolve("attributes.xml"), wrongAttributes())
+                                .toString())
+                .redirectErrorStream(true)
+                .redirectOutput(folder.resolve("out.txt").toFile())
+                .start();
+        assertTrue(check.waitFor(120, TimeUnit.SECONDS));
+        assertEquals(2, check.exitValue());
+        assertEquals(
+                2 * (Problems.MAX_LISTED + 1),
+                Files.readAllLines(folder.resolve("out.txt")).size());
+    }
+}
