@@ -11,4 +11,11 @@ public interface Controller {
      * @return the decision, which acts at the next tick
      */
     Decision decide(Observation observation);
+
+    /**
+     * Takes other settings, between two decisions. A controller without settings does nothing.
+     *
+     * @param settings the new settings, of the same kind as those that it was made with
+     */
+    default void configure(ControllerSpec.BuiltIn settings) {}
 }

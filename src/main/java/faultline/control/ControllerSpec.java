@@ -18,8 +18,11 @@ public sealed interface ControllerSpec {
         return 0;
     }
 
+    /** A controller of the program, which can take the place of another one of them during a run. */
+    sealed interface BuiltIn extends ControllerSpec {}
+
     /** The robot stays where it is: file type {@code none}. */
-    record None() implements ControllerSpec {}
+    record None() implements BuiltIn {}
 
     /**
      * Constant voltages: file type {@code drive}.
@@ -27,7 +30,7 @@ public sealed interface ControllerSpec {
      * @param leftVolts on the left motors, finite
      * @param rightVolts on the right motors, finite
      */
-    record Drive(double leftVolts, double rightVolts) implements ControllerSpec {}
+    record Drive(double leftVolts, double rightVolts) implements BuiltIn {}
 
     /**
      * The paper's six-state wall follower: file type {@code wall-follower}.
@@ -37,9 +40,11 @@ public sealed interface ControllerSpec {
      * @param period how often it decides, seconds; 0 for every tick; rounded to whole ticks
      * @param timingRule which moments are F3 and F4
      * @param diagnosis whether it watches its sensors and carries on with those that it trusts
+     * @param gainRule how the gains of its distance controller are chosen
      */
-    record WallFollowing(double distance, WallSide side, double period, TimingRule timingRule, boolean diagnosis)
-            implements ControllerSpec {
+    record WallFollowing(
+            double distance, WallSide side, double period, TimingRule timingRule, boolean diagnosis, GainRule gainRule)
+            implements BuiltIn {
 
         /** The follower that is used where a file gives no values. */
         public static final WallFollowing DEFAULT =
@@ -50,9 +55,39 @@ public sealed interface ControllerSpec {
             this(distance, side, period, timingRule, true);
         }
 
+        /** Settings with automatic gains. */
+        public WallFollowing(double distance, WallSide side, double period, TimingRule timingRule, boolean diagnosis) {
+            this(distance, side, period, timingRule, diagnosis, GainRule.AUTOMATIC);
+        }
+
+        /** Returns the same settings with another distance, metres. */
+        public WallFollowing withDistance(double metres) {
+            return new WallFollowing(metres, side, period, timingRule, diagnosis, gainRule);
+        }
+
+        /** Returns the same settings for a wall on another side. */
+        public WallFollowing withSide(WallSide newSide) {
+            return new WallFollowing(distance, newSide, period, timingRule, diagnosis, gainRule);
+        }
+
+        /** Returns the same settings with another timing rule. */
+        public WallFollowing withTimingRule(TimingRule rule) {
+            return new WallFollowing(distance, side, period, rule, diagnosis, gainRule);
+        }
+
+        /** Returns the same settings with another choice of gains. */
+        public WallFollowing withGainRule(GainRule rule) {
+            return new WallFollowing(distance, side, period, timingRule, diagnosis, rule);
+        }
+
+        /** Returns whether a running follower can take other settings and go on from its state. */
+        public boolean canContinueWith(WallFollowing other) {
+            return side == other.side && period == other.period && diagnosis == other.diagnosis;
+        }
+
         /** Returns the same settings with or without diagnosis. */
         public WallFollowing withDiagnosis(boolean on) {
-            return new WallFollowing(distance, side, period, timingRule, on);
+            return new WallFollowing(distance, side, period, timingRule, on, gainRule);
         }
 
         @Override

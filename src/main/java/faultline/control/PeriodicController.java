@@ -33,6 +33,11 @@ public final class PeriodicController implements Controller, AutoCloseable {
         }
     }
 
+    @Override
+    public void configure(ControllerSpec.BuiltIn settings) {
+        delegate.configure(settings);
+    }
+
     /** Returns a period in whole ticks, at least one. */
     public static long ticksPerPeriod(double period, double dt) {
         return Math.max(1, Math.round(period / dt));

@@ -47,11 +47,10 @@ public final class ControllerFactory {
         return spec instanceof ControllerSpec.Provided ? ControllerMode.OWN_THREAD : preferred;
     }
 
-    /** Returns a new controller in its initial state. */
+    /** Returns a new controller in its initial state; one of the program takes other settings during a run. */
     public static Controller create(ControllerSpec spec) {
-        if (spec instanceof ControllerSpec.WallFollowing wall) {
-            Controller follower = wall.diagnosis() ? new FaultTolerantFollower(wall) : new WallFollower(wall);
-            return new PeriodicController(follower, wall.period());
+        if (spec instanceof ControllerSpec.BuiltIn builtIn) {
+            return new ConfigurableController(builtIn);
         }
         if (spec instanceof ControllerSpec.Provided provided) {
             Controller controller = ControllerProviders.create(provided.name(), provided.settings());
@@ -60,9 +59,14 @@ public final class ControllerFactory {
         if (spec instanceof ControllerSpec.Recorded recorded) {
             return new RecordedController(recorded, FOREIGN_STATE);
         }
-        if (spec instanceof ControllerSpec.Foreign) {
-            throw new RunFailedException(
-                    "the scenario is driven by a controller from outside, and none was chosen", null);
+        throw new RunFailedException("the scenario is driven by a controller from outside, and none was chosen", null);
+    }
+
+    /** Returns a new controller of one kind in its initial state. */
+    static Controller createFixed(ControllerSpec.BuiltIn spec) {
+        if (spec instanceof ControllerSpec.WallFollowing wall) {
+            Controller follower = wall.diagnosis() ? new FaultTolerantFollower(wall) : new WallFollower(wall);
+            return new PeriodicController(follower, wall.period());
         }
         Telemetry telemetry = Telemetry.ofState(initialState(spec));
         Decision constant = spec instanceof ControllerSpec.Drive drive

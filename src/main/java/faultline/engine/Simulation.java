@@ -12,6 +12,7 @@ import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
 import faultline.world.Collision;
 import faultline.world.Command;
+import faultline.world.Refusal;
 import faultline.world.CommandResult;
 import faultline.world.Snapshot;
 import faultline.world.World;
@@ -29,6 +30,7 @@ public final class Simulation implements AutoCloseable {
 
     private final SimulationSetup setup;
     private final World world;
+    private final Controller controller;
     private final ControllerHost controllerHost;
     /** The controller if it was made for this run and is not part of the program, otherwise null. */
     private final Controller foreignController;
@@ -39,6 +41,9 @@ public final class Simulation implements AutoCloseable {
     private final List<Journal.Entry> journal = new ArrayList<>();
     private final TrajectoryRecorder trajectoryRecorder = new TrajectoryRecorder();
     private Decision activeDecision;
+    private ControllerSpec controllerSpec;
+    /** Null if the controller has its current settings. */
+    private ControllerSpec.BuiltIn pendingSettings;
     // Two arrays in turn: a controller may still hold the last observation.
     private double[] readings;
     private double[] previousReadings;
@@ -91,6 +96,8 @@ public final class Simulation implements AutoCloseable {
         this.setup = setup;
         this.foreignController = isForeign ? controller : null;
         this.world = new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
+        this.controller = controller;
+        this.controllerSpec = setup.controller();
         this.controllerHost = ControllerHost.create(controller, mode);
         this.activeDecision = new Decision(0, 0, Telemetry.ofState(ControllerFactory.initialState(setup.controller())));
         this.commandListener = listener;
@@ -132,6 +139,11 @@ public final class Simulation implements AutoCloseable {
         previousReadings = readings;
         readings = swapped;
         world.copyReportedReadings(readings);
+        if (pendingSettings != null) {
+            // The last decision has been taken and the next one not begun, so the controller is idle.
+            controller.configure(pendingSettings);
+            pendingSettings = null;
+        }
         controllerHost.submit(world.tick(), setup.dt(), believedRobot(), readings);
     }
 
@@ -152,8 +164,21 @@ public final class Simulation implements AutoCloseable {
 
     private CommandResult executeOnWorld(Command command) {
         CommandResult result = world.execute(command);
+        if (command instanceof Command.ConfigureController change) {
+            result = configure(change, result.tick());
+        }
         commandListener.commandHandled(result);
         return result;
+    }
+
+    /** Changes the settings of the controller; they hold from its next observation. */
+    private CommandResult configure(Command.ConfigureController change, long tick) {
+        if (controllerSpec instanceof ControllerSpec.BuiltIn before) {
+            controllerSpec = change.controller();
+            pendingSettings = change.controller();
+            return new CommandResult.Executed(tick, change, List.of(new Command.ConfigureController(before)));
+        }
+        return new CommandResult.Refused(tick, change, new Refusal(Refusal.Reason.FOREIGN_CONTROLLER, ""));
     }
 
     /**
@@ -226,6 +251,11 @@ public final class Simulation implements AutoCloseable {
      */
     public double reportedReading(int sensor) {
         return world.reportedReading(sensor);
+    }
+
+    /** Returns the current settings of the controller. */
+    public ControllerSpec controllerSpec() {
+        return controllerSpec;
     }
 
     /** Returns the telemetry of the decision that acted in the last tick; at tick 0 that of the initial state. */

@@ -3,6 +3,9 @@ package faultline.studies;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.gui.action.UiAction;
+import faultline.gui.document.RunController;
+import faultline.gui.document.Workspace;
+import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.theme.Theme;
@@ -56,8 +59,11 @@ final class ControlPanelFigure implements Figure {
 
     private static BufferedImage render(Snapshot world, Theme theme) {
         theme.install();
+        UndoController editor = new UndoController((commands, results) -> {}, () -> {});
         ControlPanel panel = new ControlPanel(
-                new UndoController((commands, results) -> {}, () -> {}), UiAction.toggle("path", true, on -> {}));
+                editor,
+                new ScenarioEditor(new RunController(new Workspace()), editor),
+                UiAction.toggle("path", true, on -> {}));
         panel.setSnapshot(world);
         panel.addNotify();
         Dimension size = panel.getPreferredSize();

@@ -1,5 +1,6 @@
 package faultline.world;
 
+import faultline.control.ControllerSpec;
 import faultline.geometry.Pose;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
@@ -56,6 +57,8 @@ public sealed interface Command {
         R visit(RemoveObstacle command);
 
         R visit(SetPlatform command);
+
+        R visit(ConfigureController command);
     }
 
     /**
@@ -209,6 +212,19 @@ public sealed interface Command {
             RobotSpec.DEFAULT.withPlatform(length, width, speed);
         }
 
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.visit(this);
+        }
+    }
+
+    /**
+     * Changes the controller or its settings. A controller of the same kind goes on from its state; another one starts
+     * in its initial state.
+     *
+     * @param controller the new settings
+     */
+    record ConfigureController(ControllerSpec.BuiltIn controller) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);

@@ -204,4 +204,10 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
         updateRobot(old.withPlatform(command.length(), command.width(), command.speed()));
         return executed(command, new Command.SetPlatform(old.length(), old.width(), old.speed()));
     }
+
+    /** Changes nothing in the world; the simulation passes the settings on. */
+    @Override
+    public CommandResult visit(Command.ConfigureController command) {
+        return executed(command);
+    }
 }

@@ -17,7 +17,8 @@ public record Refusal(Reason reason, String subject) {
         OVERLAPS_ROBOT("%s cannot be put there: it would overlap the robot"),
         PLATFORM_OVERLAPS("the robot has no room for that platform: it would overlap %s"),
         TOO_MANY_MOVING("at most %s obstacles may move"),
-        RESERVED_ID("%s is the name of the enclosing wall");
+        RESERVED_ID("%s is the name of the enclosing wall"),
+        FOREIGN_CONTROLLER("the controller is not part of the program and has no settings here");
 
         private final String sentence;
 

@@ -43,7 +43,7 @@ public final class MapFollower {
     private static final double OVERSHOOT = StrictMath.toRadians(30);
 
     private final SensorDiagnosis diagnosis;
-    private final double wantedDistance;
+    private double wantedDistance;
     private final LocalMap map = new LocalMap();
     private final Heading heading = new Heading(map);
     private RobotSpec robot;
@@ -107,6 +107,11 @@ public final class MapFollower {
 
     private double knownAhead() {
         return heading.known(at(), direction, 0.6, robot.length() / 2, robot.width() / 2);
+    }
+
+    /** Takes another wanted distance, metres. */
+    public void setWantedDistance(double metres) {
+        wantedDistance = metres;
     }
 
     private double wanted() {

@@ -24,7 +24,7 @@ public final class FaultTolerantFollower implements Controller {
     /** The state in which the robot has stopped because it cannot go on. */
     public static final ControllerState STOP = ControllerState.of("STOP");
 
-    private final ControllerSpec.WallFollowing spec;
+    private ControllerSpec.WallFollowing spec;
     private final SensorDiagnosis diagnosis;
     private final MapFollower mapFollower;
     private WallFollower sixStates;
@@ -69,6 +69,13 @@ public final class FaultTolerantFollower implements Controller {
         switchRung();
         last = shown(drive(observation, ticks * observation.dt()));
         return last;
+    }
+
+    @Override
+    public void configure(ControllerSpec.BuiltIn settings) {
+        spec = (ControllerSpec.WallFollowing) settings;
+        mapFollower.setWantedDistance(spec.distance());
+        sixStates.configure(spec);
     }
 
     private void switchRung() {

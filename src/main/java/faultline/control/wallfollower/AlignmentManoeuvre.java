@@ -25,9 +25,10 @@ final class AlignmentManoeuvre {
     private static final double MAX_FINAL_RATE = StrictMath.toRadians(1);
 
     private final StateEstimate estimate;
-    private final TimingRule rule;
+    private TimingRule rule;
+    private TimingRule nextRule;
     private final boolean realClock;
-    private final EdgeTimer edgeTimer;
+    private EdgeTimer edgeTimer;
     private long startTick;
     private double startHeading;
     private boolean backingOff;
@@ -37,8 +38,14 @@ final class AlignmentManoeuvre {
     AlignmentManoeuvre(StateEstimate estimate, TimingRule rule, boolean realClock) {
         this.estimate = estimate;
         this.rule = rule;
+        this.nextRule = rule;
         this.realClock = realClock;
         this.edgeTimer = new EdgeTimer(rule);
+    }
+
+    /** Takes another rule, which holds from the next spin. */
+    void setRule(TimingRule newRule) {
+        nextRule = newRule;
     }
 
     EdgeTimer edgeTimer() {
@@ -52,6 +59,10 @@ final class AlignmentManoeuvre {
      * it.
      */
     void begin(boolean wallMetSideways) {
+        if (rule != nextRule) {
+            rule = nextRule;
+            edgeTimer = new EdgeTimer(rule);
+        }
         startHeading = estimate.odometer().heading();
         startTick = estimate.tick();
         estimate.clearFrontMemory();

@@ -14,11 +14,11 @@ final class PdController {
      * A law for a speed.
      *
      * @param speed metres per second
-     * @param lag the motors' time constant and the control's delay, seconds
+     * @param gains the gains
      */
-    PdController(double speed, double lag) {
+    PdController(double speed, PdGains gains) {
         this.speed = speed;
-        this.gains = PdGains.forSpeed(speed, lag);
+        this.gains = gains;
     }
 
     /**

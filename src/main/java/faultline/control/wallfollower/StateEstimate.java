@@ -27,7 +27,7 @@ final class StateEstimate {
     private static final double CORNER_CLEARANCE = 0.06;
 
     private final WallSide side;
-    private final double wantedDistance;
+    private double wantedDistance;
     private final Odometer odometer = new Odometer();
     private final FrontRangeMemory frontMemory = new FrontRangeMemory();
     private final LastSeenPoint lastSeenFront = new LastSeenPoint();
@@ -45,6 +45,11 @@ final class StateEstimate {
         side = spec.side();
         wantedDistance = spec.distance();
         controlPeriod = spec.period();
+    }
+
+    /** Takes another wanted distance, metres. */
+    void setWantedDistance(double metres) {
+        wantedDistance = metres;
     }
 
     /** Takes a new observation, up to which a command has acted. */

@@ -53,7 +53,7 @@ public final class WallFollower implements Controller {
     /** More than a whole turn, radians: what has not been seen by then is not there. */
     private static final double MAX_SPIN = StrictMath.toRadians(400);
 
-    private final ControllerSpec.WallFollowing spec;
+    private ControllerSpec.WallFollowing spec;
     private final StateEstimate estimate;
     private final AlignmentManoeuvre alignment;
     private final WallSteering steering;
@@ -88,7 +88,7 @@ public final class WallFollower implements Controller {
         this.spec = spec;
         estimate = new StateEstimate(spec);
         alignment = new AlignmentManoeuvre(estimate, spec.timingRule(), realClock);
-        steering = new WallSteering(estimate, spec.distance());
+        steering = new WallSteering(estimate, spec.distance(), spec.gainRule());
         search = new SearchState(estimate);
         SpinStates spin = new SpinStates(estimate, alignment);
         wall = new WallStates(estimate, steering, spin);
@@ -113,6 +113,14 @@ public final class WallFollower implements Controller {
         }
         behaviour.command();
         return estimate.odometer().decision(estimate.robot(), spec.side(), telemetry());
+    }
+
+    @Override
+    public void configure(ControllerSpec.BuiltIn settings) {
+        spec = (ControllerSpec.WallFollowing) settings;
+        estimate.setWantedDistance(spec.distance());
+        alignment.setRule(spec.timingRule());
+        steering.configure(spec.distance(), spec.gainRule());
     }
 
     private void enter(Transition transition) {

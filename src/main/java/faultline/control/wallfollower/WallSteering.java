@@ -1,5 +1,7 @@
 package faultline.control.wallfollower;
 
+import faultline.control.GainRule;
+
 /** FOLLOW and ROUND: steering along a wall, and around its outer corners, by the left sensor. */
 final class WallSteering {
 
@@ -25,13 +27,20 @@ final class WallSteering {
     private static final double SETTLING_MEMORIES = 4;
 
     private final StateEstimate estimate;
-    private final double wantedDistance;
+    private double wantedDistance;
+    private GainRule gainRule;
     private final WallTracker tracker = new WallTracker();
     private PdController pdController;
 
-    WallSteering(StateEstimate perception, double wanted) {
+    WallSteering(StateEstimate perception, double wanted, GainRule gainRule) {
         this.estimate = perception;
-        this.wantedDistance = wanted;
+        configure(wanted, gainRule);
+    }
+
+    /** Takes another wanted distance, metres, and another choice of gains. */
+    final void configure(double wanted, GainRule newGainRule) {
+        wantedDistance = wanted;
+        gainRule = newGainRule;
     }
 
     /** Starts along a wall that the robot has been aligned with. */
@@ -79,8 +88,9 @@ final class WallSteering {
     }
 
     private double correction() {
-        pdController = new PdController(
-                estimate.robot().speed(), estimate.robot().motor().timeConstant() + estimate.period());
+        double speed = estimate.robot().speed();
+        double lag = estimate.robot().motor().timeConstant() + estimate.period();
+        pdController = new PdController(speed, gainRule.gains(speed, lag));
         return pdController.turnRate(tracker.distance() - wantedDistance, tracker.heading());
     }
 

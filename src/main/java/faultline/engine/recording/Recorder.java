@@ -63,7 +63,7 @@ public final class Recorder implements TickObserver, CommandListener {
 
     private void recordState(Simulation simulation) {
         Telemetry now = simulation.telemetry();
-        if (now.transitions() != lastTelemetry.transitions()) {
+        if (now.transitions() != lastTelemetry.transitions() || !now.state().equals(lastTelemetry.state())) {
             events.add(new RunEvent.StateChanged(
                     simulation.ticks(), simulation.time(), lastTelemetry.state(), now.state(), now.condition()));
             states.recordTransition(lastTelemetry.state(), now.state());

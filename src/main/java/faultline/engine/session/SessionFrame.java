@@ -1,5 +1,6 @@
 package faultline.engine.session;
 
+import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.Telemetry;
 import faultline.engine.Frame;
@@ -19,12 +20,14 @@ import java.util.OptionalDouble;
  * @param frame the state at the end of a tick
  * @param recording the recording of the run up to that tick
  * @param measures the measures of the run up to that tick
+ * @param controller the settings of the controller
  */
-public record SessionFrame(Frame frame, Recording recording, RunMeasures measures) implements RunOutcome {
+public record SessionFrame(Frame frame, Recording recording, RunMeasures measures, ControllerSpec controller)
+        implements RunOutcome {
 
     /** Creates a frame of a run that is not measured. */
     public SessionFrame(Frame frame, Recording recording) {
-        this(frame, recording, RunMeasures.NONE);
+        this(frame, recording, RunMeasures.NONE, new ControllerSpec.None());
     }
 
     /** Returns the world at the end of the tick. */

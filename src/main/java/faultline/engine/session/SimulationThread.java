@@ -184,7 +184,7 @@ final class SimulationThread implements Runnable {
     }
 
     private SessionFrame currentFrame() {
-        return new SessionFrame(simulation.frame(), recorder.view(), meter.measures());
+        return new SessionFrame(simulation.frame(), recorder.view(), meter.measures(), simulation.controllerSpec());
     }
 
     private Status currentStatus() {

@@ -1,5 +1,6 @@
 package faultline.gui.document;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.robot.RobotSpec;
@@ -17,9 +18,10 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Applies executed commands to a setup. Changes of obstacles, of the platform and of the sensors' settings hold from
- * the start; switching a sensor, injecting a fault and repairing it are added to the timeline at their time. When the
- * run is moved to an earlier tick, the later commands are kept until another one is executed there.
+ * Applies executed commands to a setup. Changes of obstacles, of the platform, of the controller and of the sensors'
+ * settings hold from the start; switching a sensor, injecting a fault and repairing it are added to the timeline at
+ * their time. When the run is moved to an earlier tick, the later commands are kept until another one is executed
+ * there.
  */
 final class SetupEditor implements Command.Visitor<Boolean> {
 
@@ -31,6 +33,7 @@ final class SetupEditor implements Command.Visitor<Boolean> {
     private final Map<String, Obstacle> obstacles = new LinkedHashMap<>();
 
     private RobotSpec robot;
+    private ControllerSpec controller;
 
     SetupEditor(SimulationSetup base) {
         this.base = base;
@@ -39,6 +42,7 @@ final class SetupEditor implements Command.Visitor<Boolean> {
 
     private void reset() {
         robot = base.robot();
+        controller = base.controller();
         obstacles.clear();
         base.world().obstacles().forEach(obstacle -> obstacles.put(obstacle.id(), obstacle));
     }
@@ -74,7 +78,10 @@ final class SetupEditor implements Command.Visitor<Boolean> {
         result.obstacles.putAll(obstacles);
         result.robot = robot;
         result.clearStartPose();
-        return base.withWorld(result.world()).withRobot(result.robot).withTimeline(timeline());
+        return base.withWorld(result.world())
+                .withRobot(result.robot)
+                .withController(controller)
+                .withTimeline(timeline());
     }
 
     /** Returns the timeline with the commands that belong to a time. Two of one tick that cancel out are left out. */
@@ -224,6 +231,12 @@ final class SetupEditor implements Command.Visitor<Boolean> {
     @Override
     public Boolean visit(Command.SetPlatform command) {
         robot = robot.withPlatform(command.length(), command.width(), command.speed());
+        return true;
+    }
+
+    @Override
+    public Boolean visit(Command.ConfigureController command) {
+        controller = command.controller();
         return true;
     }
 }

@@ -136,4 +136,9 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
         boolean speed = undo instanceof Command.SetPlatform back && back.speed() != command.speed();
         return new EditName(speed ? "edit.speed" : "edit.platform", "");
     }
+
+    @Override
+    public EditName visit(Command.ConfigureController command) {
+        return new EditName("edit.controller", "");
+    }
 }

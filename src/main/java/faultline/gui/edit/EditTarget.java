@@ -72,6 +72,11 @@ record EditTarget(String kind, Object subject, boolean repeatable) {
             return new EditTarget("platform", "", true);
         }
 
+        @Override
+        public EditTarget visit(Command.ConfigureController command) {
+            return new EditTarget("controller", "", true);
+        }
+
         private EditTarget single(Command command) {
             return new EditTarget("single", command, false);
         }

@@ -1,5 +1,6 @@
 package faultline.gui.edit;
 
+import faultline.control.ControllerSpec;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -7,14 +8,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The commands that were sent to the run and do not show in a frame yet, and what the robot and the obstacles will be
- * after them. The run answers a command when a frame that shows its effect is published, so commands that have been
- * answered are forgotten with the next frame, whether they were executed or refused. Event dispatch thread only.
+ * The commands that were sent to the run and do not show in a frame yet, and what the robot, its controller and the
+ * obstacles will be after them. The run answers a command when a frame that shows its effect is published, so commands
+ * that have been answered are forgotten with the next frame, whether they were executed or refused. Event dispatch
+ * thread only.
  */
 public final class PendingEdits {
 
     private final List<Batch> batches = new ArrayList<>();
     private RobotSpec shownRobot = RobotSpec.DEFAULT;
+    private ControllerSpec shownController = ControllerSpec.WallFollowing.DEFAULT;
 
     /** Commands that were sent together. */
     private static final class Batch {
@@ -69,6 +72,22 @@ public final class PendingEdits {
                     .orElse(robot);
         }
         return robot;
+    }
+
+    /** Takes the controller's settings of the newest frame of the run. */
+    public void setController(ControllerSpec controller) {
+        shownController = controller;
+    }
+
+    /** Returns the controller's settings as they will be after all pending commands. */
+    public ControllerSpec controller() {
+        ControllerSpec expected = shownController;
+        for (Batch batch : batches) {
+            for (Command command : batch.commands) {
+                expected = command instanceof Command.ConfigureController change ? change.controller() : expected;
+            }
+        }
+        return expected;
     }
 
     /** Returns an obstacle of the newest frame where it will be after all pending commands. */

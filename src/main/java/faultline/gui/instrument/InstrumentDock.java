@@ -74,6 +74,10 @@ public final class InstrumentDock extends JTabbedPane {
     /** Prepares for another scenario: names its timing rule and releases a held chart. */
     public void startScenario(ControllerSpec controller) {
         chart.release();
+        showTimingRule(controller);
+    }
+
+    private void showTimingRule(ControllerSpec controller) {
         if (controller instanceof ControllerSpec.WallFollowing following) {
             alignment.setTimingRule(following.timingRule());
         }
@@ -84,6 +88,7 @@ public final class InstrumentDock extends JTabbedPane {
             chart.setFrame(frame);
             diagram.setFrame(frame);
         } else if (getSelectedComponent() == alignment) {
+            showTimingRule(frame.controller());
             alignment.setFrame(frame);
         } else {
             events.setFrame(frame);

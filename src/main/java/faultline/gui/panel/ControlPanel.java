@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
@@ -36,6 +37,7 @@ public final class ControlPanel extends JPanel {
     private final RobotPanel robot;
     private final SensorsPanel sensors;
     private final SensorDetailsPanel sensorDetails;
+    private final ControllerPanel controller;
     private final RunPanel run = new RunPanel();
     private final transient UndoController editor;
 
@@ -43,14 +45,16 @@ public final class ControlPanel extends JPanel {
      * Creates an empty panel.
      *
      * @param editor receives all changes
+     * @param scenarioEditor receives changes that need a new simulation
      * @param path shows or hides the path
      */
-    public ControlPanel(UndoController editor, Action path) {
+    public ControlPanel(UndoController editor, ScenarioEditor scenarioEditor, Action path) {
         super(new BorderLayout());
         this.editor = editor;
         robot = new RobotPanel(editor, path);
         sensors = new SensorsPanel(editor);
         sensorDetails = new SensorDetailsPanel(editor);
+        controller = new ControllerPanel(editor, scenarioEditor);
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);
         JTabbedPane tabs = new JTabbedPane();
@@ -61,6 +65,7 @@ public final class ControlPanel extends JPanel {
                 new TitledSection(robot),
                 new TitledSection(Messages.get("sensors.title"), sensors),
                 new TitledSection(Messages.get("faults.title"), sensorDetails));
+        addTab(tabs, "panel.controller", controller);
         addTab(tabs, "panel.run", run);
         add(tabs, BorderLayout.CENTER);
     }
@@ -108,6 +113,7 @@ public final class ControlPanel extends JPanel {
 
     /** Shows what a run has come to. */
     public void setRun(SessionFrame frame, Session.Status status, Scenario scenario) {
+        controller.setSettings(frame.controller(), scenario.setup());
         run.setRun(frame, status, scenario);
     }
 

@@ -25,6 +25,7 @@ public final class RefusalText {
             case PLATFORM_OVERLAPS -> "refused.platform";
             case TOO_MANY_MOVING -> "refused.moving";
             case RESERVED_ID -> "refused.enclosure";
+            case FOREIGN_CONTROLLER -> "refused.controller";
         };
     }
 }

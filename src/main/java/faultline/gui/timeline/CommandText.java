@@ -1,5 +1,6 @@
 package faultline.gui.timeline;
 
+import faultline.gui.panel.ControllerText;
 import faultline.gui.panel.ReadingText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
@@ -101,6 +102,11 @@ public final class CommandText implements Command.Visitor<String> {
                 number("%.3f", command.length()),
                 number("%.3f", command.width()),
                 number("%.2f", command.speed()));
+    }
+
+    @Override
+    public String visit(Command.ConfigureController command) {
+        return Messages.get("command.controller", ControllerText.format(command.controller()));
     }
 
     private static String number(String format, double value) {

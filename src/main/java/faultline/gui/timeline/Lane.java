@@ -117,5 +117,10 @@ public sealed interface Lane {
         public Lane visit(Command.SetPlatform command) {
             return OTHER;
         }
+
+        @Override
+        public Lane visit(Command.ConfigureController command) {
+            return OTHER;
+        }
     }
 }

@@ -6,6 +6,7 @@ import faultline.engine.session.SessionFrame;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.instrument.PositionedSplitPane;
@@ -66,6 +67,7 @@ final class MainPanel extends JPanel {
      *
      * @param canvas the canvas
      * @param editor receives the changes made in the control panel
+     * @param scenarioEditor receives changes that need a new simulation
      * @param actions the actions of the window
      * @param speed positions of {@link SpeedScale}
      * @param jump receives the tick of an event to go to
@@ -74,13 +76,14 @@ final class MainPanel extends JPanel {
     MainPanel(
             SimulationCanvas canvas,
             UndoController editor,
+            ScenarioEditor scenarioEditor,
             ActionRegistry actions,
             BoundedRangeModel speed,
             LongConsumer jump,
             TimelineEditor timelineEditor) {
         super(new BorderLayout());
         this.canvas = canvas;
-        controlPanel = new ControlPanel(editor, actions.get("path"));
+        controlPanel = new ControlPanel(editor, scenarioEditor, actions.get("path"));
         instruments = new InstrumentDock(jump);
         dockHeight = instruments.getPreferredSize().height;
         timeline = new TimelinePanel(jump, canvas::setFrame, timelineEditor);

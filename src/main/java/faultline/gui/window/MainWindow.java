@@ -29,6 +29,7 @@ import faultline.gui.document.RunController;
 import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
+import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
 import faultline.gui.gallery.Gallery;
@@ -88,6 +89,7 @@ public final class MainWindow extends JFrame {
         mainPanel = new MainPanel(
                 canvas,
                 undoController,
+                new ScenarioEditor(runController, undoController),
                 actionRegistry,
                 speed,
                 runController.navigator()::seek,

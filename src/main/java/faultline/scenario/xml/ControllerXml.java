@@ -1,6 +1,7 @@
 package faultline.scenario.xml;
 
 import faultline.control.ControllerSpec;
+import faultline.control.GainRule;
 import faultline.control.RecordedDecision;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
@@ -26,17 +27,22 @@ final class ControllerXml {
     private static final Map<String, WallSide> WALL_SIDES = new LinkedHashMap<>();
     private static final Map<String, TimingRule> TIMING_RULES = new LinkedHashMap<>();
 
+    private static final Map<String, Function<AttributeReader, GainRule>> GAIN_RULES = new LinkedHashMap<>();
+
     private static final Map<String, Boolean> SWITCH = new LinkedHashMap<>();
 
     static {
+        GAIN_RULES.put("automatic", fields -> GainRule.AUTOMATIC);
+        GAIN_RULES.put("length", fields -> new GainRule.Length(fields.number("length", NumberRange.SIZE)));
+        GAIN_RULES.put(
+                "fixed",
+                fields -> new GainRule.Fixed(
+                        fields.number("kp", NumberRange.GAIN), fields.number("kd", NumberRange.GAIN)));
         SWITCH.put("on", true);
         SWITCH.put("off", false);
         TYPE_READERS.put(DEFAULT_TYPE, ControllerXml::readWallFollower);
         TYPE_READERS.put("none", fields -> new ControllerSpec.None());
-        TYPE_READERS.put(
-                "drive",
-                fields -> new ControllerSpec.Drive(
-                        fields.number("left", NumberRange.VOLTAGE, 0), fields.number("right", NumberRange.VOLTAGE, 0)));
+        TYPE_READERS.put("drive", ControllerXml::readDrive);
         TYPE_READERS.put(EXTERN, fields -> new ControllerSpec.Extern(readPeriod(fields)));
         TYPE_READERS.put(
                 RECORDED,
@@ -84,13 +90,32 @@ final class ControllerXml {
     }
 
     private static ControllerSpec readWallFollower(AttributeReader fields) {
-        ControllerSpec.WallFollowing defaults = ControllerSpec.WallFollowing.DEFAULT;
+        return readWallFollower(fields, ControllerSpec.WallFollowing.DEFAULT);
+    }
+
+    private static ControllerSpec.WallFollowing readWallFollower(
+            AttributeReader fields, ControllerSpec.WallFollowing defaults) {
         return new ControllerSpec.WallFollowing(
-                readDistance(fields),
+                fields.number("distance", NumberRange.SIZE, defaults.distance()),
                 fields.choice("hand", WALL_SIDES, defaults.side()),
-                readPeriod(fields),
+                fields.number("period", NumberRange.TIME, defaults.period()),
                 fields.choice("timing", TIMING_RULES, defaults.timingRule()),
-                fields.choice("diagnosis", SWITCH, defaults.diagnosis()));
+                fields.choice("diagnosis", SWITCH, defaults.diagnosis()),
+                fields.choice("gains", GAIN_RULES, given -> defaults.gainRule()).apply(fields));
+    }
+
+    /** Reads a controller of the program; what a wall follower leaves out is as usual. */
+    static ControllerSpec.BuiltIn readBuiltIn(AttributeReader fields, ControllerSpec.WallFollowing defaults) {
+        Map<String, Function<AttributeReader, ControllerSpec.BuiltIn>> types = new LinkedHashMap<>();
+        types.put(DEFAULT_TYPE, own -> readWallFollower(own, defaults));
+        types.put("none", own -> new ControllerSpec.None());
+        types.put("drive", ControllerXml::readDrive);
+        return fields.choice("type", types, types.get(DEFAULT_TYPE)).apply(fields);
+    }
+
+    private static ControllerSpec.Drive readDrive(AttributeReader fields) {
+        return new ControllerSpec.Drive(
+                fields.number("left", NumberRange.VOLTAGE, 0), fields.number("right", NumberRange.VOLTAGE, 0));
     }
 
     private static double readDistance(AttributeReader fields) {
@@ -142,17 +167,8 @@ final class ControllerXml {
             return;
         }
         out.beginElement("controller");
-        if (spec instanceof ControllerSpec.WallFollowing follow) {
-            out.attribute("type", DEFAULT_TYPE)
-                    .attribute("distance", follow.distance())
-                    .attribute("hand", follow.side().fileName())
-                    .attribute("period", follow.period())
-                    .attribute("timing", follow.timingRule().fileName());
-            if (!follow.diagnosis()) {
-                out.attribute("diagnosis", "off");
-            }
-        } else if (spec instanceof ControllerSpec.Drive drive) {
-            out.attribute("type", "drive").attribute("left", drive.leftVolts()).attribute("right", drive.rightVolts());
+        if (spec instanceof ControllerSpec.BuiltIn builtIn) {
+            writeBuiltIn(builtIn, false, out);
         } else if (spec instanceof ControllerSpec.Extern extern) {
             out.attribute("type", EXTERN).attribute("period", extern.period());
         } else if (spec instanceof ControllerSpec.Provided provided) {
@@ -163,10 +179,40 @@ final class ControllerXml {
                     .endElement());
         } else if (spec instanceof ControllerSpec.Recorded recorded) {
             writeRecorded(recorded, out);
+        }
+        out.endElement();
+    }
+
+    /** Writes the attributes of a controller of the program, all of them or without those that are as usual. */
+    static XmlWriter writeBuiltIn(ControllerSpec.BuiltIn spec, boolean all, XmlWriter out) {
+        if (spec instanceof ControllerSpec.WallFollowing follow) {
+            out.attribute("type", DEFAULT_TYPE)
+                    .attribute("distance", follow.distance())
+                    .attribute("hand", follow.side().fileName())
+                    .attribute("period", follow.period())
+                    .attribute("timing", follow.timingRule().fileName());
+            if (all || !follow.diagnosis()) {
+                out.attribute("diagnosis", follow.diagnosis() ? "on" : "off");
+            }
+            writeGains(follow.gainRule(), all, out);
+        } else if (spec instanceof ControllerSpec.Drive drive) {
+            out.attribute("type", "drive").attribute("left", drive.leftVolts()).attribute("right", drive.rightVolts());
         } else {
             out.attribute("type", "none");
         }
-        out.endElement();
+        return out;
+    }
+
+    private static void writeGains(GainRule rule, boolean all, XmlWriter out) {
+        if (rule instanceof GainRule.Length length) {
+            out.attribute("gains", "length").attribute("length", length.metres());
+        } else if (rule instanceof GainRule.Fixed fixed) {
+            out.attribute("gains", "fixed")
+                    .attribute("kp", fixed.proportional())
+                    .attribute("kd", fixed.derivative());
+        } else if (all) {
+            out.attribute("gains", "automatic");
+        }
     }
 
     /** Writes one element for each stretch of decisions with the same state and reason. */

@@ -36,6 +36,7 @@ record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean
     static final NumberRange POSITIVE_VOLTAGE = positive("10000", Allowed.VOLTS);
     static final NumberRange SPEED_CONSTANT = positive("1000", Allowed.SPEED_CONSTANT);
     static final NumberRange DRIVE_SCALE = closed(DriveScale.MIN, DriveScale.MAX, Allowed.UNITLESS);
+    static final NumberRange GAIN = positive("1000000", Allowed.UNITLESS);
     static final NumberRange FRACTION = closed("0", "1", Allowed.UNITLESS);
 
     private static NumberRange closed(String least, String most, Allowed unit) {

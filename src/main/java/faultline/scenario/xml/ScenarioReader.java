@@ -90,7 +90,7 @@ public final class ScenarioReader {
                 robot.get().spec(),
                 robot.get().start(),
                 controller,
-                readTimeline(root, robot.get()),
+                readTimeline(root, robot.get(), controller),
                 head.tick,
                 head.seed,
                 head.duration);
@@ -116,9 +116,9 @@ public final class ScenarioReader {
     }
 
     /** Must be called after the world and the robot, whose ids the timeline names. */
-    private List<TimedCommand> readTimeline(XmlElement root, RobotReader.PlacedRobot robot) {
+    private List<TimedCommand> readTimeline(XmlElement root, RobotReader.PlacedRobot robot, ControllerSpec controller) {
         return root.firstChild("timeline")
-                .map(new TimelineReader(problems, obstacleReader, robot.spec(), worldReader.ids())::read)
+                .map(new TimelineReader(problems, obstacleReader, robot.spec(), controller, worldReader.ids())::read)
                 .orElse(List.of());
     }
 

@@ -1,5 +1,6 @@
 package faultline.scenario.xml;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.geometry.Pose;
 import faultline.io.DecimalText;
@@ -67,13 +68,21 @@ final class TimelineReader {
     private final ObstacleReader obstacleReader;
     private final RobotSpec robot;
     private final Map<String, SensorSpec> sensors = new LinkedHashMap<>();
+    private final ControllerSpec.WallFollowing follower;
     private final Set<String> obstacleIds;
     private final Map<String, CommandReader> readers = new LinkedHashMap<>();
 
-    TimelineReader(Problems problems, ObstacleReader obstacles, RobotSpec robot, Set<String> obstacleIds) {
+    TimelineReader(
+            Problems problems,
+            ObstacleReader obstacles,
+            RobotSpec robot,
+            ControllerSpec controller,
+            Set<String> obstacleIds) {
         this.problems = problems;
         this.obstacleReader = obstacles;
         this.robot = robot;
+        this.follower =
+                controller instanceof ControllerSpec.WallFollowing wall ? wall : ControllerSpec.WallFollowing.DEFAULT;
         this.obstacleIds = new LinkedHashSet<>(obstacleIds);
         robot.sensors().forEach(sensor -> sensors.put(sensor.id(), sensor));
         readers.put("fault", this::readFault);
@@ -84,6 +93,7 @@ final class TimelineReader {
         readers.put("put", this::readPut);
         readers.put("remove", this::readRemove);
         readers.put("platform", this::readPlatform);
+        readers.put("controller", this::readController);
     }
 
     List<TimedCommand> read(XmlElement timeline) {
@@ -209,6 +219,10 @@ final class TimelineReader {
                         fields.number("length", NumberRange.SIZE, robot.length()),
                         fields.number("width", NumberRange.SIZE, robot.width()),
                         fields.number("speed", NumberRange.POSITIVE_SPEED, robot.speed())));
+    }
+
+    private Stream<TimedCommand> readController(XmlElement node, AttributeReader fields, double at) {
+        return singleCommand(at, new Command.ConfigureController(ControllerXml.readBuiltIn(fields, follower)));
     }
 
     private static Stream<TimedCommand> singleCommand(double at, Command command) {

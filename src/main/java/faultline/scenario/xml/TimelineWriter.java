@@ -126,4 +126,9 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
                 .attribute("width", command.width())
                 .attribute("speed", command.speed());
     }
+
+    @Override
+    public XmlWriter visit(Command.ConfigureController command) {
+        return ControllerXml.writeBuiltIn(command.controller(), true, begin("controller"));
+    }
 }

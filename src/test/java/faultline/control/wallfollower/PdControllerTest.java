@@ -3,6 +3,7 @@ package faultline.control.wallfollower;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.PdGains;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -13,24 +14,24 @@ class PdControllerTest {
 
     @Test
     void parallelAtTheWantedDistanceItGoesStraight() {
-        assertEquals(0, new PdController(0.3, 0.05).turnRate(0, 0));
+        assertEquals(0, new PdController(0.3, PdGains.forSpeed(0.3, 0.05)).turnRate(0, 0));
     }
 
     @Test
     void tooFarItTurnsToTheWallAndTooNearAwayFromIt() {
-        PdController law = new PdController(0.3, 0.05);
+        PdController law = new PdController(0.3, PdGains.forSpeed(0.3, 0.05));
         assertTrue(law.turnRate(0.01, 0) > 0);
         assertEquals(-law.turnRate(0.01, 0), law.turnRate(-0.01, 0), 1e-12);
     }
 
     @Test
     void headingForTheWallItTurnsAway() {
-        assertTrue(new PdController(0.3, 0.05).turnRate(0, 0.1) < 0);
+        assertTrue(new PdController(0.3, PdGains.forSpeed(0.3, 0.05)).turnRate(0, 0.1) < 0);
     }
 
     @Test
     void theTurnRateIsThePTermAndTheDTerm() {
-        PdController law = new PdController(0.3, 0.05);
+        PdController law = new PdController(0.3, PdGains.forSpeed(0.3, 0.05));
         double rate = law.turnRate(0.02, 0.1);
         assertEquals(rate, law.proportional() + law.derivative(), 1e-12);
         assertTrue(law.proportional() > 0 && law.derivative() < 0);
@@ -40,7 +41,7 @@ class PdControllerTest {
      * Drives an ideal robot for 2 m beside a wall and returns the least error, the last error and the steepest heading.
      */
     private static double[] drive(double speed, double lag, double error) {
-        PdController law = new PdController(speed, lag);
+        PdController law = new PdController(speed, PdGains.forSpeed(speed, lag));
         double[] seen = {error, error, 0};
         double heading = 0;
         for (double way = 0; way < 2; way += speed * DT) {

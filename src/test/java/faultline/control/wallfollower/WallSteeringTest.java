@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.GainRule;
 import faultline.sensor.Reading;
 import java.util.Map;
 import java.util.SplittableRandom;
@@ -15,7 +16,7 @@ class WallSteeringTest {
     private static final double WANTED = 0.25;
 
     private final StateEstimate estimate = Observations.stateEstimate(WANTED);
-    private final WallSteering steering = new WallSteering(estimate, WANTED);
+    private final WallSteering steering = new WallSteering(estimate, WANTED, GainRule.AUTOMATIC);
     private long tick;
 
     /** A tick of rolling straight on at 0.3 m/s, after which the left sensor reads this. */

@@ -53,7 +53,7 @@ class ControlPanelTest {
         panel = callOnEdt(() -> {
             Theme.LIGHT.install();
             ControlPanel made = new ControlPanel(
-                    new UndoController(this::execute, () -> {}), UiAction.toggle("path", true, on -> {}));
+                    new UndoController(this::execute, () -> {}), null, UiAction.toggle("path", true, on -> {}));
             made.setSnapshot(world);
             return made;
         });
@@ -131,7 +131,7 @@ class ControlPanelTest {
     void withoutAScenarioNoFieldShowsItsLowerLimit() {
         runOnEdt(() -> {
             ControlPanel empty = new ControlPanel(
-                    new UndoController(this::execute, () -> {}), UiAction.toggle("path", true, on -> {}));
+                    new UndoController(this::execute, () -> {}), null, UiAction.toggle("path", true, on -> {}));
             assertEquals(
                     "0",
                     ComponentFinder.findAll(empty, JTextField.class)

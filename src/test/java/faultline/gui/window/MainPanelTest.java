@@ -28,6 +28,7 @@ import faultline.gui.document.RunController;
 import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
+import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
 import faultline.gui.settings.WindowPreferences;
@@ -119,15 +120,21 @@ class MainPanelTest {
             new RunActions(run, speed).addTo(actions);
             new Dialogs(null).addTo(actions);
             Stream.of("instruments", "timeline").forEach(key -> actions.add(UiAction.toggle(key, true, shown -> {})));
-            actions.add(UiAction.of("nextArea", () -> {}));
-            actions.add(UiAction.of("previousArea", () -> {}));
+            Stream.of("nextArea", "previousArea").forEach(key -> actions.add(UiAction.of(key, () -> {})));
             new PreferenceActions(null, WindowPreferences.nonPersistent()).addTo(actions);
-            mainPanel = new MainPanel(canvas, edits, actions, speed, tick -> {}, new TimelineEditor(bench, run, edits));
+            mainPanel = createMainPanel(run, edits, speed, bench);
             new ComparisonActions(new ComparisonController(bench, run.navigator()), mainPanel::setReferenceRun)
                     .addTo(actions, Optional::empty);
             menus = Menus.createMenuBar(actions);
             mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED);
         });
+    }
+
+    private MainPanel createMainPanel(
+            RunController run, UndoController edits, DefaultBoundedRangeModel speed, Workspace workspace) {
+        ScenarioEditor scenario = new ScenarioEditor(run, edits);
+        TimelineEditor timeline = new TimelineEditor(workspace, run, edits);
+        return new MainPanel(canvas, edits, scenario, actions, speed, tick -> {}, timeline);
     }
 
     private static Stream<Arguments> windowSizes() {

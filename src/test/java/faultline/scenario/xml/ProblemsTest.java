@@ -51,14 +51,14 @@ class ProblemsTest {
             <fault at="10" sensor="front" kind="stuck" | <fault at="10" kind="stuck" | 20:57: <fault> lacks the attribute "sensor", allowed is 1 to 100 characters, none of them a comma, a double quote or a control character
             value="0.4"        | value="-0.4"       | 20:73: value of <fault> is "-0.4", allowed is a number from 0 to 100 metres
             "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower", allowed is wall-follower, none, drive, extern, recorded; did you mean "wall-follower"?
-            distance="0.25"    | left="2"           | 18:46: <controller> has no attribute "left", allowed is type, distance, hand, period, timing, diagnosis
+            distance="0.25"    | left="2"           | 18:46: <controller> has no attribute "left", allowed is type, distance, hand, period, timing, diagnosis, gains
             collision="false"  | states="FOLOW"     | 29:27: states of <expect> is "FOLOW", allowed is one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP; did you mean "FOLLOW"?
             collision="false"  | finalState="NONE"  | 29:30: finalState of <expect> is "NONE", allowed is one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP
             collision="false"  | minCoverage="90"   | 29:29: minCoverage of <expect> is "90", allowed is a number from 0 to 1
             # Elements and attributes
             <circle id="pole"  | <circel id="pole"  | 5:50: <world> may not hold <circel>, allowed is rectangle, circle, ellipse, polygon, wall, plan; did you mean "circle"?
             <motor             | <engine            | 14:34: <robot> may not hold <engine>, allowed is motor, sensor
-            <mend at="21"      | <heal at="21"      | 21:35: <timeline> may not hold <heal>, allowed is fault, mend, switch, tune, move, put, remove, platform
+            <mend at="21"      | <heal at="21"      | 21:35: <timeline> may not hold <heal>, allowed is fault, mend, switch, tune, move, put, remove, platform, controller
             radius="0.02"      | radus="0.02"       | 5:49: <circle> has no attribute "radus", allowed is id, x, y, heading, radius; did you mean "radius"?
             <motor timeConstant="0.05"/> | <motor/><motor/>    | 14:21: <robot> holds a second <motor>, allowed is one
             <description>One of each.</description> | <robot x="1" y="1"/> | 13:22: <scenario> holds a second <robot>, allowed is one

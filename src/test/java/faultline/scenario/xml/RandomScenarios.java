@@ -2,6 +2,7 @@ package faultline.scenario.xml;
 
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
+import faultline.control.GainRule;
 import faultline.control.RecordedDecision;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
@@ -138,7 +139,7 @@ final class RandomScenarios {
         String sensor =
                 robot.sensors().get(random.nextInt(robot.sensors().size())).id();
         double at = edgeValue(0, 1e6);
-        return switch (random.nextInt(11)) {
+        return switch (random.nextInt(12)) {
             case 0 -> List.of(new TimedCommand(at, new Command.SwitchSensor(sensor, random.nextBoolean())));
             case 1 -> List.of(new TimedCommand(at, new Command.ConfigureSensor(sensor(sensor))));
             case 2 -> List.of(new TimedCommand(at, new Command.InjectFault(sensor, fault())));
@@ -149,6 +150,7 @@ final class RandomScenarios {
             case 7 -> List.of(new TimedCommand(at, new Command.PlaceObstacle(obstacle(name(), true))));
             case 8 -> temporaryMotorFault(at, motorFault());
             case 9 -> List.of(new TimedCommand(at, new Command.ClearMotorFaults(MotorSide.LEFT)));
+            case 10 -> List.of(new TimedCommand(at, new Command.ConfigureController(builtInController())));
             default ->
                 obstacles.isEmpty()
                         ? List.of()
@@ -194,10 +196,16 @@ final class RandomScenarios {
     }
 
     private ControllerSpec controller() {
-        return switch (random.nextInt(5)) {
+        return switch (random.nextInt(4)) {
+            case 0 -> new ControllerSpec.Extern(edgeValue(0, 10));
+            case 1 -> new ControllerSpec.Recorded(size(), 1000, decisions());
+            default -> builtInController();
+        };
+    }
+
+    private ControllerSpec.BuiltIn builtInController() {
+        return switch (random.nextInt(3)) {
             case 0 -> new ControllerSpec.None();
-            case 2 -> new ControllerSpec.Extern(edgeValue(0, 10));
-            case 3 -> new ControllerSpec.Recorded(size(), 1000, decisions());
             case 1 -> new ControllerSpec.Drive(edgeValue(-1e4, 1e4), edgeValue(-1e4, 1e4));
             default ->
                 new ControllerSpec.WallFollowing(
@@ -205,7 +213,16 @@ final class RandomScenarios {
                         random.nextBoolean() ? WallSide.LEFT : WallSide.RIGHT,
                         edgeValue(0, 10),
                         random.nextBoolean() ? TimingRule.EQUAL_READINGS : TimingRule.RANGE,
-                        random.nextBoolean());
+                        random.nextBoolean(),
+                        gainRule());
+        };
+    }
+
+    private GainRule gainRule() {
+        return switch (random.nextInt(3)) {
+            case 0 -> GainRule.AUTOMATIC;
+            case 1 -> new GainRule.Length(size());
+            default -> new GainRule.Fixed(positive(1e6), positive(1e6));
         };
     }
 

@@ -74,7 +74,8 @@ class ScenarioSchemaTest {
                 entry("voltage", NumberRange.VOLTAGE),
                 entry("positiveVoltage", NumberRange.POSITIVE_VOLTAGE),
                 entry("share", NumberRange.FRACTION),
-                entry("driveScale", NumberRange.DRIVE_SCALE));
+                entry("driveScale", NumberRange.DRIVE_SCALE),
+                entry("gain", NumberRange.GAIN));
         List<Element> types = elements("simpleType")
                 .filter(type -> type.getElementsByTagName("xs:restriction").item(0) instanceof Element base
                         && List.of("xs:double", "xs:decimal").contains(base.getAttribute("base")))
@@ -118,12 +119,16 @@ class ScenarioSchemaTest {
         assertTrue(checked >= 100, "only " + checked + " bounds were checked");
     }
 
+    /** Elements of the plain file that have the attributes of types that are no elements of it. */
+    private static final Map<String, String> SAMPLE_ELEMENTS = Map.of(
+            "placed", "circle", "outline", "polygon", "controllerSettings", "controller", "controllerChange", "tune");
+
     /** Returns the name of an element of the plain file that has an attribute. */
     private static String elementOf(Element attribute) {
         for (Node node = attribute.getParentNode(); ; node = node.getParentNode()) {
             String type = ((Element) node).getAttribute("name");
             if (!type.isEmpty()) {
-                return Map.of("placed", "circle", "outline", "polygon").getOrDefault(type, type);
+                return SAMPLE_ELEMENTS.getOrDefault(type, type);
             }
         }
     }
@@ -155,14 +160,24 @@ class ScenarioSchemaTest {
     /** The plain file in which the first element of a name, the probe among the sensors, has a value. */
     private static String withValue(String element, String name, String value) {
         String start = element.equals("sensor") ? "<sensor id=\"probe\"" : "<" + element + " ";
-        String plain = element.equals("controller") && List.of("left", "right").contains(name)
-                ? SampleScenario.withReplacement("type=\"wall-follower\" distance=\"0.25\"", "type=\"drive\"")
+        String plain = element.equals("controller")
+                ? SampleScenario.withReplacement("type=\"wall-follower\" distance=\"0.25\"", controllerWith(name))
                 : SampleScenario.PLAIN;
         int from = plain.indexOf(start);
         int to = plain.indexOf('>', from);
         String tag = plain.substring(from, to).replaceFirst(" " + name + "=\"[^\"]*\"", "");
         String changed = tag.replaceFirst("<" + element, "<" + element + " " + name + "=\"" + value + "\"");
         return plain.substring(0, from) + changed + plain.substring(to);
+    }
+
+    /** Returns the attributes without which a controller has not the named one. */
+    private static String controllerWith(String attribute) {
+        return switch (attribute) {
+            case "left", "right" -> "type=\"drive\"";
+            case "length" -> "gains=\"length\"";
+            case "kp", "kd" -> "gains=\"fixed\"";
+            default -> "type=\"wall-follower\" distance=\"0.25\"";
+        };
     }
 
     private static BigDecimal facet(Element type, String name) {

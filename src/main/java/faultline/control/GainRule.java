@@ -1,0 +1,64 @@
+package faultline.control;
+
+/** How the gains of the PD distance controller are chosen. */
+public sealed interface GainRule {
+
+    /** The gains that suit the speed and the motors. */
+    GainRule AUTOMATIC = new Automatic();
+
+    /**
+     * Returns the gains.
+     *
+     * @param speed metres per second
+     * @param lag the motors' time constant and the control's delay, seconds
+     */
+    PdGains gains(double speed, double lag);
+
+    /** Critically damped, with the shortest length that the motors can follow. */
+    record Automatic() implements GainRule {
+        @Override
+        public PdGains gains(double speed, double lag) {
+            return PdGains.forSpeed(speed, lag);
+        }
+    }
+
+    /**
+     * Critically damped.
+     *
+     * @param metres the length on which an error dies out, positive
+     */
+    record Length(double metres) implements GainRule {
+        public Length {
+            requirePositive(metres);
+        }
+
+        @Override
+        public PdGains gains(double speed, double lag) {
+            return PdGains.criticallyDamped(metres, speed);
+        }
+    }
+
+    /**
+     * Given gains.
+     *
+     * @param proportional k_p, radians per second for each metre, positive
+     * @param derivative k_d, radians per second for each metre per second, positive
+     */
+    record Fixed(double proportional, double derivative) implements GainRule {
+        public Fixed {
+            requirePositive(proportional);
+            requirePositive(derivative);
+        }
+
+        @Override
+        public PdGains gains(double speed, double lag) {
+            return PdGains.withErrorLimit(proportional, derivative, speed);
+        }
+    }
+
+    private static void requirePositive(double value) {
+        if (!(value > 0 && Double.isFinite(value))) {
+            throw new IllegalArgumentException("a length or gain must be positive: " + value);
+        }
+    }
+}

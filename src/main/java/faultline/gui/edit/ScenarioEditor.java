@@ -1,0 +1,31 @@
+package faultline.gui.edit;
+
+import faultline.gui.document.RunController;
+import faultline.gui.text.Messages;
+import faultline.scenario.Scenario;
+import java.util.function.UnaryOperator;
+
+/** Changes the scenario itself, with undo. The run is simulated again where that changes it. */
+public final class ScenarioEditor {
+
+    private final RunController run;
+    private final UndoController undo;
+
+    /** Creates an editor of the scenario of a run. */
+    public ScenarioEditor(RunController run, UndoController undo) {
+        this.run = run;
+        this.undo = undo;
+    }
+
+    /**
+     * Changes the scenario. Changes with the same name in quick succession form one edit.
+     *
+     * @param key the key of the edit's name
+     * @param change makes the change
+     * @param inverse reverts it and nothing else
+     */
+    public void edit(String key, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
+        undo.addSetupEdit(Messages.get(key), key, () -> run.change(inverse), () -> run.change(change));
+        run.change(change);
+    }
+}

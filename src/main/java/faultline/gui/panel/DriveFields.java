@@ -1,0 +1,84 @@
+package faultline.gui.panel;
+
+import faultline.geometry.Degrees;
+import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.text.Messages;
+import faultline.robot.MotorSpec;
+import faultline.robot.RobotSpec;
+import java.awt.GridBagLayout;
+import java.util.function.UnaryOperator;
+import javax.swing.JPanel;
+
+/** The robot's turn rate and motors. The run is simulated again with a change. */
+final class DriveFields extends JPanel {
+
+    private static final double MIN_VALUE = 0.001;
+
+    private final transient ScenarioEditor editor;
+    private final NumberSpinner turnRate = new NumberSpinner(
+            "0.##", 1, 3600, 5, value -> change(robot -> robot.withTurnRate(Degrees.toRadians(value))));
+    private final NumberSpinner timeConstant = new NumberSpinner(
+            "0.000##",
+            0,
+            10,
+            0.01,
+            value -> changeMotor(old -> new MotorSpec(value, old.speedConstant(), old.maxVoltage())));
+    private final NumberSpinner speedConstant = new NumberSpinner(
+            "0.000##",
+            MIN_VALUE,
+            10,
+            0.01,
+            value -> changeMotor(old -> new MotorSpec(old.timeConstant(), value, old.maxVoltage())));
+    private final NumberSpinner maxVoltage = new NumberSpinner(
+            "0.0##",
+            MIN_VALUE,
+            1000,
+            0.5,
+            value -> changeMotor(old -> new MotorSpec(old.timeConstant(), old.speedConstant(), value)));
+    private final transient CachedDegrees shownTurnRate = new CachedDegrees();
+    private transient RobotSpec robot = RobotSpec.DEFAULT;
+
+    DriveFields(ScenarioEditor editor) {
+        super(new GridBagLayout());
+        this.editor = editor;
+        addNumber(0, "drive.turnRate", turnRate);
+        addNumber(1, "drive.timeConstant", timeConstant);
+        addNumber(2, "drive.speedConstant", speedConstant);
+        addNumber(3, "drive.maxVoltage", maxVoltage);
+    }
+
+    private void addNumber(int row, String key, NumberSpinner field) {
+        ControllerPanel.addRow(this, row, key, field.withName(Messages.get(key)).withColumns(7));
+    }
+
+    private void changeMotor(UnaryOperator<MotorSpec> change) {
+        change(old -> old.withMotor(change.apply(old.motor())));
+    }
+
+    private void change(UnaryOperator<RobotSpec> change) {
+        RobotSpec before = robot;
+        RobotSpec after = change.apply(before);
+        if (!after.equals(before)) {
+            robot = after;
+            editor.edit(
+                    "edit.drive",
+                    open -> open.withSetup(
+                            open.setup().withRobot(withDriveOf(open.setup().robot(), after))),
+                    open -> open.withSetup(
+                            open.setup().withRobot(withDriveOf(open.setup().robot(), before))));
+        }
+    }
+
+    private static RobotSpec withDriveOf(RobotSpec robot, RobotSpec other) {
+        return robot.withTurnRate(other.turnRate()).withMotor(other.motor());
+    }
+
+    /** Shows the current values. */
+    void setRobot(RobotSpec current) {
+        robot = current;
+        turnRate.setWorldValue(shownTurnRate.toDegrees(current.turnRate()));
+        timeConstant.setWorldValue(current.motor().timeConstant());
+        speedConstant.setWorldValue(current.motor().speedConstant());
+        maxVoltage.setWorldValue(current.motor().maxVoltage());
+    }
+}

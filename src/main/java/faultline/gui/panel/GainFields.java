@@ -1,0 +1,104 @@
+package faultline.gui.panel;
+
+import faultline.control.ControllerSpec;
+import faultline.control.GainRule;
+import faultline.control.PdGains;
+import faultline.control.PeriodicController;
+import faultline.gui.text.Messages;
+import faultline.robot.RobotSpec;
+import java.awt.GridBagLayout;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+
+/**
+ * The gains of the distance controller: how they are chosen, and their values, which can be changed if they are set.
+ */
+final class GainFields extends JPanel {
+
+    /** How the gains are chosen. */
+    private enum Choice {
+        AUTOMATIC,
+        LENGTH,
+        FIXED;
+
+        static Choice of(GainRule rule) {
+            return rule instanceof GainRule.Length ? LENGTH : rule instanceof GainRule.Fixed ? FIXED : AUTOMATIC;
+        }
+    }
+
+    private static final double MAX_GAIN = 10_000;
+    private static final double MIN_GAIN = 0.001;
+    private static final double ROUNDING = 1e4;
+
+    private final transient Consumer<GainRule> onChange;
+    private final NamedChoice<Choice> choice =
+            new NamedChoice<>(Choice.values(), value -> Messages.get("controller.gains." + value.name()), this::select);
+    private final NumberSpinner length =
+            new NumberSpinner("0.00##", MIN_GAIN, MAX_GAIN, 0.01, value -> send(new GainRule.Length(value)));
+    private final NumberSpinner proportional = new NumberSpinner(
+            "0.0###", MIN_GAIN, MAX_GAIN, 1, value -> send(new GainRule.Fixed(value, derivativeValue())));
+    private final NumberSpinner derivative = new NumberSpinner(
+            "0.0###", MIN_GAIN, MAX_GAIN, 1, value -> send(new GainRule.Fixed(proportionalValue(), value)));
+    private transient GainRule shown = GainRule.AUTOMATIC;
+
+    GainFields(Consumer<GainRule> onChange) {
+        super(new GridBagLayout());
+        this.onChange = onChange;
+        ControllerPanel.addRow(this, 0, "controller.gains.choice", choice);
+        addNumber(1, "controller.gains.length", length);
+        addNumber(2, "controller.gains.kp", proportional);
+        addNumber(3, "controller.gains.kd", derivative);
+    }
+
+    private void addNumber(int row, String key, NumberSpinner field) {
+        ControllerPanel.addRow(this, row, key, field.withName(Messages.get(key)).withColumns(7));
+    }
+
+    private double proportionalValue() {
+        return proportional.doubleValue();
+    }
+
+    private double derivativeValue() {
+        return derivative.doubleValue();
+    }
+
+    /** Keeps the values that are shown when another choice is made. */
+    private void select(Choice selected) {
+        send(
+                switch (selected) {
+                    case AUTOMATIC -> GainRule.AUTOMATIC;
+                    case LENGTH -> new GainRule.Length(length.doubleValue());
+                    case FIXED -> new GainRule.Fixed(proportionalValue(), derivativeValue());
+                });
+    }
+
+    private void send(GainRule rule) {
+        if (!rule.equals(shown)) {
+            onChange.accept(rule);
+        }
+    }
+
+    /** Shows the gains of a follower; dt is the length of a tick, seconds. */
+    void setGains(ControllerSpec.WallFollowing follower, RobotSpec robot, double dt) {
+        shown = follower.gainRule();
+        double lag = robot.motor().timeConstant() + dt * PeriodicController.ticksPerPeriod(follower.period(), dt);
+        PdGains gains = shown.gains(robot.speed(), lag);
+        choice.setValue(Choice.of(shown));
+        proportional.setWorldValue(
+                shown instanceof GainRule.Fixed ? gains.proportional() : rounded(gains.proportional()));
+        derivative.setWorldValue(shown instanceof GainRule.Fixed ? gains.derivative() : rounded(gains.derivative()));
+        length.setWorldValue(shown instanceof GainRule.Length exact ? exact.metres() : rounded(2 / gains.derivative()));
+    }
+
+    private static double rounded(double value) {
+        return Math.max(MIN_GAIN, Math.round(value * ROUNDING) / ROUNDING);
+    }
+
+    /** Enables the fields that can be changed. */
+    void setApplicable(boolean applicable) {
+        choice.setEnabled(applicable);
+        length.setEnabled(applicable && Choice.of(shown) == Choice.LENGTH);
+        proportional.setEnabled(applicable && Choice.of(shown) == Choice.FIXED);
+        derivative.setEnabled(proportional.isEnabled());
+    }
+}

@@ -1,0 +1,56 @@
+package faultline.gui.panel;
+
+import java.awt.Component;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JComboBox;
+import javax.swing.JList;
+
+/** A combo box of values with names. It shows the value of the world unless the user is choosing. */
+final class NamedChoice<T> extends JComboBox<T> {
+
+    private boolean updating;
+
+    /**
+     * Creates a choice of the first value.
+     *
+     * @param values the values
+     * @param name returns the name of a value
+     * @param onChange receives every value that the user chooses
+     */
+    NamedChoice(T[] values, Function<T, String> name, Consumer<T> onChange) {
+        super(values);
+        setRenderer(new DefaultListCellRenderer() {
+            @Override
+            public Component getListCellRendererComponent(
+                    JList<?> items, Object item, int index, boolean selected, boolean focused) {
+                return super.getListCellRendererComponent(
+                        items, name.apply(values[indexOf(values, item)]), index, selected, focused);
+            }
+        });
+        addActionListener(event -> {
+            if (!updating) {
+                onChange.accept(getItemAt(getSelectedIndex()));
+            }
+        });
+    }
+
+    private static int indexOf(Object[] values, Object item) {
+        for (int i = 0; i < values.length; i++) {
+            if (values[i].equals(item)) {
+                return i;
+            }
+        }
+        return 0;
+    }
+
+    /** Shows a value, unless the list is open. */
+    void setValue(T value) {
+        if (!value.equals(getSelectedItem()) && !isPopupVisible()) {
+            updating = true;
+            setSelectedItem(value);
+            updating = false;
+        }
+    }
+}

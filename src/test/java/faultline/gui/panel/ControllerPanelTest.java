@@ -1,0 +1,173 @@
+package faultline.gui.panel;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.GainRule;
+import faultline.control.WallSide;
+import faultline.gui.Await;
+import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
+import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.edit.UndoController;
+import faultline.gui.theme.Theme;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import java.nio.file.Path;
+import java.util.function.Predicate;
+import javax.swing.JComboBox;
+import javax.swing.JSpinner;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The controller panel with a run behind it, without a display. */
+@ExtendWith(EdtChecker.class)
+class ControllerPanelTest {
+
+    @TempDir
+    private Path folder;
+
+    private Workspace workspace;
+    private RunController run;
+    private DocumentStore documents;
+    private UndoController undo;
+    private ControllerPanel panel;
+
+    @BeforeEach
+    void open() {
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            workspace = new Workspace();
+            run = new RunController(workspace);
+            documents = new DocumentStore(workspace);
+            undo = new UndoController(run::send, () -> {});
+            workspace.addListener(new Forwarder());
+            panel = new ControllerPanel(undo, new ScenarioEditor(run, undo));
+            documents.open(Path.of("scenarios/right-hand.xml"));
+        });
+        await("the scenario", spec -> true);
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    /** Waits for a frame whose controller meets a condition, and shows every frame on the way. */
+    private void await(String what, Predicate<ControllerSpec> condition) {
+        Await.until(what, () -> {
+            run.frame().ifPresent(frame -> {
+                undo.pendingEdits().setRobot(frame.snapshot().robot());
+                panel.setSettings(
+                        frame.controller(), workspace.scenario().orElseThrow().setup());
+            });
+            return run.frame()
+                    .filter(frame -> condition.test(frame.controller()))
+                    .isPresent();
+        });
+    }
+
+    private static WallFollowing follower(ControllerSpec spec) {
+        return (WallFollowing) spec;
+    }
+
+    private void type(String name, double value) {
+        runOnEdt(() -> ComponentFinder.find(panel, JSpinner.class, name).setValue(value));
+    }
+
+    private void choose(String name, int index) {
+        runOnEdt(() -> ComponentFinder.find(panel, JComboBox.class, name).setSelectedIndex(index));
+    }
+
+    private double shown(String name) {
+        return callOnEdt(() ->
+                ((Number) ComponentFinder.find(panel, JSpinner.class, name).getValue()).doubleValue());
+    }
+
+    private boolean isEnabled(String name) {
+        return callOnEdt(() -> ComponentFinder.find(panel, JSpinner.class, name).isEnabled());
+    }
+
+    @Test
+    void aChangeHoldsFromNowIsUndoneAndRedone() {
+        double before = shown("Distance, m");
+        type("Distance, m", 0.37);
+        await("the new distance", spec -> follower(spec).distance() == 0.37);
+        assertEquals(WallSide.RIGHT, callOnEdt(() -> follower(
+                        workspace.scenario().orElseThrow().setup().controller())
+                .side()));
+        runOnEdt(undo::undo);
+        await("the old distance", spec -> follower(spec).distance() == before);
+        assertEquals(before, shown("Distance, m"));
+        assertFalse(callOnEdt(workspace::isChanged));
+        runOnEdt(undo::redo);
+        await("the new distance again", spec -> follower(spec).distance() == 0.37);
+    }
+
+    @Test
+    void gainsAreShownBeforeTheyAreSetAndSavedWithTheScenario() throws ScenarioException {
+        double length = shown("Length, m");
+        assertEquals(2 / length, shown("k_d, rad/m"), 1e-3, "k_d = 2 / l");
+        assertFalse(isEnabled("k_d, rad/m"));
+        choose("Gains", 2);
+        await("fixed gains", spec -> follower(spec).gainRule() instanceof GainRule.Fixed);
+        assertTrue(isEnabled("k_d, rad/m"));
+        type("k_d, rad/m", 14.5);
+        await(
+                "the new gain",
+                spec -> follower(spec).gainRule() instanceof GainRule.Fixed fixed && fixed.derivative() == 14.5);
+        Path file = folder.resolve("tuned.xml");
+        runOnEdt(() -> documents.save(file, () -> {}));
+        Await.until("the scenario is saved", () -> !workspace.isChanged());
+        WallFollowing saved = follower(Scenario.load(file).setup().controller());
+        assertEquals(14.5, ((GainRule.Fixed) saved.gainRule()).derivative());
+    }
+
+    @Test
+    void anotherKindEnablesItsFields() {
+        choose("Controller", 1);
+        await("constant voltages", spec -> spec instanceof ControllerSpec.Drive);
+        assertTrue(isEnabled("Left, V"));
+        assertFalse(isEnabled("Distance, m"));
+        type("Left, V", 1.5);
+        await("the new voltage", spec -> spec.equals(new ControllerSpec.Drive(1.5, 1)));
+    }
+
+    @Test
+    void aChangeOfTheDriveIsSimulatedAgainAndUndone() {
+        double before = shown("Turn rate, °/s");
+        type("Turn rate, °/s", before + 20);
+        Await.until("the run is simulated again", () -> run.frame()
+                .filter(frame -> StrictMath.toDegrees(frame.snapshot().robot().turnRate()) > before + 19)
+                .isPresent());
+        runOnEdt(undo::undo);
+        Await.until("the old turn rate", () -> run.frame()
+                .filter(frame -> StrictMath.toDegrees(frame.snapshot().robot().turnRate()) < before + 1)
+                .isPresent());
+    }
+
+    /** Clears what was pending when a session starts, as the window does. */
+    private final class Forwarder implements WorkspaceListener {
+        @Override
+        public void scenarioOpened() {
+            undo.clear();
+        }
+
+        @Override
+        public void runRepositioned(long tick) {
+            undo.runRepositioned(tick);
+        }
+    }
+}
