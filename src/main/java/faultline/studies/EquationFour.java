@@ -83,15 +83,15 @@ final class EquationFour {
         return List.of(
                 sweep(
                         "seat-along",
-                        "Seat of the sensor along its axis",
-                        "seat to the left of the centre (mm)",
+                        "Mounting position along the axis of the sensor",
+                        "mounting position left of the centre (mm)",
                         steps(0, 10, 11),
                         (value, timing, variant) ->
                                 AlignmentTrial.standard(timing, variant).withRobot(withMountPosition(0, value / 1000))),
                 sweep(
                         "seat-ahead",
                         "Axis that misses the centre",
-                        "seat ahead of the centre (mm)",
+                        "mounting position ahead of the centre (mm)",
                         steps(-60, 10, 13),
                         (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
                                 .withRobot(withMountPosition(value / 1000, 0.1))),

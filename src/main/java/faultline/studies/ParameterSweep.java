@@ -92,19 +92,17 @@ record ParameterSweep(
     }
 
     private SvgSurface createFigure(List<TrialPoint> points) {
-        List<TrialPoint> letter = points.stream()
+        List<TrialPoint> exact = points.stream()
                 .filter(point -> point.timing() == TimingRule.RANGE)
                 .toList();
         List<TrialPoint> equal = points.stream()
                 .filter(point -> point.timing() == TimingRule.EQUAL_READINGS)
                 .toList();
         List<Series> series = List.of(
-                new Series.Band("\u00b1 \u03c9T/2", means(letter, 1), means(letter, -1), 1),
-                new Series.Line("theory, to the letter", means(letter, 0), 1),
+                new Series.Band("\u00b1 \u03c9T/2", means(exact, 1), means(exact, -1), 1),
+                new Series.Line("theory, exact rule", means(exact, 0), 1),
                 new Series.Points(
-                        "to the letter",
-                        letter.stream().map(TrialPoint::measured).toList(),
-                        1),
+                        "exact rule", exact.stream().map(TrialPoint::measured).toList(), 1),
                 new Series.Line("theory, equal readings", means(equal, 0), 0),
                 new Series.Points(
                         "equal readings",

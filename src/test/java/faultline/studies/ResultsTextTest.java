@@ -175,7 +175,7 @@ class ResultsTextTest {
         ResultsTable table = ResultsTable.of("eq4-hypercube");
         assertEquals(400, table.rows().size(), "every trial aligns");
         assertSaid("differ by at most %.2f degrees with equal readings", largestResidual(table, "equal-readings"));
-        assertSaid("to the letter by at most %.2f degrees more", largestResidual(table, "range"));
+        assertSaid("by the exact rule by at most %.2f degrees more", largestResidual(table, "range"));
     }
 
     private static double largestResidual(ResultsTable table, String timing) {
