@@ -15,7 +15,8 @@ final class HelpText {
               --seed N                     with seed N in place of the file's
               --threads controller|none    the controller on its own thread, or called directly (default: none);
                                            the trajectory is the same
-              --trace OUT.csv              write one row for every tick
+              --trace OUT.csv              write one row for every tick; OUT.csv.gz is compressed
+              --trace-format 1|2           2 adds volts, telemetry, faults, health and OUT.csv.json (default: 1)
               --image OUT.png              write a picture of the end of the run
               --journal OUT.xml            write the scenario that replays this run
               --film OUT.gif               write a film of the run

@@ -2,6 +2,7 @@ package faultline.app;
 
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.TraceFormat;
 import faultline.external.ControllerChoice;
 import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
@@ -41,6 +42,8 @@ record RunOptions(
     enum Output {
         /** The values of every tick. */
         TRACE,
+        /** What the columns of the trace mean, and which run it is of; has no option of its own. */
+        TRACE_HEADER,
         /** The last frame. */
         IMAGE,
         /** A scenario that replays the run. */
@@ -58,6 +61,7 @@ record RunOptions(
             "--seed",
             "--threads",
             "--trace",
+            "--trace-format",
             "--image",
             "--journal",
             "--film",
@@ -128,9 +132,30 @@ record RunOptions(
     private static Map<Output, Path> outputs(Arguments arguments) throws UsageException {
         Map<Output, Path> outputs = new EnumMap<>(Output.class);
         for (Output output : Output.values()) {
-            arguments.fileOption(output.option()).ifPresent(path -> outputs.put(output, path));
+            if (output != Output.TRACE_HEADER) {
+                arguments.fileOption(output.option()).ifPresent(path -> outputs.put(output, path));
+            }
+        }
+        Path trace = outputs.get(Output.TRACE);
+        if (traceFormat(arguments) == TraceFormat.TWO && trace != null) {
+            outputs.put(Output.TRACE_HEADER, trace.resolveSibling(trace.getFileName() + ".json"));
         }
         return outputs;
+    }
+
+    private static TraceFormat traceFormat(Arguments arguments) throws UsageException {
+        String text = arguments.value("--trace-format").orElse("1");
+        return switch (text) {
+            case "1" -> TraceFormat.ONE;
+            case "2" -> TraceFormat.TWO;
+            default ->
+                throw new UsageException("--trace-format is " + MessageText.quoted(text) + ", allowed is 1 or 2");
+        };
+    }
+
+    /** Returns which columns the trace has. */
+    TraceFormat traceFormat() {
+        return outputs.containsKey(Output.TRACE_HEADER) ? TraceFormat.TWO : TraceFormat.ONE;
     }
 
     private static double pace(Arguments arguments) throws UsageException {

@@ -15,14 +15,17 @@ import faultline.scenario.Scenario;
 import java.awt.image.BufferedImage;
 import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.zip.GZIPOutputStream;
 
 /**
  * The output files of a run. All files are opened before the run, so that one that cannot be written is reported at
@@ -34,13 +37,23 @@ final class RunOutputs implements AutoCloseable {
 
     private final Map<Output, AtomicFile> files = new EnumMap<>(Output.class);
     private Writer traceWriter = Writer.nullWriter();
+    /** Null unless the trace is compressed. */
+    private GZIPOutputStream traceEnd;
+
+    private final String scenarioHash;
+    private final RunOptions options;
     private final double pace;
+    private Simulation simulation;
     private FilmRecorder film;
     private Frame lastFrame;
     private Journal journal;
 
     RunOutputs(RunOptions options) throws IOException {
+        this.options = options;
         pace = options.pace();
+        scenarioHash = options.outputs().containsKey(Output.TRACE_HEADER)
+                ? TraceHeader.sha256(Files.readAllBytes(options.file()))
+                : "";
         try {
             for (Map.Entry<Output, Path> output : options.outputs().entrySet()) {
                 files.put(output.getKey(), AtomicFile.create(output.getValue()));
@@ -55,9 +68,11 @@ final class RunOutputs implements AutoCloseable {
     List<TickObserver> observers() throws IOException {
         List<TickObserver> observers = new ArrayList<>();
         if (files.containsKey(Output.TRACE)) {
-            traceWriter = new BufferedWriter(
-                    new OutputStreamWriter(files.get(Output.TRACE).stream(), StandardCharsets.UTF_8));
-            observers.add(new TraceWriter(traceWriter));
+            traceWriter = new BufferedWriter(new OutputStreamWriter(traceStream(), StandardCharsets.UTF_8));
+            observers.add(new TraceWriter(traceWriter, options.traceFormat()));
+        }
+        if (files.containsKey(Output.TRACE_HEADER)) {
+            observers.add(traced -> simulation = traced);
         }
         if (files.containsKey(Output.FILM)) {
             film = new FilmRecorder(files.get(Output.FILM).stream());
@@ -72,6 +87,16 @@ final class RunOutputs implements AutoCloseable {
         return observers;
     }
 
+    /** Returns where the trace goes, compressed if its file is named so. */
+    private OutputStream traceStream() throws IOException {
+        OutputStream out = files.get(Output.TRACE).stream();
+        if (options.outputs().get(Output.TRACE).toString().endsWith(".gz")) {
+            traceEnd = new GZIPOutputStream(out);
+            return traceEnd;
+        }
+        return out;
+    }
+
     private void recordEnd(Simulation simulation) {
         if (simulation.ticks() == simulation.setup().ticks()) {
             lastFrame = simulation.frame();
@@ -82,6 +107,13 @@ final class RunOutputs implements AutoCloseable {
     /** Writes the remaining outputs and moves every file into place. */
     void finish(Scenario scenario) throws IOException {
         traceWriter.flush();
+        if (traceEnd != null) {
+            traceEnd.finish();
+        }
+        if (files.containsKey(Output.TRACE_HEADER)) {
+            String header = TraceHeader.text(scenario.name(), options, scenarioHash, simulation);
+            files.get(Output.TRACE_HEADER).stream().write(header.getBytes(StandardCharsets.UTF_8));
+        }
         if (files.containsKey(Output.IMAGE)) {
             PngImage.write(renderImage(lastFrame), files.get(Output.IMAGE).stream());
         }

@@ -7,9 +7,11 @@ import faultline.control.DecisionLog;
 import faultline.control.PeriodicController;
 import faultline.control.Telemetry;
 import faultline.geometry.Pose;
+import faultline.robot.MotorFaults;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
+import faultline.sensor.Fault;
 import faultline.world.Collision;
 import faultline.world.Command;
 import faultline.world.Refusal;
@@ -256,6 +258,20 @@ public final class Simulation implements AutoCloseable {
     /** Returns the current settings of the controller. */
     public ControllerSpec controllerSpec() {
         return controllerSpec;
+    }
+
+    /**
+     * Returns the active faults of a sensor, oldest first.
+     *
+     * @param sensor the sensor's index in the robot's list
+     */
+    public List<Fault> faults(int sensor) {
+        return world.faults(sensor);
+    }
+
+    /** Returns the active faults of the motors. */
+    public MotorFaults motorFaults() {
+        return world.motorFaults();
     }
 
     /** Returns the telemetry of the decision that acted in the last tick; at tick 0 that of the initial state. */

@@ -2,6 +2,7 @@ package faultline.world;
 
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.robot.MotorFaults;
 import faultline.robot.RobotSpec;
 import faultline.robot.WheelSpeeds;
 import faultline.sensor.Fault;
@@ -152,6 +153,20 @@ public final class World {
      */
     public double reportedReading(int sensor) {
         return sensors.reported(sensor);
+    }
+
+    /**
+     * Returns the active faults of a sensor, oldest first.
+     *
+     * @param sensor its place in the robot's list
+     */
+    public List<Fault> faults(int sensor) {
+        return sensors.faults(sensor);
+    }
+
+    /** Returns the active faults of the motors. */
+    public MotorFaults motorFaults() {
+        return body.motorFaults();
     }
 
     /** Returns all reported readings in a new array, encoded as in {@link faultline.sensor.Reading}. */

@@ -186,8 +186,8 @@ class CommandLineTest {
             run a.xml b.xml                 | run takes one scenario file, not 2
             check                           | check takes one or more scenario files, not none
             check --all a.xml               | there is no option "--all" here, allowed is none
-            run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json; did you mean "--seed"?
-            run a.xml -x                    | there is no option "-x" here, allowed is --until, --seed, --threads, --trace, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json
+            run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json; did you mean "--seed"?
+            run a.xml -x                    | there is no option "-x" here, allowed is --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json
             run a.xml --pace 0              | --pace is "0", allowed is a multiple of real time above 0, up to 1000000
             run a.xml --jar none.jar        | --jar is "none.jar", and there is no such file
             run a.xml --seed                | --seed needs a value

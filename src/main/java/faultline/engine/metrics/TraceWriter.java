@@ -2,89 +2,52 @@ package faultline.engine.metrics;
 
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
-import faultline.geometry.Angles;
-import faultline.io.MessageText;
-import faultline.sensor.Reading;
-import faultline.sensor.SensorSpec;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.io.Writer;
+import java.util.List;
+import java.util.stream.Collectors;
 
 /**
- * Writes the trace as CSV: a header, and a row for tick 0 and each later tick. Every number is the shortest text that
- * reads back to the same bits.
+ * Writes the trace: a header, then a CSV row for tick 0 and after every tick. Numbers are the shortest that read back
+ * to the same bits.
  */
 public final class TraceWriter implements TickObserver {
 
     private final Writer out;
-    private boolean headerWritten;
+    private final TraceFormat format;
+    private List<TraceColumn> columns = List.of();
 
-    /** Creates a trace on a buffered writer, which the caller closes. */
-    public TraceWriter(Writer out) {
+    /**
+     * A trace on a writer, which the caller closes.
+     *
+     * @param out where the rows go; buffered
+     * @param format which columns it has
+     */
+    public TraceWriter(Writer out, TraceFormat format) {
         this.out = out;
+        this.format = format;
     }
 
     /**
-     * Writes the row of the current tick.
+     * Writes the row of this moment.
      *
      * @throws UncheckedIOException if the writer fails
      */
     @Override
     public void observe(Simulation simulation) {
         StringBuilder row = new StringBuilder(256);
-        if (!headerWritten) {
-            appendHeader(simulation, row);
-            headerWritten = true;
+        if (columns.isEmpty()) {
+            columns = format.columns(simulation.robot());
+            row.append(columns.stream().map(TraceColumn::name).collect(Collectors.joining(",", "", "\n")));
         }
-        appendMotion(simulation, row);
-        for (int i = 0; i < simulation.robot().sensors().size(); i++) {
-            row.append(',')
-                    .append(readingCell(simulation.trueReading(i)))
-                    .append(',')
-                    .append(readingCell(simulation.reportedReading(i)));
+        for (int i = 0; i < columns.size(); i++) {
+            if (i > 0) {
+                row.append(',');
+            }
+            columns.get(i).cell().accept(simulation, row);
         }
         write(row.append('\n'));
-    }
-
-    private static void appendHeader(Simulation simulation, StringBuilder row) {
-        row.append("tick,t,x,y,heading_deg,v,omega,left_v,right_v,state,collided");
-        for (SensorSpec sensor : simulation.robot().sensors()) {
-            String name = MessageText.cell(sensor.id());
-            row.append(',').append(name).append(".true,").append(name).append(".reading");
-        }
-        row.append('\n');
-    }
-
-    private static void appendMotion(Simulation s, StringBuilder row) {
-        double heading = StrictMath.toDegrees(Angles.normalize(s.pose().heading()));
-        row.append(s.ticks())
-                .append(',')
-                .append(s.time())
-                .append(',')
-                .append(s.pose().x())
-                .append(',')
-                .append(s.pose().y())
-                .append(',')
-                .append(heading)
-                .append(',')
-                .append(s.velocity().linear())
-                .append(',')
-                .append(s.velocity().angular())
-                .append(',')
-                .append(s.wheelSpeeds().left())
-                .append(',')
-                .append(s.wheelSpeeds().right())
-                .append(',')
-                .append(s.telemetry().state())
-                .append(',')
-                .append(s.collision().isPresent());
-    }
-
-    private static String readingCell(double reading) {
-        if (Reading.isOff(reading)) {
-            return "off";
-        }
-        return reading == Reading.NOTHING ? "" : Double.toString(reading);
     }
 
     private void write(CharSequence text) {

@@ -3,6 +3,7 @@ package faultline.gui.export;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.TraceFormat;
 import faultline.engine.metrics.TraceWriter;
 import faultline.gui.document.TaskProgress;
 import faultline.scenario.Scenario;
@@ -46,7 +47,7 @@ final class HeadlessReplay {
     static void writeTrace(CompletableFuture<Scenario> scenario, OutputStream out, TaskProgress progress)
             throws IOException {
         Writer text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
-        run(scenario, new TraceWriter(text)::observe, progress);
+        run(scenario, new TraceWriter(text, TraceFormat.ONE)::observe, progress);
         text.flush();
     }
 

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.ControllerMode;
 import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.TraceFormat;
 import faultline.engine.metrics.TraceWriter;
 import faultline.gui.Await;
 import faultline.gui.EdtChecker;
@@ -165,7 +166,7 @@ class ExportControllerTest {
         HeadlessRun.run(
                 scenario.setup().withDuration(STEPS * scenario.setup().dt()),
                 ControllerMode.DIRECT,
-                List.of(new TraceWriter(expected)));
+                List.of(new TraceWriter(expected, TraceFormat.ONE)));
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         TaskProgress progress = new TaskProgress();
         HeadlessReplay.writeTrace(callOnEdt(() -> workspace.replayScenario().orElseThrow()), out, progress);

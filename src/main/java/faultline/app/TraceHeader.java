@@ -1,0 +1,57 @@
+package faultline.app;
+
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.TraceColumn;
+import faultline.io.JsonWriter;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.Locale;
+
+/** The file beside a trace of format 2: which run it is of, and what its columns mean. */
+final class TraceHeader {
+
+    private TraceHeader() {}
+
+    /**
+     * Returns the text of the file.
+     *
+     * @param name of the scenario
+     * @param options of the run
+     * @param scenarioHash of the scenario file
+     * @param simulation at its end
+     */
+    static String text(String name, RunOptions options, String scenarioHash, Simulation simulation) {
+        SimulationSetup setup = simulation.setup();
+        JsonWriter json = new JsonWriter()
+                .member("format", "faultline-trace-2")
+                .member("program", HelpText.version())
+                .member("scenario", name)
+                .member("scenario_file", options.file().getFileName().toString())
+                .member("scenario_sha256", scenarioHash)
+                .member("seed", setup.seed())
+                .member("tick_s", setup.dt())
+                .member("rows", simulation.ticks() + 1)
+                .member("trajectory_hash", String.format(Locale.ROOT, "%016x", simulation.trajectoryHash()))
+                .name("columns")
+                .beginArray();
+        for (TraceColumn column : options.traceFormat().columns(simulation.robot())) {
+            json.beginObject()
+                    .member("name", column.name())
+                    .member("unit", column.unit())
+                    .member("meaning", column.meaning())
+                    .endObject();
+        }
+        return json.endArray().finish() + "\n";
+    }
+
+    /** Returns the SHA-256 of some bytes, in hexadecimal digits. */
+    static String sha256(byte[] bytes) {
+        try {
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every JDK has SHA-256", e);
+        }
+    }
+}
