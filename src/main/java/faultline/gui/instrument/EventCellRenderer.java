@@ -1,9 +1,9 @@
 package faultline.gui.instrument;
 
 import faultline.engine.recording.RunEvent;
-import faultline.gui.timeline.EventText;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
+import faultline.gui.timeline.EventText;
 import java.awt.Component;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;

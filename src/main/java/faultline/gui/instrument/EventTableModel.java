@@ -2,8 +2,8 @@ package faultline.gui.instrument;
 
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
-import faultline.gui.timeline.EventText;
 import faultline.gui.text.Messages;
+import faultline.gui.timeline.EventText;
 import java.util.Optional;
 import javax.swing.table.AbstractTableModel;
 
