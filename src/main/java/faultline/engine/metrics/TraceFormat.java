@@ -4,6 +4,7 @@ import faultline.control.SensorHealth;
 import faultline.control.Telemetry;
 import faultline.engine.Simulation;
 import faultline.geometry.Angles;
+import faultline.io.MessageText;
 import faultline.robot.MotorFault;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
@@ -32,7 +33,7 @@ public enum TraceFormat {
             addController(columns);
         }
         for (int i = 0; i < robot.sensors().size(); i++) {
-            String id = robot.sensors().get(i).id();
+            String id = MessageText.cell(robot.sensors().get(i).id());
             if (this == ONE) {
                 addReadings(columns, id, i);
             } else {
