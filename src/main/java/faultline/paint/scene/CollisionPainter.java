@@ -2,14 +2,10 @@ package faultline.paint.scene;
 
 import faultline.geometry.Vector2;
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Shapes;
 import faultline.world.Collision;
 import faultline.world.Snapshot;
 import java.awt.Color;
-import java.awt.Shape;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Line2D;
-import java.awt.geom.Rectangle2D;
-import java.awt.geom.RoundRectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -25,21 +21,18 @@ final class CollisionPainter {
 
     private static final double CONTACT_RADIUS = 7;
     private static final double CROSS_ARM = 4;
-    private static final double BADGE_MARGIN = 5;
-    private static final double PADDING = 8;
-    private static final double LINE_HEIGHT = 17;
-    /** From the middle of a line of text down to its baseline, pixels. */
-    private static final double BASELINE_OFFSET = 4.5;
-
+    private static final Vector2 BADGE_CORNER = new Vector2(5, 5);
     private static final double DOT_RADIUS = 4.5;
 
     private CollisionPainter() {}
 
     static void paint(DrawContext context, Snapshot world) {
         for (Vector2 contact : world.contacts()) {
-            Vector2 place = context.camera().toScreen(contact);
             context.drawRing(
-                    place.x(), place.y(), CONTACT_RADIUS, 2, context.palette().collision());
+                    context.camera().toScreen(contact),
+                    CONTACT_RADIUS,
+                    2,
+                    context.palette().collision());
         }
         world.collision()
                 .ifPresent(collision -> paintMark(context, context.camera().toScreen(collision.point())));
@@ -47,41 +40,15 @@ final class CollisionPainter {
 
     private static void paintMark(DrawContext context, Vector2 at) {
         Color colour = context.palette().collision();
-        context.drawRing(at.x(), at.y(), RING_RADIUS, 2.4, colour);
-        context.draw(
-                new Line2D.Double(at.x() - CROSS_ARM, at.y() - CROSS_ARM, at.x() + CROSS_ARM, at.y() + CROSS_ARM),
-                colour,
-                DrawContext.solidStroke(2));
-        context.draw(
-                new Line2D.Double(at.x() - CROSS_ARM, at.y() + CROSS_ARM, at.x() + CROSS_ARM, at.y() - CROSS_ARM),
-                colour,
-                DrawContext.solidStroke(2));
+        context.drawRing(at, RING_RADIUS, 2.4, colour);
+        context.drawCross(Shapes.circle(at, CROSS_ARM).getBounds2D(), colour);
     }
 
     static void paintBadge(DrawContext context, Collision collision, SceneLabels labels) {
+        Color colour = context.palette().collision();
         List<String> lines = badgeLines(collision, labels);
-        double text = lines.stream()
-                .mapToDouble(line -> context.measureText(line).getWidth())
-                .max()
-                .orElseThrow();
-        double height = context.scaleToFont(LINE_HEIGHT);
-        Rectangle2D frame = new Rectangle2D.Double(
-                BADGE_MARGIN, BADGE_MARGIN, text + 3 * PADDING + 2 * DOT_RADIUS, height * lines.size() + PADDING);
-        Shape badge = new RoundRectangle2D.Double(
-                frame.getX() + 0.5, frame.getY() + 0.5, frame.getWidth(), frame.getHeight(), 8, 8);
-        context.fill(badge, context.palette().canvas());
-        context.draw(badge, context.palette().collision(), DrawContext.solidStroke(1.6));
-        double middle = frame.getY() + 0.5 + (PADDING + height) / 2;
-        context.fill(
-                new Ellipse2D.Double(frame.getX() + PADDING, middle - DOT_RADIUS, 2 * DOT_RADIUS, 2 * DOT_RADIUS),
-                context.palette().collision());
-        for (int i = 0; i < lines.size(); i++) {
-            context.drawText(
-                    lines.get(i),
-                    frame.getX() + 2 * PADDING + 2 * DOT_RADIUS,
-                    middle + context.scaleToFont(BASELINE_OFFSET) + i * height,
-                    context.palette().text());
-        }
+        Vector2 dot = BadgePainter.paint(context, BADGE_CORNER, lines, 2 * DOT_RADIUS, colour, 1.6);
+        context.fill(Shapes.circle(dot.plus(new Vector2(DOT_RADIUS, 0)), DOT_RADIUS), colour);
     }
 
     /** Returns the lines of the badge. */

@@ -11,7 +11,6 @@ import faultline.world.Obstacle;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
-import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
@@ -26,7 +25,6 @@ public final class InteractionPainter {
 
     private static final int BAND_ALPHA = 30;
     private static final Stroke EDGE_STROKE = DrawContext.solidStroke(1.4);
-    private static final Stroke CROSS_STROKE = DrawContext.solidStroke(2);
     private static final Stroke PREVIEW_STROKE = DrawContext.dashedStroke(1.6, 5, 4);
     private static final double VALUES_GAP = 26;
     private static final double VALUES_PADDING = 8;
@@ -66,15 +64,7 @@ public final class InteractionPainter {
                 blocked ? context.palette().collision() : context.palette().accent(),
                 PREVIEW_STROKE);
         if (blocked) {
-            Rectangle2D box = outline.getBounds2D();
-            context.draw(
-                    new Line2D.Double(box.getMinX(), box.getMinY(), box.getMaxX(), box.getMaxY()),
-                    context.palette().collision(),
-                    CROSS_STROKE);
-            context.draw(
-                    new Line2D.Double(box.getMinX(), box.getMaxY(), box.getMaxX(), box.getMinY()),
-                    context.palette().collision(),
-                    CROSS_STROKE);
+            context.drawCross(outline.getBounds2D(), context.palette().collision());
         }
     }
 

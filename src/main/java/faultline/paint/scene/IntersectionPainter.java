@@ -14,9 +14,11 @@ final class IntersectionPainter {
 
     static void paint(DrawContext context, List<Vector2> hits) {
         for (Vector2 hit : hits) {
-            Vector2 place = context.camera().toScreen(hit);
             context.drawRing(
-                    place.x(), place.y(), RING_RADIUS, 1.8, context.palette().contact());
+                    context.camera().toScreen(hit),
+                    RING_RADIUS,
+                    1.8,
+                    context.palette().contact());
         }
     }
 }

@@ -3,16 +3,15 @@ package faultline.paint.scene;
 import faultline.geometry.RigidMotion;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Shapes;
 import faultline.robot.RobotSpec;
 import faultline.world.Snapshot;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
-import java.awt.geom.RoundRectangle2D;
+import java.util.List;
 
 /** Paints a reference run: its path, its robot as a dashed outline, a mark at the first difference, and a caption. */
 public final class ReferenceOverlayPainter {
@@ -21,10 +20,8 @@ public final class ReferenceOverlayPainter {
     private static final Stroke SOLID_STROKE = DrawContext.solidStroke(1.8);
     private static final double MARK_RADIUS = 8;
     private static final double MARGIN = 8;
-    private static final double PADDING = 8;
-    private static final double LINE_HEIGHT = 17;
-    /** From the middle of a line of text down to its baseline, pixels. */
-    private static final double BASELINE_OFFSET = 4.5;
+    /** From a mark up to the middle of its label, pixels. */
+    private static final double LABEL_GAP = 8.5;
 
     private static final double SAMPLE_LENGTH = 26;
 
@@ -67,59 +64,32 @@ public final class ReferenceOverlayPainter {
     }
 
     private static Shape arrow(RobotSpec robot) {
-        Path2D arrow = new Path2D.Double();
-        arrow.moveTo(0, robot.width() * 0.25);
-        arrow.lineTo(robot.length() * 0.3, 0);
-        arrow.lineTo(0, -robot.width() * 0.25);
-        return arrow;
+        return Shapes.polyline(List.of(
+                new Vector2(0, robot.width() * 0.25),
+                new Vector2(robot.length() * 0.3, 0),
+                new Vector2(0, -robot.width() * 0.25)));
     }
 
     /** Paints a diamond with a line across. */
     private static void paintMark(DrawContext context, String text, Vector2 at) {
         Color colour = context.palette().reference();
-        Path2D diamond = new Path2D.Double();
-        diamond.moveTo(at.x() - MARK_RADIUS, at.y());
-        diamond.lineTo(at.x(), at.y() - MARK_RADIUS);
-        diamond.lineTo(at.x() + MARK_RADIUS, at.y());
-        diamond.lineTo(at.x(), at.y() + MARK_RADIUS);
-        diamond.closePath();
+        Vector2 right = new Vector2(MARK_RADIUS, 0);
+        Vector2 down = new Vector2(0, MARK_RADIUS);
+        Vector2 half = new Vector2(MARK_RADIUS / 2, -MARK_RADIUS / 2);
+        Shape diamond = Shapes.polygon(List.of(at.minus(right), at.minus(down), at.plus(right), at.plus(down)));
         context.draw(diamond, context.palette().canvas(), DrawContext.HALO_STROKE);
         context.draw(diamond, colour, SOLID_STROKE);
-        context.draw(
-                new Line2D.Double(
-                        at.x() - MARK_RADIUS / 2,
-                        at.y() + MARK_RADIUS / 2,
-                        at.x() + MARK_RADIUS / 2,
-                        at.y() - MARK_RADIUS / 2),
-                colour,
-                SOLID_STROKE);
-        context.drawLabel(text, at.x(), at.y() - MARK_RADIUS - context.scaleToFont(LINE_HEIGHT) / 2, colour);
+        context.draw(Shapes.polyline(List.of(at.minus(half), at.plus(half))), colour, SOLID_STROKE);
+        context.drawLabel(text, at.x(), at.y() - MARK_RADIUS - context.scaleToFont(LABEL_GAP), colour);
     }
 
     /** Paints the caption in the lower left corner, with a sample of the robot's outline. */
     private static void paintCaption(DrawContext context, ReferenceOverlay reference) {
-        double text = reference.caption().stream()
-                .mapToDouble(words -> context.measureText(words).getWidth())
-                .max()
-                .orElse(0);
-        double line = context.scaleToFont(LINE_HEIGHT);
-        double height = line * reference.caption().size() + PADDING;
-        double top = Math.rint(context.camera().height() - MARGIN - height) + 0.5;
-        Shape badge = new RoundRectangle2D.Double(
-                MARGIN + 0.5, top, Math.ceil(text + SAMPLE_LENGTH + 3 * PADDING), height, 8, 8);
-        context.fill(badge, context.palette().canvas());
-        context.draw(badge, context.palette().reference(), DrawContext.solidStroke(1));
-        double middle = top + (PADDING + line) / 2;
-        context.draw(
-                new Line2D.Double(MARGIN + PADDING, middle, MARGIN + PADDING + SAMPLE_LENGTH, middle),
-                context.palette().reference(),
-                DASHED_STROKE);
-        for (int i = 0; i < reference.caption().size(); i++) {
-            context.drawText(
-                    reference.caption().get(i),
-                    MARGIN + 2 * PADDING + SAMPLE_LENGTH,
-                    middle + context.scaleToFont(BASELINE_OFFSET) + i * line,
-                    context.palette().text());
-        }
+        Color colour = context.palette().reference();
+        List<String> caption = reference.caption();
+        double top = Math.rint(context.camera().height() - MARGIN - BadgePainter.height(context, caption.size()));
+        Vector2 start = BadgePainter.paint(context, new Vector2(MARGIN, top), caption, SAMPLE_LENGTH, colour, 1);
+        Shape sample = Shapes.polyline(List.of(start, start.plus(new Vector2(SAMPLE_LENGTH, 0))));
+        context.draw(sample, colour, DASHED_STROKE);
     }
 }

@@ -2,14 +2,15 @@ package faultline.paint.scene;
 
 import faultline.geometry.Pose;
 import faultline.geometry.RigidMotion;
+import faultline.geometry.Vector2;
 import faultline.paint.surface.ChartStyle;
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Shapes;
 import faultline.robot.RobotSpec;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 
@@ -75,12 +76,10 @@ final class RobotPainter {
     }
 
     private static Shape arrow(RobotSpec robot) {
-        Path2D arrow = new Path2D.Double();
-        arrow.moveTo(robot.length() * 0.34, 0);
-        arrow.lineTo(robot.length() * 0.10, robot.width() * 0.17);
-        arrow.lineTo(robot.length() * 0.15, 0);
-        arrow.lineTo(robot.length() * 0.10, -robot.width() * 0.17);
-        arrow.closePath();
-        return arrow;
+        return Shapes.polygon(List.of(
+                new Vector2(robot.length() * 0.34, 0),
+                new Vector2(robot.length() * 0.10, robot.width() * 0.17),
+                new Vector2(robot.length() * 0.15, 0),
+                new Vector2(robot.length() * 0.10, -robot.width() * 0.17)));
     }
 }

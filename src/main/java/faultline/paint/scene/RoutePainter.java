@@ -7,7 +7,6 @@ import faultline.paint.surface.Shapes;
 import faultline.world.WaypointPath;
 import java.awt.Color;
 import java.awt.Stroke;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
@@ -43,10 +42,7 @@ final class RoutePainter {
         context.draw(
                 Shapes.polyline(motion.waypoints().size() == 2 ? points.subList(0, 2) : points), colour, LINE_STROKE);
         for (Vector2 point : points) {
-            context.fill(
-                    new Ellipse2D.Double(
-                            point.x() - DOT_RADIUS, point.y() - DOT_RADIUS, 2 * DOT_RADIUS, 2 * DOT_RADIUS),
-                    colour);
+            context.fill(Shapes.circle(point, DOT_RADIUS), colour);
         }
         for (int i = 1; i < points.size(); i++) {
             paintArrow(context, points.get(i - 1), points.get(i), colour);

@@ -5,11 +5,10 @@ import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Shapes;
 import faultline.world.Obstacle;
 import java.awt.Shape;
 import java.awt.Stroke;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 
@@ -80,14 +79,8 @@ public final class SelectionPainter {
     }
 
     private static void paintHandle(DrawContext context, Vector2 foot, Vector2 handle) {
-        context.draw(
-                new Line2D.Double(foot.x(), foot.y(), handle.x(), handle.y()),
-                context.palette().accent(),
-                HANDLE_STROKE);
-        paintKnob(
-                context,
-                new Ellipse2D.Double(
-                        handle.x() - HANDLE_RADIUS, handle.y() - HANDLE_RADIUS, 2 * HANDLE_RADIUS, 2 * HANDLE_RADIUS));
+        context.draw(Shapes.polyline(List.of(foot, handle)), context.palette().accent(), HANDLE_STROKE);
+        paintKnob(context, Shapes.circle(handle, HANDLE_RADIUS));
     }
 
     /** Paints a square handle at a position in the picture. */

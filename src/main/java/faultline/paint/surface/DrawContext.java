@@ -1,5 +1,6 @@
 package faultline.paint.surface;
 
+import faultline.geometry.Vector2;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
@@ -7,7 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 
 /**
@@ -28,6 +29,7 @@ public record DrawContext(Surface surface, Camera camera, Palette palette, Font 
     public static final Stroke HALO_STROKE = new BasicStroke(3.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
 
     private static final int HALO_ALPHA = 200;
+    private static final Stroke CROSS_STROKE = solidStroke(2);
 
     /** Creates a context that paints pixels, with the font of files; the user space of the graphics is the picture. */
     public DrawContext(Graphics2D graphics, Camera camera, Palette palette) {
@@ -81,10 +83,16 @@ public record DrawContext(Surface surface, Camera camera, Palette palette, Font 
     }
 
     /** Draws a ring with a halo of the canvas's colour. */
-    public void drawRing(double x, double y, double radius, double width, Color colour) {
-        Shape circle = new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius);
+    public void drawRing(Vector2 centre, double radius, double width, Color colour) {
+        Shape circle = Shapes.circle(centre, radius);
         draw(circle, Palette.withAlpha(palette.canvas(), HALO_ALPHA), solidStroke(width + 2));
         draw(circle, colour, solidStroke(width));
+    }
+
+    /** Draws the diagonals of a rectangle. */
+    public void drawCross(Rectangle2D box, Color colour) {
+        draw(new Line2D.Double(box.getMinX(), box.getMinY(), box.getMaxX(), box.getMaxY()), colour, CROSS_STROKE);
+        draw(new Line2D.Double(box.getMinX(), box.getMaxY(), box.getMaxX(), box.getMinY()), colour, CROSS_STROKE);
     }
 
     /** Returns the size of a text, pixels. */
