@@ -4,12 +4,20 @@ import faultline.io.AtomicFile;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -21,14 +29,20 @@ import java.util.stream.Stream;
  */
 public final class RecoveryStore {
 
+    private static final Path HOME_FOLDER = Path.of(".faultline");
     private static final String SCENARIO_SUFFIX = ".xml";
     private static final String ORIGIN_SUFFIX = ".origin";
+    private static final String LOCK_SUFFIX = ".lock";
     private static final Pattern FILE_NAME = Pattern.compile("(\\d+)-(\\d+)\\.xml");
     /** The start time of a process is known to about a second; setting the clock changes it by more. */
     private static final Duration START_TOLERANCE = Duration.ofMinutes(1);
 
     private final Path folder;
     private final String process;
+    /** Whether a lock shows that this store is in use; those of other processes are told apart by their ids. */
+    private final boolean locking;
+
+    private FileChannel lock;
 
     /**
      * Unsaved edits that a crash has left.
@@ -45,10 +59,15 @@ public final class RecoveryStore {
         }
     }
 
-    /** Creates the store of a process with an id and a start time. */
+    /** Creates the store of a process with an id and a start time, which does not show that it is in use. */
     RecoveryStore(Path folder, long id, Instant start) {
+        this(folder, id, start, false);
+    }
+
+    private RecoveryStore(Path folder, long id, Instant start, boolean locking) {
         this.folder = folder;
         this.process = id + "-" + start.toEpochMilli();
+        this.locking = locking;
     }
 
     /** Creates the store of this process. */
@@ -56,7 +75,8 @@ public final class RecoveryStore {
         this(
                 folder,
                 ProcessHandle.current().pid(),
-                startTime(ProcessHandle.current()).orElse(Instant.EPOCH));
+                startTime(ProcessHandle.current()).orElse(Instant.EPOCH),
+                true);
     }
 
     private static Optional<Instant> startTime(ProcessHandle process) {
@@ -65,16 +85,41 @@ public final class RecoveryStore {
 
     /** Returns the store of this process in the user's home directory. */
     public static RecoveryStore forCurrentUser() {
-        return new RecoveryStore(Path.of(System.getProperty("user.home"), ".faultline", "recovery"));
+        return new RecoveryStore(
+                Path.of(System.getProperty("user.home")).resolve(HOME_FOLDER).resolve("recovery"));
     }
 
     /** Saves unsaved edits of a file, null for a scenario without a file. */
     void save(Path origin, Scenario scenario) throws IOException {
-        Files.createDirectories(folder);
+        createPrivateFolder();
+        acquireLock();
         AtomicFile.write(
                 folder.resolve(process + ORIGIN_SUFFIX),
                 (origin == null ? "" : origin.toAbsolutePath().toString()).getBytes(StandardCharsets.UTF_8));
         AtomicFile.write(ownFile(), scenario.toBytes());
+    }
+
+    /** Creates the folder, which only its owner may look into. */
+    private void createPrivateFolder() throws IOException {
+        Files.createDirectories(folder);
+        if (folder.getFileSystem().supportedFileAttributeViews().contains("posix")) {
+            Set<PosixFilePermission> ownerOnly = PosixFilePermissions.fromString("rwx------");
+            Files.setPosixFilePermissions(folder, ownerOnly);
+            if (folder.endsWith(HOME_FOLDER.resolve("recovery"))) {
+                Files.setPosixFilePermissions(folder.getParent(), ownerOnly);
+            }
+        }
+    }
+
+    /**
+     * Shows every process that uses the folder, also those of other containers and machines, that this one is running.
+     */
+    private void acquireLock() throws IOException {
+        if (locking && lock == null) {
+            lock = FileChannel.open(
+                    folder.resolve(process + LOCK_SUFFIX), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+            lock.tryLock();
+        }
     }
 
     /** Saves the edits of another process as those of this one. */
@@ -86,6 +131,10 @@ public final class RecoveryStore {
     /** Deletes the edits of this process. */
     void delete() throws IOException {
         delete(ownFile());
+        if (lock != null) {
+            lock.close();
+            lock = null;
+        }
     }
 
     private Path ownFile() {
@@ -95,11 +144,15 @@ public final class RecoveryStore {
     void delete(Path recoveryFile) throws IOException {
         Files.deleteIfExists(recoveryFile);
         Files.deleteIfExists(originFile(recoveryFile));
+        Files.deleteIfExists(sibling(recoveryFile, LOCK_SUFFIX));
     }
 
     private static Path originFile(Path recoveryFile) {
-        return recoveryFile.resolveSibling(
-                recoveryFile.getFileName().toString().replace(SCENARIO_SUFFIX, ORIGIN_SUFFIX));
+        return sibling(recoveryFile, ORIGIN_SUFFIX);
+    }
+
+    private static Path sibling(Path recoveryFile, String suffix) {
+        return recoveryFile.resolveSibling(recoveryFile.getFileName().toString().replace(SCENARIO_SUFFIX, suffix));
     }
 
     /** Returns the edits of a process that no longer runs; empty if there are none that can be read. */
@@ -108,7 +161,8 @@ public final class RecoveryStore {
             return Optional.empty();
         }
         try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(RecoveryStore::isOrphan)
+            return files.filter(file -> !(locking && file.equals(ownFile())))
+                    .filter(RecoveryStore::isOrphan)
                     .sorted()
                     .flatMap(file -> loadRecovered(file).stream())
                     .findFirst();
@@ -118,10 +172,29 @@ public final class RecoveryStore {
     /** Returns whether a file is that of a process that no longer runs, even if its id has been reused. */
     private static boolean isOrphan(Path file) {
         Matcher name = FILE_NAME.matcher(file.getFileName().toString());
-        return name.matches()
-                && ProcessHandle.of(Long.parseLong(name.group(1)))
-                        .filter(alive -> hasStartTime(alive, Long.parseLong(name.group(2))))
-                        .isEmpty();
+        if (!name.matches()) {
+            return false;
+        }
+        Path lockFile = sibling(file, LOCK_SUFFIX);
+        if (Files.exists(lockFile)) {
+            return !isLocked(lockFile);
+        }
+        // An earlier version has written it, which did not lock.
+        return ProcessHandle.of(Long.parseLong(name.group(1)))
+                .filter(alive -> hasStartTime(alive, Long.parseLong(name.group(2))))
+                .isEmpty();
+    }
+
+    private static boolean isLocked(Path lockFile) {
+        try (FileChannel channel = FileChannel.open(lockFile, StandardOpenOption.WRITE);
+                FileLock free = channel.tryLock()) {
+            return free == null;
+        } catch (OverlappingFileLockException e) {
+            return true;
+        } catch (IOException e) {
+            // Nobody else could use it either.
+            return false;
+        }
     }
 
     /** Returns whether a process started at a time, or its start time is unknown. */
@@ -136,9 +209,19 @@ public final class RecoveryStore {
 
     private static Optional<RecoveredFile> loadRecovered(Path file) {
         try {
-            String origin = Files.readString(originFile(file));
-            return Optional.of(new RecoveredFile(file, origin.isEmpty() ? null : Path.of(origin), Scenario.load(file)));
-        } catch (IOException | ScenarioException unreadable) {
+            return Optional.of(
+                    new RecoveredFile(file, readOrigin(originFile(file)).orElse(null), Scenario.load(file)));
+        } catch (ScenarioException unreadable) {
+            return Optional.empty();
+        }
+    }
+
+    /** Returns the file that was edited; empty if there was none or its name cannot be read. */
+    private static Optional<Path> readOrigin(Path originFile) {
+        try {
+            String origin = Files.readString(originFile);
+            return origin.isEmpty() ? Optional.empty() : Optional.of(Path.of(origin));
+        } catch (IOException | InvalidPathException e) {
             return Optional.empty();
         }
     }

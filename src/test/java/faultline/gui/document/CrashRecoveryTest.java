@@ -12,9 +12,12 @@ import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -105,7 +108,53 @@ class CrashRecoveryTest {
         assertEquals(Optional.of(file.toAbsolutePath()), recovered.origin());
         own.adopt(recovered);
         assertEquals(Optional.empty(), own.findOrphan());
-        assertEquals(2, recoveryFiles().size(), "they are this process's own now: " + recoveryFiles());
+        assertEquals(3, recoveryFiles().size(), "they are this process's own now: " + recoveryFiles());
+    }
+
+    @Test
+    void aDamagedOriginHidesNeitherItsOwnEditsNorThoseOfOthers() throws IOException {
+        Path kept = folder.resolve("kept");
+        RecoveryStore first = new RecoveryStore(kept, DEAD - 1, Instant.EPOCH);
+        first.save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        Path origin = kept.resolve((DEAD - 1) + "-0.origin");
+        for (String damage : List.of("\0", "")) {
+            Files.writeString(origin, damage);
+            assertEquals(Optional.empty(), first.findOrphan().orElseThrow().origin());
+        }
+        Files.write(origin, new byte[] {(byte) 0xff});
+        assertEquals(Optional.empty(), first.findOrphan().orElseThrow().origin());
+        Files.delete(origin);
+        assertEquals(Optional.empty(), first.findOrphan().orElseThrow().origin());
+        Files.writeString(kept.resolve((DEAD - 1) + "-0.xml"), "damaged too");
+        new RecoveryStore(kept, DEAD, Instant.EPOCH)
+                .save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        assertEquals(
+                Optional.of(file.toAbsolutePath()),
+                first.findOrphan().orElseThrow().origin());
+    }
+
+    @Test
+    void theEditsOfAProcessThatIsNotVisibleHereAreNotOfferedWhileItRuns() throws Exception {
+        Path kept = folder.resolve("kept");
+        new RecoveryStore(kept, DEAD, Instant.EPOCH)
+                .save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        Path lock = Files.createFile(kept.resolve(DEAD + "-0.lock"));
+        RecoveryStore own = new RecoveryStore(kept);
+        try (FileChannel channel = FileChannel.open(lock, StandardOpenOption.WRITE)) {
+            channel.lock();
+            assertEquals(Optional.empty(), own.findOrphan());
+        }
+        assertTrue(own.findOrphan().isPresent());
+    }
+
+    @Test
+    void onlyTheOwnerMayReadWhatIsKept() throws IOException {
+        new RecoveryStore(folder.resolve("home/.faultline/recovery"))
+                .save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
+        for (String name : List.of("home/.faultline", "home/.faultline/recovery")) {
+            assertEquals(
+                    "rwx------", PosixFilePermissions.toString(Files.getPosixFilePermissions(folder.resolve(name))));
+        }
     }
 
     private List<Path> recoveryFiles() throws IOException {
