@@ -1,7 +1,5 @@
 package faultline.sensor;
 
-import java.util.Arrays;
-
 /**
  * The inputs and the state of one active fault: the tick, the sensor's random numbers, and what the fault remembers
  * since it began. Mutable; belongs to the thread of the world. A fault that is applied twice in one tick gives the same
@@ -17,6 +15,7 @@ public final class FaultContext {
     private double neighbourReading;
     private SensorRandom random;
     private double[] history = new double[64];
+    private long nextStored;
     private boolean inBurst;
     private long burstTick = -1;
 
@@ -72,12 +71,19 @@ public final class FaultContext {
 
     /** Stores a reading, and returns the one of an earlier time, or the first one if the fault is younger. */
     double delayed(double reading, double seconds) {
-        int now = (int) (tick - onset);
-        if (now >= history.length) {
-            history = Arrays.copyOf(history, Math.max(now + 1, 2 * history.length));
+        long now = tick - onset;
+        long delay = Math.round(seconds / dt);
+        int size = (int) delay + 1;
+        if (history.length != size) {
+            history = new double[size];
         }
-        history[now] = reading;
-        return history[Math.max(0, now - (int) Math.round(seconds / dt))];
+        // While the sensor is off, nothing is stored.
+        for (long i = Math.max(nextStored, now - delay); i < now; i++) {
+            history[(int) (i % size)] = 0;
+        }
+        history[(int) (now % size)] = reading;
+        nextStored = now + 1;
+        return history[(int) (Math.max(0, now - delay) % size)];
     }
 
     /** Returns whether a burst is on: bursts come at a rate and go after a mean length. */

@@ -64,6 +64,32 @@ class FaultModelsTest {
     }
 
     @Test
+    void aDelayTakesNoMoreMemoryTheLongerItLasts() {
+        Fault delayed = new SignalFault.Delayed(0.5);
+        for (long i = 0; i < 3_000_000; i++) {
+            double reading = 1e-7 * i;
+            assertEquals(1e-7 * Math.max(0, i - 50), apply(delayed, 100 + i, reading));
+        }
+        // A tick that no int can hold.
+        assertEquals(0.25, apply(delayed, 1L << 40, 0.25) + apply(delayed, (1L << 40) + 50, 0.7));
+    }
+
+    @Test
+    void aDropoutLosesItsShareOfReadingsAndKeepsTheOthersAsTheyAre() {
+        assertEquals(0, share(new Fault.Dropout(0), 0.4));
+        assertEquals(1, share(new Fault.Dropout(1), 0.4));
+        assertEquals(0.3, share(new Fault.Dropout(0.3), 0.4), 0.015);
+        int pairs = 0;
+        for (long tick = 100; tick < 10_100; tick++) {
+            double reading = apply(new Fault.Dropout(0.3), tick, 0.4);
+            assertTrue(reading == 0.4 || reading == Reading.NOTHING, "reading " + reading);
+            boolean lost = reading == Reading.NOTHING;
+            pairs += lost && apply(new Fault.Dropout(0.3), tick + 1, 0.4) == Reading.NOTHING ? 1 : 0;
+        }
+        assertEquals(0.09, pairs / 10_000.0, 0.01, "losses are independent");
+    }
+
+    @Test
     void noiseHasItsStandardDeviation() {
         double squares = 0;
         for (long tick = 100; tick < 10_100; tick++) {
