@@ -49,6 +49,7 @@ final class LayerRules {
             "gui.action",
             "gui.timeline",
             "gui.instrument",
+            "gui.properties",
             "gui.gallery",
             "gui.export",
             "gui.dialog",

@@ -84,6 +84,11 @@ public final class FileController {
         runIfChangesHandled(() -> documentStore.openShipped(name));
     }
 
+    /** Opens a new scenario. */
+    public void openNew(Scenario scenario) {
+        runIfChangesHandled(() -> documentStore.create(scenario));
+    }
+
     private void revert() {
         if (workspace.isChanged()
                 && fileDialogs.showOptions("revert", Messages.get("revert.question"), "revert.revert", "unsaved.cancel")

@@ -33,6 +33,11 @@ public final class DocumentStore {
         });
     }
 
+    /** Opens a new scenario, which has no file yet. */
+    public void create(Scenario scenario) {
+        open(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, null, scenario));
+    }
+
     /** Opens the scenario that the file holds; edits are discarded. */
     public void revert() {
         workspace

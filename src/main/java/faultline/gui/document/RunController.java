@@ -47,7 +47,7 @@ public final class RunController implements WorkspaceListener {
 
     /** Pauses the run at the scenario's duration, where it is judged; the user may resume it there. */
     private static void pauseAtEnd(OpenDocument open) {
-        open.session().pauseAt(open.document().initial().setup().ticks());
+        open.session().pauseAt(open.document().edited().setup().ticks());
     }
 
     @Override
@@ -76,35 +76,40 @@ public final class RunController implements WorkspaceListener {
 
     /** Restarts the run with the edited scenario, asynchronously. */
     public void restart() {
-        restart(UnaryOperator.identity());
+        restartWith(UnaryOperator.identity());
     }
 
     /** Restarts the run with the edited scenario and the robot at another pose, asynchronously. */
     public void restartAt(Pose start) {
-        restart(setup -> setup.withStart(start));
+        restartWith(scenario -> scenario.withSetup(scenario.setup().withStart(start)));
     }
 
-    private void restart(UnaryOperator<SimulationSetup> change) {
+    private void restartWith(UnaryOperator<Scenario> change) {
         workspace.openDocument().ifPresent(now -> {
             CompletableFuture<Scenario> edited = now.edited();
             workspace.start(new WorkspaceTask(TaskKind.RESTART, now.document().displayPath()), () -> {
-                Scenario scenario = edited.join();
+                Scenario scenario = change.apply(edited.join());
                 // The workspace sets the file when the session has started.
-                return OpenDocument.start(
-                        new ScenarioDocument(null, null, scenario.withSetup(change.apply(scenario.setup()))));
+                return OpenDocument.start(new ScenarioDocument(null, null, scenario));
             });
         });
     }
 
     /**
      * Changes the edited scenario. If that changes its setup, the run is simulated again up to the present tick,
-     * asynchronously, with the commands that it was sent; a running one then resumes.
+     * asynchronously, with the commands that it was sent; a running one then resumes. If that changes the length of its
+     * tick, the run is restarted.
      *
-     * @param change returns the new scenario; its tick must have the same length as before
+     * @param change returns the new scenario
      */
     public void change(UnaryOperator<Scenario> change) {
         workspace.openDocument().ifPresent(now -> {
-            SimulationSetup before = now.document().edited().setup();
+            Scenario open = now.document().edited();
+            SimulationSetup before = open.setup();
+            if (change.apply(open).setup().dt() != before.dt()) {
+                restartWith(change);
+                return;
+            }
             now.document().change(change);
             workspace.fire(WorkspaceListener::titleChanged);
             if (!now.document().edited().setup().equals(before)) {

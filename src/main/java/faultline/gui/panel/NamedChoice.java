@@ -8,7 +8,7 @@ import javax.swing.JComboBox;
 import javax.swing.JList;
 
 /** A combo box of values with names. It shows the value of the world unless the user is choosing. */
-final class NamedChoice<T> extends JComboBox<T> {
+public final class NamedChoice<T> extends JComboBox<T> {
 
     private boolean updating;
 
@@ -19,7 +19,7 @@ final class NamedChoice<T> extends JComboBox<T> {
      * @param name returns the name of a value
      * @param onChange receives every value that the user chooses
      */
-    NamedChoice(T[] values, Function<T, String> name, Consumer<T> onChange) {
+    public NamedChoice(T[] values, Function<T, String> name, Consumer<T> onChange) {
         super(values);
         setRenderer(new DefaultListCellRenderer() {
             @Override
@@ -46,7 +46,7 @@ final class NamedChoice<T> extends JComboBox<T> {
     }
 
     /** Shows a value, unless the list is open. */
-    void setValue(T value) {
+    public void setValue(T value) {
         if (!value.equals(getSelectedItem()) && !isPopupVisible()) {
             updating = true;
             setSelectedItem(value);

@@ -96,7 +96,7 @@ public final class NumberSpinner extends JSpinner {
     }
 
     /** Shows the value of the world, unless the user is typing; it may be outside the limits. */
-    void setWorldValue(double truth) {
+    public void setWorldValue(double truth) {
         assert EventQueue.isDispatchThread();
         if (truth != doubleValue() && !isTyping()) {
             setValueQuietly(truth);
@@ -136,7 +136,7 @@ public final class NumberSpinner extends JSpinner {
     }
 
     /** Returns a text that states the limits. */
-    String limitsText() {
+    public String limitsText() {
         return formatter.limitsText();
     }
 

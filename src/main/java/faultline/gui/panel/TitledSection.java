@@ -9,9 +9,10 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 
 /** A section of the control panel. */
-final class TitledSection extends JPanel {
+public final class TitledSection extends JPanel {
 
-    TitledSection(String title, JComponent content) {
+    /** Creates a section with a heading. */
+    public TitledSection(String title, JComponent content) {
         this(content);
         JLabel heading = new JLabel(title);
         heading.setFont(heading.getFont().deriveFont(Font.BOLD));
@@ -20,7 +21,7 @@ final class TitledSection extends JPanel {
     }
 
     /** Creates the first section of a tab, whose name says enough. */
-    TitledSection(JComponent content) {
+    public TitledSection(JComponent content) {
         super(new BorderLayout());
         setBorder(SeparatorBorder.below(9, 14, 8));
         add(content, BorderLayout.CENTER);

@@ -33,6 +33,7 @@ import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.export.ExportController;
 import faultline.gui.gallery.Gallery;
+import faultline.gui.properties.ScenarioActions;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.timeline.TimelineEditor;
@@ -59,6 +60,7 @@ public final class MainWindow extends JFrame {
     private final transient RunController runController = new RunController(workspace);
     private final transient UndoController undoController =
             new UndoController(runController::send, this::updateEditActions);
+    private final transient ScenarioEditor scenarioEditor = new ScenarioEditor(runController, undoController);
     private final transient EditActions editActions = new EditActions(undoController);
     private final transient ActionRegistry actionRegistry = new ActionRegistry();
     private final transient Dialogs dialogs = new Dialogs(this);
@@ -89,7 +91,7 @@ public final class MainWindow extends JFrame {
         mainPanel = new MainPanel(
                 canvas,
                 undoController,
-                new ScenarioEditor(runController, undoController),
+                scenarioEditor,
                 actionRegistry,
                 speed,
                 runController.navigator()::seek,
@@ -98,7 +100,7 @@ public final class MainWindow extends JFrame {
                 new ComparisonController(workspace, runController.navigator()), mainPanel::setReferenceRun);
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
         setJMenuBar(Menus.createMenuBar(actionRegistry));
-        getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), fileController::open), 1);
+        getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), fileController::open), 2);
         setContentPane(mainPanel);
         setIconImages(AppIcon.images());
         setTransferHandler(new FileDropHandler(fileController::open));
@@ -124,6 +126,7 @@ public final class MainWindow extends JFrame {
         fileController.addTo(actionRegistry, this::quit);
         actionRegistry.add(UiAction.of("examples", this::showExamples)
                 .withAccelerator(Keystrokes.menuShiftShortcut(KeyEvent.VK_O)));
+        new ScenarioActions(this, workspace, scenarioEditor, fileController::openNew).addTo(actionRegistry);
         editActions.addTo(actionRegistry);
         editActions.bindTo(getRootPane());
         new ObstacleActions(

@@ -1,0 +1,141 @@
+package faultline.gui.properties;
+
+import faultline.control.ControllerState;
+import faultline.control.FollowerState;
+import faultline.engine.metrics.Expectation;
+import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.NamedChoice;
+import faultline.gui.panel.NumberSpinner;
+import faultline.gui.text.Messages;
+import faultline.gui.text.StateText;
+import java.awt.GridBagLayout;
+import java.awt.GridLayout;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+
+/** The fields of what a scenario expects. */
+final class ExpectationForm extends JPanel {
+
+    /** What is expected of collisions. */
+    private enum Contact {
+        NOT_CHECKED,
+        NONE,
+        EXPECTED
+    }
+
+    private static final int STATE_COLUMNS = 3;
+    private static final double USUAL_COVERAGE = 0.8;
+    private static final double USUAL_RMS = 0.02;
+
+    private final NamedChoice<Contact> contact =
+            new NamedChoice<>(Contact.values(), value -> Messages.get("expect.contact." + value), value -> {});
+    private final JCheckBox coverageBox = new JCheckBox(Messages.get("expect.form.coverage"));
+    private final NumberSpinner coverage = new NumberSpinner("0.0##", 0, 1, 0.05, value -> {});
+    private final JCheckBox rmsBox = new JCheckBox(Messages.get("expect.form.rms"));
+    private final NumberSpinner rms = new NumberSpinner("0.000##", 0.0001, 10, 0.001, value -> {});
+    private final Map<FollowerState, JCheckBox> states = new EnumMap<>(FollowerState.class);
+    private final JCheckBox finalBox = new JCheckBox(Messages.get("expect.form.final"));
+    private final NamedChoice<FollowerState> finalState =
+            new NamedChoice<>(FollowerState.values(), StateText::name, value -> {});
+    /** Conditions that the form cannot show, such as states of other controllers. */
+    private transient List<Expectation.Condition> others = List.of();
+
+    ExpectationForm() {
+        super(new GridBagLayout());
+        add(FormConstraints.label("expect.form.contact", contact), FormConstraints.cell(0, 0));
+        add(contact, FormConstraints.fillCell(1, 0));
+        addOptional(1, coverageBox, coverage.withName(coverageBox.getText()).withColumns(6));
+        addOptional(2, rmsBox, rms.withName(rmsBox.getText()).withColumns(6));
+        addOptional(3, finalBox, finalState);
+        finalState.getAccessibleContext().setAccessibleName(finalBox.getText());
+        contact.getAccessibleContext().setAccessibleName(Messages.get("expect.form.contact"));
+        JPanel grid = new JPanel(new GridLayout(0, STATE_COLUMNS));
+        for (FollowerState state : FollowerState.values()) {
+            JCheckBox box = new JCheckBox(StateText.name(state));
+            states.put(state, box);
+            grid.add(box);
+        }
+        add(FormConstraints.label("expect.form.states", grid), FormConstraints.cell(0, 4));
+        add(grid, FormConstraints.fillCell(1, 4));
+    }
+
+    private void addOptional(int row, JCheckBox box, JComponent field) {
+        box.addItemListener(event -> field.setEnabled(box.isSelected()));
+        field.setEnabled(false);
+        add(box, FormConstraints.cell(0, row));
+        add(field, FormConstraints.cell(1, row));
+    }
+
+    /** Shows an expectation. */
+    void setExpectation(Expectation expectation) {
+        contact.setValue(Contact.NOT_CHECKED);
+        coverageBox.setSelected(false);
+        coverage.setWorldValue(USUAL_COVERAGE);
+        rmsBox.setSelected(false);
+        rms.setWorldValue(USUAL_RMS);
+        finalBox.setSelected(false);
+        states.values().forEach(box -> box.setSelected(false));
+        others = expectation.conditions().stream().filter(this::isForeign).toList();
+        expectation.conditions().forEach(this::show);
+    }
+
+    private boolean isForeign(Expectation.Condition condition) {
+        ControllerState state = condition instanceof Expectation.VisitedState visited
+                ? visited.state()
+                : condition instanceof Expectation.FinalState last ? last.state() : FollowerState.SEARCH;
+        return !(state instanceof FollowerState);
+    }
+
+    private void show(Expectation.Condition condition) {
+        if (condition instanceof Expectation.Collision collision) {
+            contact.setValue(collision.wanted() ? Contact.EXPECTED : Contact.NONE);
+        } else if (condition instanceof Expectation.MinCoverage least) {
+            coverageBox.setSelected(true);
+            coverage.setWorldValue(least.share());
+        } else if (condition instanceof Expectation.MaxDistanceRms most) {
+            rmsBox.setSelected(true);
+            rms.setWorldValue(most.metres());
+        } else if (condition instanceof Expectation.VisitedState visited
+                && visited.state() instanceof FollowerState state) {
+            states.get(state).setSelected(true);
+        } else if (condition instanceof Expectation.FinalState last && last.state() instanceof FollowerState state) {
+            finalBox.setSelected(true);
+            finalState.setValue(state);
+        }
+    }
+
+    /** Returns the expectation of the fields. */
+    Expectation expectation() {
+        List<Expectation.Condition> conditions = new ArrayList<>();
+        if (contact.getSelectedItem() != Contact.NOT_CHECKED) {
+            conditions.add(new Expectation.Collision(contact.getSelectedItem() == Contact.EXPECTED));
+        }
+        if (coverageBox.isSelected()) {
+            conditions.add(new Expectation.MinCoverage(coverage.doubleValue()));
+        }
+        if (rmsBox.isSelected()) {
+            conditions.add(new Expectation.MaxDistanceRms(rms.doubleValue()));
+        }
+        states.forEach((state, box) -> {
+            if (box.isSelected()) {
+                conditions.add(new Expectation.VisitedState(state));
+            }
+        });
+        others.stream().filter(Expectation.VisitedState.class::isInstance).forEach(conditions::add);
+        if (finalBox.isSelected()) {
+            conditions.add(new Expectation.FinalState((FollowerState) finalState.getSelectedItem()));
+        }
+        others.stream().filter(Expectation.FinalState.class::isInstance).forEach(conditions::add);
+        return new Expectation(conditions);
+    }
+
+    /** Commits numbers being typed and returns whether all fields are valid. */
+    boolean commit() {
+        return coverage.commitValidEdit() && rms.commitValidEdit();
+    }
+}

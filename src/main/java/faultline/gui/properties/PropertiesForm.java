@@ -1,0 +1,117 @@
+package faultline.gui.properties;
+
+import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.NumberSpinner;
+import faultline.gui.panel.TitledSection;
+import faultline.gui.text.Messages;
+import faultline.scenario.Scenario;
+import faultline.world.Clearance;
+import java.awt.GridBagLayout;
+import java.util.Optional;
+import javax.swing.BoxLayout;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+
+/** The fields of a scenario's properties. */
+final class PropertiesForm extends JPanel {
+
+    private static final int TEXT_COLUMNS = 30;
+    private static final double MIN_SIZE = 0.5;
+    private static final double MAX_SIZE = 1000;
+    private static final double MAX_DURATION = 10_000_000;
+
+    private final JTextField name = new JTextField(TEXT_COLUMNS);
+    private final JTextField description = new JTextField(TEXT_COLUMNS);
+    private final NumberSpinner width = new NumberSpinner("0.0##", MIN_SIZE, MAX_SIZE, 0.5, value -> {});
+    private final NumberSpinner height = new NumberSpinner("0.0##", MIN_SIZE, MAX_SIZE, 0.5, value -> {});
+    private final JCheckBox enclosed = new JCheckBox(Messages.get("properties.enclosed"));
+    private final NumberSpinner duration = new NumberSpinner("0.##", 0, MAX_DURATION, 10, value -> {});
+    private final NumberSpinner tick = new NumberSpinner("0.000##", 0.00001, 1, 0.001, value -> {});
+    private final JTextField seed = new JTextField(TEXT_COLUMNS / 2);
+    private final ExpectationForm expectation = new ExpectationForm();
+
+    PropertiesForm() {
+        setLayout(new BoxLayout(this, BoxLayout.PAGE_AXIS));
+        JPanel fields = new JPanel(new GridBagLayout());
+        addText(fields, 0, "properties.name", name);
+        addText(fields, 1, "properties.description", description);
+        addNumber(fields, 2, "properties.width", width);
+        addNumber(fields, 3, "properties.height", height);
+        fields.add(enclosed, FormConstraints.fillRow(1, 4));
+        addNumber(fields, 5, "properties.duration", duration);
+        addNumber(fields, 6, "properties.tick", tick);
+        addText(fields, 7, "properties.seed", seed);
+        add(new TitledSection(fields));
+        add(new TitledSection(Messages.get("expect.title"), expectation));
+    }
+
+    private static void addText(JPanel form, int row, String key, JComponent field) {
+        field.getAccessibleContext().setAccessibleName(Messages.get(key));
+        form.add(FormConstraints.label(key, field), FormConstraints.cell(0, row));
+        form.add(field, FormConstraints.fillRow(1, row));
+    }
+
+    private static void addNumber(JPanel form, int row, String key, NumberSpinner field) {
+        form.add(FormConstraints.label(key, field), FormConstraints.cell(0, row));
+        form.add(field.withName(Messages.get(key)).withColumns(8), FormConstraints.cell(1, row));
+    }
+
+    /** Shows properties. */
+    void setProperties(ScenarioProperties shown) {
+        name.setText(shown.name());
+        description.setText(shown.description());
+        width.setWorldValue(shown.width());
+        height.setWorldValue(shown.height());
+        enclosed.setSelected(shown.enclosed());
+        duration.setWorldValue(shown.duration());
+        tick.setWorldValue(shown.dt());
+        seed.setText(Long.toString(shown.seed()));
+        expectation.setExpectation(shown.expectation());
+    }
+
+    /** Returns the properties of the fields. */
+    ScenarioProperties properties() {
+        return new ScenarioProperties(
+                name.getText(),
+                description.getText(),
+                width.doubleValue(),
+                height.doubleValue(),
+                enclosed.isSelected(),
+                duration.doubleValue(),
+                tick.doubleValue(),
+                Long.parseLong(seed.getText().strip()),
+                expectation.expectation());
+    }
+
+    /** Commits what is being typed, and returns what is wrong with the fields for a scenario; empty if nothing is. */
+    Optional<String> findProblem(Scenario scenario) {
+        for (NumberSpinner field : new NumberSpinner[] {width, height, duration, tick}) {
+            if (!field.commitValidEdit()) {
+                return Optional.of(field.getToolTipText());
+            }
+        }
+        if (!expectation.commit()) {
+            return Optional.of(Messages.get("properties.expectation.invalid"));
+        }
+        if (!isWholeNumber(seed.getText().strip())) {
+            return Optional.of(Messages.get("properties.seed.invalid"));
+        }
+        Scenario changed = properties().applyTo(scenario);
+        return Clearance.findObstruction(
+                        changed.setup().world(),
+                        changed.setup().robot(),
+                        changed.setup().start())
+                .map(obstacle -> Messages.get("refused.start", obstacle));
+    }
+
+    private static boolean isWholeNumber(String text) {
+        try {
+            Long.parseLong(text);
+            return true;
+        } catch (NumberFormatException notANumber) {
+            return false;
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package faultline.gui.properties;
+
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.Keystrokes;
+import faultline.gui.action.UiAction;
+import faultline.gui.document.Workspace;
+import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.NamedChoice;
+import faultline.gui.text.Messages;
+import faultline.scenario.Scenario;
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.GridBagLayout;
+import java.awt.event.KeyEvent;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.JComponent;
+import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+
+/** The actions that start a new scenario and change the properties of the open one. */
+public final class ScenarioActions {
+
+    private final Component parent;
+    private final Workspace workspace;
+    private final ScenarioEditor editor;
+    private final Consumer<Scenario> onNew;
+
+    /**
+     * Creates the actions.
+     *
+     * @param parent the component behind the dialogs
+     * @param workspace holds the open scenario
+     * @param editor receives changes of the open scenario
+     * @param onNew receives new scenarios
+     */
+    public ScenarioActions(Component parent, Workspace workspace, ScenarioEditor editor, Consumer<Scenario> onNew) {
+        this.parent = parent;
+        this.workspace = workspace;
+        this.editor = editor;
+        this.onNew = onNew;
+    }
+
+    /** Adds the actions to a registry. */
+    public void addTo(ActionRegistry actions) {
+        actions.add(UiAction.of("new", this::showNewDialog).withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_N)));
+        actions.add(UiAction.of("properties", this::showPropertiesDialog)
+                .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_I)));
+    }
+
+    private void showNewDialog() {
+        PropertiesForm form = new PropertiesForm();
+        NamedChoice<ScenarioTemplate> template = new NamedChoice<>(
+                ScenarioTemplate.values(),
+                value -> Messages.get("template." + value.name()),
+                value -> form.setProperties(ScenarioProperties.of(value.create())));
+        form.setProperties(ScenarioProperties.of(ScenarioTemplate.EMPTY_ROOM.create()));
+        template.getAccessibleContext().setAccessibleName(Messages.get("template"));
+        JPanel choice = new JPanel(new GridBagLayout());
+        choice.add(FormConstraints.label("template", template), FormConstraints.cell(0, 0));
+        choice.add(template, FormConstraints.fillCell(1, 0));
+        JPanel content = new JPanel(new BorderLayout());
+        content.add(choice, BorderLayout.NORTH);
+        content.add(form, BorderLayout.CENTER);
+        if (confirm(content, "new.title", () -> form.findProblem(scenarioOf(template)))) {
+            onNew.accept(form.properties().applyTo(scenarioOf(template)));
+        }
+    }
+
+    private static Scenario scenarioOf(NamedChoice<ScenarioTemplate> template) {
+        return template.getItemAt(template.getSelectedIndex()).create();
+    }
+
+    private void showPropertiesDialog() {
+        workspace.scenario().ifPresent(open -> {
+            ScenarioProperties before = ScenarioProperties.of(open);
+            PropertiesForm form = new PropertiesForm();
+            form.setProperties(before);
+            if (confirm(form, "properties.title", () -> form.findProblem(open))
+                    && !form.properties().equals(before)) {
+                ScenarioProperties after = form.properties();
+                editor.edit("edit.properties", after::applyTo, before::applyTo);
+            }
+        });
+    }
+
+    /** Shows a form until it is cancelled or nothing is wrong with it, and returns whether it was accepted. */
+    private boolean confirm(JComponent form, String titleKey, Supplier<Optional<String>> problem) {
+        while (true) {
+            int answer = JOptionPane.showConfirmDialog(
+                    parent, form, Messages.get(titleKey), JOptionPane.OK_CANCEL_OPTION, JOptionPane.PLAIN_MESSAGE);
+            if (answer != JOptionPane.OK_OPTION) {
+                return false;
+            }
+            Optional<String> found = problem.get();
+            if (found.isEmpty()) {
+                return true;
+            }
+            JOptionPane.showMessageDialog(parent, found.get(), Messages.get(titleKey), JOptionPane.WARNING_MESSAGE);
+        }
+    }
+}

@@ -1,0 +1,57 @@
+package faultline.gui.properties;
+
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
+import faultline.scenario.Scenario;
+import faultline.world.WorldSpec;
+
+/**
+ * What a scenario says beside its robot, its obstacles and its timeline.
+ *
+ * @param name the name
+ * @param description the description
+ * @param width of the world, metres
+ * @param height of the world, metres
+ * @param enclosed whether a wall encloses the world
+ * @param duration seconds
+ * @param dt the length of a tick, seconds
+ * @param seed of all random numbers
+ * @param expectation the expected result
+ */
+record ScenarioProperties(
+        String name,
+        String description,
+        double width,
+        double height,
+        boolean enclosed,
+        double duration,
+        double dt,
+        long seed,
+        Expectation expectation) {
+
+    /** Returns the properties of a scenario. */
+    static ScenarioProperties of(Scenario scenario) {
+        SimulationSetup setup = scenario.setup();
+        WorldSpec world = setup.world();
+        return new ScenarioProperties(
+                scenario.name(),
+                scenario.description(),
+                world.width(),
+                world.height(),
+                world.enclosed(),
+                setup.duration(),
+                setup.dt(),
+                setup.seed(),
+                scenario.expectation());
+    }
+
+    /** Returns a scenario with these properties instead of its own. */
+    Scenario applyTo(Scenario scenario) {
+        SimulationSetup old = scenario.setup();
+        WorldSpec world = new WorldSpec(
+                width, height, enclosed, old.world().maxMoving(), old.world().obstacles());
+        SimulationSetup setup = new SimulationSetup(
+                world, old.robot(), old.start(), old.controller(), old.timeline(), dt, seed, duration);
+        return new Scenario(name, description, scenario.recorded() && setup.equals(old), setup, expectation);
+    }
+}

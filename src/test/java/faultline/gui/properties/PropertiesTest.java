@@ -1,0 +1,137 @@
+package faultline.gui.properties;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.FollowerState;
+import faultline.engine.metrics.Expectation;
+import faultline.gui.Await;
+import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.Workspace;
+import faultline.gui.edit.ScenarioEditor;
+import faultline.gui.edit.UndoController;
+import faultline.gui.theme.Theme;
+import faultline.scenario.Scenario;
+import faultline.scenario.ShippedScenarios;
+import faultline.world.Clearance;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JSpinner;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** New scenarios, and the properties of the open one, without a display. */
+@ExtendWith(EdtChecker.class)
+class PropertiesTest {
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void installTheme() {
+        runOnEdt(Theme.LIGHT::install);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void everyTemplateIsAScenarioThatHoldsWhatItExpects(ScenarioTemplate template) throws IOException {
+        Scenario scenario = template.create();
+        assertEquals(
+                Optional.empty(),
+                Clearance.findObstruction(
+                        scenario.setup().world(),
+                        scenario.setup().robot(),
+                        scenario.setup().start()));
+        Path file = folder.resolve("new.xml");
+        scenario.save(file);
+        assertEquals(List.of(), scenario.run().unmetExpectations());
+    }
+
+    /** What is not touched in the form stays to the bit. */
+    @Test
+    void theFormKeepsTheScenariosThatShipWithTheProgram() throws Exception {
+        for (String name : ShippedScenarios.names()) {
+            Scenario scenario = Scenario.loadShipped(name);
+            ScenarioProperties shown = callOnEdt(() -> {
+                PropertiesForm form = new PropertiesForm();
+                form.setProperties(ScenarioProperties.of(scenario));
+                assertEquals(Optional.empty(), form.findProblem(scenario));
+                return form.properties();
+            });
+            assertEquals(ScenarioProperties.of(scenario), shown, name);
+            assertEquals(scenario, shown.applyTo(scenario));
+        }
+    }
+
+    @Test
+    void aWorldThatIsTooSmallForTheRobotAndASeedThatIsNoNumberAreRefused() {
+        Scenario room = ScenarioTemplate.FURNISHED_ROOM.create();
+        runOnEdt(() -> {
+            PropertiesForm form = new PropertiesForm();
+            form.setProperties(ScenarioProperties.of(room));
+            ComponentFinder.find(form, JTextField.class, "Seed").setText("seven");
+            assertEquals(Optional.of("The seed is not a whole number"), form.findProblem(room));
+            ComponentFinder.find(form, JTextField.class, "Seed").setText("-9007199254740993");
+            assertEquals(Optional.empty(), form.findProblem(room));
+            assertEquals(-9007199254740993L, form.properties().seed());
+            ComponentFinder.find(form, JSpinner.class, "Width, m").setValue(1.05);
+            assertTrue(form.findProblem(room).orElseThrow().contains("enclosure"));
+        });
+    }
+
+    @Test
+    void propertiesAreEditedUndoneAndRedone() {
+        Workspace workspace = callOnEdt(Workspace::new);
+        RunController run = callOnEdt(() -> new RunController(workspace));
+        UndoController undo = callOnEdt(() -> new UndoController(run::send, () -> {}));
+        runOnEdt(() -> new DocumentStore(workspace).create(ScenarioTemplate.CORRIDOR.create()));
+        Await.until("the new scenario", () -> workspace.scenario().isPresent());
+        assertTrue(callOnEdt(workspace::isChanged), "a new scenario has not been saved");
+        ScenarioProperties before =
+                callOnEdt(() -> ScenarioProperties.of(workspace.scenario().orElseThrow()));
+        ScenarioProperties after = new ScenarioProperties(
+                "Long corridor",
+                "With a seed",
+                14,
+                before.height(),
+                true,
+                42,
+                0.02,
+                99,
+                new Expectation(List.of(new Expectation.VisitedState(FollowerState.FOLLOW))));
+        runOnEdt(() -> new ScenarioEditor(run, undo).edit("edit.properties", after::applyTo, before::applyTo));
+        await(workspace, after);
+        Await.until("the world has its new size", () -> run.frame()
+                .filter(frame -> frame.snapshot().width() == 14)
+                .isPresent());
+        runOnEdt(undo::undo);
+        await(workspace, before);
+        runOnEdt(undo::redo);
+        await(workspace, after);
+        assertFalse(callOnEdt(() -> undo.redoName().isPresent()));
+        runOnEdt(workspace::close);
+    }
+
+    private static void await(Workspace workspace, ScenarioProperties wanted) {
+        Await.until(
+                "the properties",
+                () -> workspace.task().isEmpty()
+                        && workspace
+                                .scenario()
+                                .filter(open -> ScenarioProperties.of(open).equals(wanted))
+                                .isPresent());
+    }
+}
