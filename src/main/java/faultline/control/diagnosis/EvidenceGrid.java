@@ -19,10 +19,16 @@ public final class EvidenceGrid {
 
     private final int[] free;
     private final int[] hit;
+    /** The latest moment in each row of each source. */
+    private final int[] lastFreeInRow;
+
+    private final int[] lastHitInRow;
 
     EvidenceGrid(int sources) {
         this.free = new int[PLANE * sources];
         this.hit = new int[PLANE * sources];
+        this.lastFreeInRow = new int[SIZE * sources];
+        this.lastHitInRow = new int[SIZE * sources];
     }
 
     /**
@@ -70,23 +76,31 @@ public final class EvidenceGrid {
      *
      * @param column the first cell's column, not wrapped
      * @param row the cells' row, not wrapped
+     * @param since the oldest moment that counts; older ones may be left out
      * @param asked a bit for each source
      * @param lastFree is raised to the latest moment, one cell after the other; no longer than {@link #SIZE}
      * @param lastHit the same for surfaces
      */
-    public void findLast(int column, int row, int asked, int[] lastFree, int[] lastHit) {
+    public void findLast(int column, int row, int since, int asked, int[] lastFree, int[] lastHit) {
         int start = column & WRAP;
-        int beforeWrap = Math.min(lastFree.length, SIZE - start);
         for (int rest = asked; rest != 0; rest &= rest - 1) {
-            int base = Integer.numberOfTrailingZeros(rest) * PLANE + (row & WRAP) * SIZE;
-            for (int i = 0; i < beforeWrap; i++) {
-                lastFree[i] = Math.max(lastFree[i], free[base + start + i]);
-                lastHit[i] = Math.max(lastHit[i], hit[base + start + i]);
+            int line = Integer.numberOfTrailingZeros(rest) * SIZE + (row & WRAP);
+            if (lastFreeInRow[line] >= since) {
+                raise(lastFree, free, line * SIZE, start);
             }
-            for (int i = beforeWrap; i < lastFree.length; i++) {
-                lastFree[i] = Math.max(lastFree[i], free[base - beforeWrap + i]);
-                lastHit[i] = Math.max(lastHit[i], hit[base - beforeWrap + i]);
+            if (lastHitInRow[line] >= since) {
+                raise(lastHit, hit, line * SIZE, start);
             }
+        }
+    }
+
+    private static void raise(int[] latest, int[] stamps, int base, int start) {
+        int beforeWrap = Math.min(latest.length, SIZE - start);
+        for (int i = 0; i < beforeWrap; i++) {
+            latest[i] = Math.max(latest[i], stamps[base + start + i]);
+        }
+        for (int i = beforeWrap; i < latest.length; i++) {
+            latest[i] = Math.max(latest[i], stamps[base - beforeWrap + i]);
         }
     }
 
@@ -103,7 +117,9 @@ public final class EvidenceGrid {
 
     /** Notes that a source saw a surface at a point. */
     void markHit(int source, double x, double y, int moment) {
-        hit[source * PLANE + cell(cellOf(x), cellOf(y))] = moment;
+        int row = cellOf(y);
+        hit[source * PLANE + cell(cellOf(x), row)] = moment;
+        lastHitInRow[source * SIZE + (row & WRAP)] = moment;
     }
 
     /** Notes that a source occupied or saw free a disc. */
@@ -155,6 +171,7 @@ public final class EvidenceGrid {
         int first = (int) Math.ceil(from / CELL - 0.5);
         int last = (int) Math.floor(to / CELL - 0.5);
         int base = source * PLANE + (row & WRAP) * SIZE;
+        lastFreeInRow[source * SIZE + (row & WRAP)] = moment;
         for (int column = first; column <= last; column++) {
             free[base + (column & WRAP)] = moment;
         }

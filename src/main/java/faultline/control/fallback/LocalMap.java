@@ -42,7 +42,7 @@ final class LocalMap {
         for (int r = 0; r < WINDOW; r++) {
             Arrays.fill(lastFree, Integer.MIN_VALUE);
             Arrays.fill(lastHit, Integer.MIN_VALUE);
-            grid.findLast(column, row + r, asked, lastFree, lastHit);
+            grid.findLast(column, row + r, since, asked, lastFree, lastHit);
             int dy = r - WINDOW / 2;
             for (int c = 0; c < WINDOW; c++) {
                 int dx = c - WINDOW / 2;
