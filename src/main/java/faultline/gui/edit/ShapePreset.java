@@ -9,13 +9,10 @@ import java.util.stream.IntStream;
 
 /** The shapes of the palette, placed by a click in their default size or drawn from corner to corner. */
 public enum ShapePreset {
-    /** A rectangle. */
     RECTANGLE(0.6, 0.4, false),
     /** A rectangle with equal sides. */
     SQUARE(0.4, 0.4, true),
-    /** A circle. */
     CIRCLE(0.4, 0.4, true),
-    /** An ellipse. */
     ELLIPSE(0.6, 0.4, false),
     /** A triangle on its base. */
     TRIANGLE(0.5, 0.45, false),

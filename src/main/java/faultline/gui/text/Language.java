@@ -4,9 +4,7 @@ import java.util.Locale;
 
 /** The languages of the window. English is the default, whatever the system's language. */
 public enum Language {
-    /** English. */
     ENGLISH(Locale.ROOT),
-    /** Polish. */
     POLISH(new Locale("pl"));
 
     private final Locale locale;

@@ -67,8 +67,8 @@ public final class MainWindow extends JFrame {
     private final transient FileController fileController =
             new FileController(this, workspace, this::commitPendingEdit);
     private final SimulationCanvas canvas = new SimulationCanvas(undoController);
-    private final transient ExportController exportController = new ExportController(
-            this, workspace, canvas, fileController::chooseExportFile, file -> showSavedNote("saved", file));
+    private final transient ExportController exportController =
+            new ExportController(this, workspace, canvas, fileController::chooseExportFile, this::showSavedNote);
     private final transient RunActions runActions;
     private final transient WindowPreferences preferences;
     private final MainPanel mainPanel;
@@ -140,22 +140,18 @@ public final class MainWindow extends JFrame {
         exportController.actions().forEach(actionRegistry::add);
         ViewActions.addTo(actionRegistry, canvas);
         ViewActions.bindTo(getRootPane(), actionRegistry);
-        actionRegistry.add(UiAction.toggle("instruments", preferences.isDockShown(), this::setDockShown)
+        actionRegistry.add(UiAction.toggle("instruments", preferences.isDockShown(), on -> mainPanel.setDockShown(on))
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_I)));
         actionRegistry.add(UiAction.toggle("timeline", preferences.isTimelineShown(), this::setTimelineShown)
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_T)));
-        actionRegistry.add(UiAction.of("nextArea", () -> mainPanel().focusArea(1))
+        actionRegistry.add(UiAction.of("nextArea", () -> mainPanel.focusArea(1))
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F6)));
-        actionRegistry.add(UiAction.of("previousArea", () -> mainPanel().focusArea(-1))
+        actionRegistry.add(UiAction.of("previousArea", () -> mainPanel.focusArea(-1))
                 .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_F6, InputEvent.SHIFT_DOWN_MASK)));
         runActions.addTo(actionRegistry);
         dialogs.addTo(actionRegistry);
         new PreferenceActions(this, preferences).addTo(actionRegistry);
         actionRegistry.add(new ThemeAction(this, canvas, preferences).action());
-    }
-
-    private MainPanel mainPanel() {
-        return mainPanel;
     }
 
     private boolean commitPendingEdit() {
@@ -166,8 +162,8 @@ public final class MainWindow extends JFrame {
         mainPanel.statusBar().showNote(sentence);
     }
 
-    private void showSavedNote(String key, Path file) {
-        showNote(Messages.get(key, String.valueOf(file.getFileName())));
+    private void showSavedNote(Path file) {
+        showNote(Messages.get("saved", String.valueOf(file.getFileName())));
     }
 
     private void installCanvasListeners() {
@@ -197,10 +193,6 @@ public final class MainWindow extends JFrame {
     private void setTimelineShown(boolean shown) {
         mainPanel.timeline().setLanesShown(shown);
         preferences.setTimelineShown(shown);
-    }
-
-    private void setDockShown(boolean shown) {
-        mainPanel.setDockShown(shown);
     }
 
     private void installCloseHandler() {
@@ -331,12 +323,12 @@ public final class MainWindow extends JFrame {
         public void scenarioSaved(Path file) {
             undoController.endEdit();
             preferences.recentFiles().add(file);
-            showSavedNote("saved", file);
+            showSavedNote(file);
         }
 
         @Override
         public void journalSaved(Path file) {
-            showSavedNote("saved", file);
+            showSavedNote(file);
         }
 
         @Override

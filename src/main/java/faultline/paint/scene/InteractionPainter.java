@@ -95,34 +95,24 @@ public final class InteractionPainter {
      * mouse.
      */
     public static void paintValues(DrawContext context, String values, List<Obstacle> there, Vector2 mouse) {
-        paintTextBox(
-                context,
-                values,
-                positionBelow(context, there, mouse),
-                context.palette().accent());
+        paintTextBox(context, values, there, mouse, context.palette().accent());
     }
 
     /** Paints the reason why a change is refused, at the position of {@link #paintValues}. */
     public static void paintRefusal(DrawContext context, String reason, List<Obstacle> there, Vector2 mouse) {
-        paintTextBox(
-                context,
-                reason,
-                positionBelow(context, there, mouse),
-                context.palette().collision());
+        paintTextBox(context, reason, there, mouse, context.palette().collision());
     }
 
-    private static Vector2 positionBelow(DrawContext context, List<Obstacle> there, Vector2 mouse) {
+    /** Paints a text in a box below the obstacles, or else the mouse, moved into the picture if necessary. */
+    private static void paintTextBox(
+            DrawContext context, String values, List<Obstacle> there, Vector2 mouse, Color edge) {
         Rectangle2D bounds = bounds(context, there).orElse(new Rectangle2D.Double(mouse.x(), mouse.y(), 0, 0));
-        return new Vector2(bounds.getCenterX(), bounds.getMaxY() + VALUES_GAP);
-    }
-
-    /** Paints a text in a box around a point, moved into the picture if necessary. */
-    private static void paintTextBox(DrawContext context, String values, Vector2 place, Color edge) {
         Rectangle2D text = context.measureText(values);
         double halfWidth = text.getWidth() / 2 + VALUES_PADDING;
         double halfHeight = text.getHeight() / 2 + VALUES_PADDING / 2;
-        double inX = clamp(place.x(), halfWidth, context.camera().width() - halfWidth);
-        double inY = clamp(place.y(), halfHeight, context.camera().height() - halfHeight);
+        double inX = clamp(bounds.getCenterX(), halfWidth, context.camera().width() - halfWidth);
+        double inY = clamp(
+                bounds.getMaxY() + VALUES_GAP, halfHeight, context.camera().height() - halfHeight);
         Shape box = new RoundRectangle2D.Double(inX - halfWidth, inY - halfHeight, 2 * halfWidth, 2 * halfHeight, 8, 8);
         context.fill(box, context.palette().canvas());
         context.draw(box, edge, EDGE_STROKE);
