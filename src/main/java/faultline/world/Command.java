@@ -28,6 +28,11 @@ public sealed interface Command {
      */
     <R> R accept(Visitor<R> visitor);
 
+    /** Returns a robot after this command; the robot itself if the command is about something else. */
+    default RobotSpec appliedTo(RobotSpec robot) {
+        return robot;
+    }
+
     /**
      * An operation with one method for each kind of command.
      *
@@ -62,6 +67,53 @@ public sealed interface Command {
     }
 
     /**
+     * A visitor of the commands that change the setup. The others, which belong to a time of the run, are visited
+     * alike: switches of sensors, faults and repairs.
+     *
+     * @param <R> the result type
+     */
+    interface SetupVisitor<R> extends Visitor<R> {
+
+        /** Visits a command that belongs to a time of the run. */
+        R visitTimed(Command command);
+
+        @Override
+        default R visit(SwitchSensor command) {
+            return visitTimed(command);
+        }
+
+        @Override
+        default R visit(InjectFault command) {
+            return visitTimed(command);
+        }
+
+        @Override
+        default R visit(ClearFault command) {
+            return visitTimed(command);
+        }
+
+        @Override
+        default R visit(ClearFaults command) {
+            return visitTimed(command);
+        }
+
+        @Override
+        default R visit(InjectMotorFault command) {
+            return visitTimed(command);
+        }
+
+        @Override
+        default R visit(ClearMotorFault command) {
+            return visitTimed(command);
+        }
+
+        @Override
+        default R visit(ClearMotorFaults command) {
+            return visitTimed(command);
+        }
+    }
+
+    /**
      * Switches a sensor on or off.
      *
      * @param sensor the sensor's id
@@ -71,6 +123,13 @@ public sealed interface Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
+        }
+
+        @Override
+        public RobotSpec appliedTo(RobotSpec robot) {
+            return robot.sensor(sensor)
+                    .map(found -> robot.withSensor(found.withOn(on)))
+                    .orElse(robot);
         }
     }
 
@@ -83,6 +142,11 @@ public sealed interface Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
+        }
+
+        @Override
+        public RobotSpec appliedTo(RobotSpec robot) {
+            return robot.indexOf(sensor.id()) < 0 ? robot : robot.withSensor(sensor);
         }
     }
 
@@ -215,6 +279,11 @@ public sealed interface Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
+        }
+
+        @Override
+        public RobotSpec appliedTo(RobotSpec robot) {
+            return robot.withPlatform(length, width, speed);
         }
     }
 

@@ -51,7 +51,7 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
     @Override
     public CommandResult visit(Command.SwitchSensor command) {
         return withSensor(command, command.sensor(), (index, old) -> {
-            updateRobot(body.spec().withSensor(old.withOn(command.on())));
+            updateRobot(command.appliedTo(body.spec()));
             return executed(command, new Command.SwitchSensor(old.id(), old.on()));
         });
     }
@@ -59,7 +59,7 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
     @Override
     public CommandResult visit(Command.ConfigureSensor command) {
         return withSensor(command, command.sensor().id(), (index, old) -> {
-            updateRobot(body.spec().withSensor(command.sensor()));
+            updateRobot(command.appliedTo(body.spec()));
             return executed(command, new Command.ConfigureSensor(old));
         });
     }
@@ -201,7 +201,7 @@ final class CommandHandler implements Command.Visitor<CommandResult> {
                 return refused(command, Reason.PLATFORM_OVERLAPS, obstruction.get());
             }
         }
-        updateRobot(old.withPlatform(command.length(), command.width(), command.speed()));
+        updateRobot(command.appliedTo(old));
         return executed(command, new Command.SetPlatform(old.length(), old.width(), old.speed()));
     }
 

@@ -23,7 +23,7 @@ import java.util.Optional;
  * their time. When the run is moved to an earlier tick, the later commands are kept until another one is executed
  * there.
  */
-final class SetupEditor implements Command.Visitor<Boolean> {
+final class SetupEditor implements Command.SetupVisitor<Boolean> {
 
     private final SimulationSetup base;
     private final List<Journal.Entry> entries = new ArrayList<>();
@@ -169,7 +169,7 @@ final class SetupEditor implements Command.Visitor<Boolean> {
     }
 
     @Override
-    public Boolean visit(Command.SwitchSensor command) {
+    public Boolean visitTimed(Command command) {
         return false;
     }
 
@@ -178,36 +178,6 @@ final class SetupEditor implements Command.Visitor<Boolean> {
         SensorSpec before = robot.sensor(command.sensor().id()).orElseThrow();
         robot = robot.withSensor(command.sensor().withOn(before.on()));
         return true;
-    }
-
-    @Override
-    public Boolean visit(Command.InjectFault command) {
-        return false;
-    }
-
-    @Override
-    public Boolean visit(Command.ClearFault command) {
-        return false;
-    }
-
-    @Override
-    public Boolean visit(Command.ClearFaults command) {
-        return false;
-    }
-
-    @Override
-    public Boolean visit(Command.InjectMotorFault command) {
-        return false;
-    }
-
-    @Override
-    public Boolean visit(Command.ClearMotorFault command) {
-        return false;
-    }
-
-    @Override
-    public Boolean visit(Command.ClearMotorFaults command) {
-        return false;
     }
 
     @Override
@@ -230,7 +200,7 @@ final class SetupEditor implements Command.Visitor<Boolean> {
 
     @Override
     public Boolean visit(Command.SetPlatform command) {
-        robot = robot.withPlatform(command.length(), command.width(), command.speed());
+        robot = command.appliedTo(robot);
         return true;
     }
 

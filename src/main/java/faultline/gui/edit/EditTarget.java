@@ -11,45 +11,15 @@ import faultline.world.Command;
  */
 record EditTarget(String kind, Object subject, boolean repeatable) {
 
-    private static final Command.Visitor<EditTarget> FINDER = new Command.Visitor<>() {
+    private static final Command.SetupVisitor<EditTarget> FINDER = new Command.SetupVisitor<>() {
         @Override
-        public EditTarget visit(Command.SwitchSensor command) {
-            return single(command);
+        public EditTarget visitTimed(Command command) {
+            return new EditTarget("single", command, false);
         }
 
         @Override
         public EditTarget visit(Command.ConfigureSensor command) {
             return new EditTarget("configure", command.sensor().id(), true);
-        }
-
-        @Override
-        public EditTarget visit(Command.InjectFault command) {
-            return single(command);
-        }
-
-        @Override
-        public EditTarget visit(Command.ClearFault command) {
-            return single(command);
-        }
-
-        @Override
-        public EditTarget visit(Command.ClearFaults command) {
-            return single(command);
-        }
-
-        @Override
-        public EditTarget visit(Command.InjectMotorFault command) {
-            return single(command);
-        }
-
-        @Override
-        public EditTarget visit(Command.ClearMotorFault command) {
-            return single(command);
-        }
-
-        @Override
-        public EditTarget visit(Command.ClearMotorFaults command) {
-            return single(command);
         }
 
         @Override
@@ -64,7 +34,7 @@ record EditTarget(String kind, Object subject, boolean repeatable) {
 
         @Override
         public EditTarget visit(Command.RemoveObstacle command) {
-            return single(command);
+            return visitTimed(command);
         }
 
         @Override
@@ -75,10 +45,6 @@ record EditTarget(String kind, Object subject, boolean repeatable) {
         @Override
         public EditTarget visit(Command.ConfigureController command) {
             return new EditTarget("controller", "", true);
-        }
-
-        private EditTarget single(Command command) {
-            return new EditTarget("single", command, false);
         }
     };
 

@@ -6,6 +6,7 @@ import faultline.world.Command;
 import faultline.world.Obstacle;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiFunction;
 
 /**
  * The commands that were sent to the run and do not show in a frame yet, and what the robot, its controller and the
@@ -49,29 +50,7 @@ public final class PendingEdits {
 
     /** Returns the robot as it will be after all pending commands. */
     public RobotSpec robot() {
-        RobotSpec expected = shownRobot;
-        for (Batch batch : batches) {
-            for (Command command : batch.commands) {
-                expected = apply(command, expected);
-            }
-        }
-        return expected;
-    }
-
-    private static RobotSpec apply(Command command, RobotSpec robot) {
-        if (command instanceof Command.SetPlatform platform) {
-            return robot.withPlatform(platform.length(), platform.width(), platform.speed());
-        }
-        if (command instanceof Command.ConfigureSensor configured
-                && robot.sensor(configured.sensor().id()).isPresent()) {
-            return robot.withSensor(configured.sensor());
-        }
-        if (command instanceof Command.SwitchSensor switched) {
-            return robot.sensor(switched.sensor())
-                    .map(sensor -> robot.withSensor(sensor.withOn(switched.on())))
-                    .orElse(robot);
-        }
-        return robot;
+        return applied(shownRobot, Command::appliedTo);
     }
 
     /** Takes the controller's settings of the newest frame of the run. */
@@ -81,24 +60,27 @@ public final class PendingEdits {
 
     /** Returns the controller's settings as they will be after all pending commands. */
     public ControllerSpec controller() {
-        ControllerSpec expected = shownController;
-        for (Batch batch : batches) {
-            for (Command command : batch.commands) {
-                expected = command instanceof Command.ConfigureController change ? change.controller() : expected;
-            }
-        }
-        return expected;
+        return applied(
+                shownController,
+                (command, controller) ->
+                        command instanceof Command.ConfigureController change ? change.controller() : controller);
     }
 
     /** Returns an obstacle of the newest frame where it will be after all pending commands. */
     public Obstacle expected(Obstacle obstacle) {
-        Obstacle expected = obstacle;
+        return applied(
+                obstacle,
+                (command, moved) -> command instanceof Command.MoveObstacle move
+                                && move.obstacle().equals(moved.id())
+                        ? moved.withPose(move.pose())
+                        : moved);
+    }
+
+    private <T> T applied(T shown, BiFunction<Command, T, T> effect) {
+        T expected = shown;
         for (Batch batch : batches) {
             for (Command command : batch.commands) {
-                if (command instanceof Command.MoveObstacle move
-                        && move.obstacle().equals(obstacle.id())) {
-                    expected = expected.withPose(move.pose());
-                }
+                expected = effect.apply(command, expected);
             }
         }
         return expected;
