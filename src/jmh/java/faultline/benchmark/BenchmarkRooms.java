@@ -44,8 +44,12 @@ final class BenchmarkRooms {
         ControllerSpec circle = new ControllerSpec.Drive(
                 robot.motor().voltageFor(INNER_SPEED), robot.motor().voltageFor(OUTER_SPEED));
         WorldSpec world = new WorldSpec(side, side, true, 0, rectangles(rectangles, side, middle));
-        return new SimulationSetup(
-                world, robot, new Pose(middle.x(), middle.y() - radius, 0), circle, List.of(), DT, SEED, 3600);
+        return SimulationSetup.of(world, new Pose(middle.x(), middle.y() - radius, 0))
+                .withRobot(robot)
+                .withController(circle)
+                .withTick(DT)
+                .withSeed(SEED)
+                .withDuration(3600);
     }
 
     private static RobotSpec robot() {

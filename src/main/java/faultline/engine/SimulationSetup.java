@@ -31,6 +31,15 @@ public record SimulationSetup(
         long seed,
         double duration) {
 
+    /** The length of a tick if none is given, seconds. */
+    public static final double DEFAULT_TICK = 0.01;
+
+    /** The seed if none is given. */
+    public static final long DEFAULT_SEED = 1;
+
+    /** The duration if none is given, seconds. */
+    public static final double DEFAULT_DURATION = 120;
+
     public SimulationSetup {
         Objects.requireNonNull(world, "world");
         Objects.requireNonNull(robot, "robot");
@@ -43,6 +52,19 @@ public record SimulationSetup(
         if (!(duration >= 0 && Double.isFinite(duration))) {
             throw new IllegalArgumentException("the duration must not be negative: " + duration);
         }
+    }
+
+    /** Returns the setup of the default robot with the default wall follower and an empty timeline. */
+    public static SimulationSetup of(WorldSpec world, Pose start) {
+        return new SimulationSetup(
+                world,
+                RobotSpec.DEFAULT,
+                start,
+                ControllerSpec.WallFollowing.DEFAULT,
+                List.of(),
+                DEFAULT_TICK,
+                DEFAULT_SEED,
+                DEFAULT_DURATION);
     }
 
     /**
@@ -102,6 +124,11 @@ public record SimulationSetup(
     /** Returns this setup with another timeline. */
     public SimulationSetup withTimeline(List<TimedCommand> newTimeline) {
         return new SimulationSetup(world, robot, start, controller, newTimeline, dt, seed, duration);
+    }
+
+    /** Returns this setup with another length of a tick, seconds, positive. */
+    public SimulationSetup withTick(double seconds) {
+        return new SimulationSetup(world, robot, start, controller, timeline, seconds, seed, duration);
     }
 
     /** Returns this setup with another seed. */

@@ -1,12 +1,10 @@
 package faultline.floorplan;
 
-import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.geometry.Pose;
 import faultline.geometry.RigidMotion;
 import faultline.geometry.Vector2;
-import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
@@ -54,8 +52,7 @@ public final class FloorPlanScenario {
                 : List.of(new Obstacle(PLAN_ID, new ObstacleShape.Plan(rings(plan)), frame));
         Vector2 size = size(plan);
         WorldSpec world = new WorldSpec(size.x(), size.y(), true, WorldSpec.DEFAULT_MAX_MOVING, obstacles);
-        SimulationSetup setup = new SimulationSetup(
-                world, RobotSpec.DEFAULT, start, ControllerSpec.WallFollowing.DEFAULT, List.of(), 0.01, 1, DURATION);
+        SimulationSetup setup = SimulationSetup.of(world, start).withDuration(DURATION);
         String description = plan.grid().width() + " x " + plan.grid().height() + " cells of "
                 + plan.description().resolution().stripTrailingZeros().toPlainString() + " m, "
                 + plan.segmentCount() + " wall segments.";

@@ -94,7 +94,12 @@ record SurvivalTrial(long room, List<DrawnFault> faults, List<Integer> sensors, 
         }
         ControllerSpec controller = new ControllerSpec.WallFollowing(
                 0.25, conditions.side, 0, TimingRule.EQUAL_READINGS, conditions.diagnosis);
-        return new SimulationSetup(place.world(), robot, place.start(), controller, timeline, 0.01, room, 36_000);
+        return SimulationSetup.of(place.world(), place.start())
+                .withRobot(robot)
+                .withController(controller)
+                .withTimeline(timeline)
+                .withSeed(room)
+                .withDuration(36_000);
     }
 
     Outcome run() {

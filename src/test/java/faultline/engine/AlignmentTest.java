@@ -109,16 +109,12 @@ class AlignmentTest {
             for (SensorSpec sensor : usual.sensors()) {
                 robot = robot.withSensor(sensor.withRange(range).withCone(cone));
             }
-            return new SimulationSetup(
-                    new WorldSpec(30, 30, true, 0, List.of()),
-                    robot,
-                    new Pose(15, 28, Math.PI / 2 + angle),
-                    // The six states alone: cones of up to 60 degrees are beyond what the diagnosis was made for.
-                    new ControllerSpec.WallFollowing(distance, side, period, timingRule, false),
-                    List.of(),
-                    DT,
-                    1,
-                    MAX_SECONDS);
+            // The six states alone: cones of up to 60 degrees are beyond what the diagnosis was made for.
+            return SimulationSetup.of(new WorldSpec(30, 30, true, 0, List.of()), new Pose(15, 28, Math.PI / 2 + angle))
+                    .withRobot(robot)
+                    .withController(new ControllerSpec.WallFollowing(distance, side, period, timingRule, false))
+                    .withTick(DT)
+                    .withDuration(MAX_SECONDS);
         }
     }
 

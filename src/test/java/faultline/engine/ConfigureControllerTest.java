@@ -11,7 +11,6 @@ import faultline.control.GainRule;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.geometry.Pose;
-import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.WorldSpec;
@@ -22,15 +21,11 @@ import org.junit.jupiter.api.Test;
 class ConfigureControllerTest {
 
     private static final WallFollowing USUAL = WallFollowing.DEFAULT;
-    private static final SimulationSetup SETUP = new SimulationSetup(
-            new WorldSpec(4.4, 3.1, true, 3, List.of()),
-            RobotSpec.DEFAULT,
-            new Pose(2.1, 1.4, 0.3),
-            USUAL,
-            List.of(),
-            0.01,
-            77,
-            60);
+    private static final SimulationSetup SETUP = SimulationSetup.of(
+                    new WorldSpec(4.4, 3.1, true, 3, List.of()), new Pose(2.1, 1.4, 0.3))
+            .withController(USUAL)
+            .withSeed(77)
+            .withDuration(60);
     private static final long CHANGE = 2500;
     private static final long END = 5500;
 

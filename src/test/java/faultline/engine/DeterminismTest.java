@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.control.ControllerSpec;
 import faultline.engine.session.Session;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -207,7 +206,10 @@ class DeterminismTest {
                 new SimulationSetup.TimedCommand(5, new Command.InjectFault("left", new Fault.Dropout(0.1))),
                 new SimulationSetup.TimedCommand(10, new Command.ClearFaults("left")),
                 new SimulationSetup.TimedCommand(12, new Command.SwitchSensor("rear", false)));
-        return new SimulationSetup(
-                world, robot, new Pose(0.6, 0.6, 0.3), ControllerSpec.WallFollowing.DEFAULT, timeline, 0.01, seed, 60);
+        return SimulationSetup.of(world, new Pose(0.6, 0.6, 0.3))
+                .withRobot(robot)
+                .withTimeline(timeline)
+                .withSeed(seed)
+                .withDuration(60);
     }
 }

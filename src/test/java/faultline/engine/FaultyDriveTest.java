@@ -31,15 +31,11 @@ class FaultyDriveTest {
     private static final RobotSpec ROBOT = RobotSpec.DEFAULT.withMotor(new MotorSpec(0, 0.1, 6));
 
     private static Simulation run(RobotSpec robot, double leftVolts, double rightVolts, TimedCommand... timeline) {
-        SimulationSetup setup = new SimulationSetup(
-                new WorldSpec(20, 20, true, 3, List.of()),
-                robot,
-                new Pose(10, 10, 0),
-                new ControllerSpec.Drive(leftVolts, rightVolts),
-                List.of(timeline),
-                0.01,
-                1,
-                60);
+        SimulationSetup setup = SimulationSetup.of(new WorldSpec(20, 20, true, 3, List.of()), new Pose(10, 10, 0))
+                .withRobot(robot)
+                .withController(new ControllerSpec.Drive(leftVolts, rightVolts))
+                .withTimeline(List.of(timeline))
+                .withDuration(60);
         return new Simulation(setup, ControllerMode.DIRECT);
     }
 

@@ -51,7 +51,12 @@ final class RandomWorlds {
         RobotSpec driven = new RobotSpec(
                 robot.length(), robot.width(), robot.track(), robot.speed(), robot.turnRate(), motor, robot.sensors());
         double dt = random.nextBoolean() ? 0.01 : random.nextDouble(0.001, 0.05);
-        return new SimulationSetup(world, driven, start, randomDrive(), List.of(), dt, random.nextLong(), 1);
+        return SimulationSetup.of(world, start)
+                .withRobot(driven)
+                .withController(randomDrive())
+                .withTick(dt)
+                .withSeed(random.nextLong())
+                .withDuration(1);
     }
 
     private ControllerSpec randomDrive() {

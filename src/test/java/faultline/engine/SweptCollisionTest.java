@@ -225,15 +225,11 @@ class SweptCollisionTest {
         Obstacle wall = new Obstacle(
                 "wall", new ObstacleShape.Wall(List.of(new Vector2(0, -1), new Vector2(0, 1))), new Pose(3, 2, 0));
         RobotSpec fast = new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, new MotorSpec(0, 1, 50), List.of());
-        SimulationSetup dash = new SimulationSetup(
-                new WorldSpec(6, 4, true, 0, List.of(wall)),
-                fast,
-                new Pose(1, 2, 0),
-                new ControllerSpec.Drive(50, 50),
-                List.of(),
-                0.1,
-                1,
-                1);
+        SimulationSetup dash = SimulationSetup.of(new WorldSpec(6, 4, true, 0, List.of(wall)), new Pose(1, 2, 0))
+                .withRobot(fast)
+                .withController(new ControllerSpec.Drive(50, 50))
+                .withTick(0.1)
+                .withDuration(1);
         try (Simulation simulation = new Simulation(dash, ControllerMode.DIRECT)) {
             simulation.tick();
             // Flush against the front, which is 0.125 ahead of the centre: 1.875 m at 50 m/s, and the middle of the

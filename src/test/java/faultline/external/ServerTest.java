@@ -52,15 +52,7 @@ class ServerTest {
     @Test
     void drivingConstantlyGivesTheTrajectoryOfTheDriveController() throws Exception {
         SimulationSetup setup = office();
-        SimulationSetup constant = new SimulationSetup(
-                setup.world(),
-                setup.robot(),
-                setup.start(),
-                new ControllerSpec.Drive(2.5, 3),
-                setup.timeline(),
-                setup.dt(),
-                setup.seed(),
-                setup.duration());
+        SimulationSetup constant = setup.withController(new ControllerSpec.Drive(2.5, 3));
         long expected =
                 HeadlessRun.run(constant, ControllerMode.DIRECT, List.of()).trajectoryHash();
         List<String> answers = serve("{\"type\":\"drive\",\"left_v\":2.5,\"right_v\":3,\"ticks\":1000}");

@@ -16,15 +16,6 @@ import faultline.io.XmlText;
 public record ScenarioContent(
         String name, String description, boolean recorded, SimulationSetup setup, Expectation expectation) {
 
-    /** The duration if the file has none, seconds. */
-    public static final double DEFAULT_DURATION = 120;
-
-    /** The length of a tick if the file has none, seconds. */
-    public static final double DEFAULT_TICK = 0.01;
-
-    /** The seed if the file has none. */
-    public static final long DEFAULT_SEED = 1;
-
     public ScenarioContent {
         name = XmlText.oneLine(name);
         description = XmlText.oneLine(description);

@@ -85,15 +85,13 @@ public final class ScenarioReader {
         if (world.isEmpty() || robot.isEmpty()) {
             return Optional.empty();
         }
-        SimulationSetup setup = new SimulationSetup(
-                world.get(),
-                robot.get().spec(),
-                robot.get().start(),
-                controller,
-                readTimeline(root, robot.get(), controller),
-                head.tick,
-                head.seed,
-                head.duration);
+        SimulationSetup setup = SimulationSetup.of(world.get(), robot.get().start())
+                .withRobot(robot.get().spec())
+                .withController(controller)
+                .withTimeline(readTimeline(root, robot.get(), controller))
+                .withTick(head.tick)
+                .withSeed(head.seed)
+                .withDuration(head.duration);
         if (problems.isEmpty()) {
             checkStart(root.firstChild("robot").orElseThrow(), setup, problems);
         }
@@ -108,9 +106,9 @@ public final class ScenarioReader {
                         .map(node -> ElementRules.readText(node, problems))
                         .orElse(""),
                 fields.flag("recorded", false),
-                fields.number("duration", NumberRange.TIME, ScenarioContent.DEFAULT_DURATION),
-                fields.number("tick", NumberRange.TICK, ScenarioContent.DEFAULT_TICK),
-                fields.integer("seed", Long.MIN_VALUE, Long.MAX_VALUE, ScenarioContent.DEFAULT_SEED));
+                fields.number("duration", NumberRange.TIME, SimulationSetup.DEFAULT_DURATION),
+                fields.number("tick", NumberRange.TICK, SimulationSetup.DEFAULT_TICK),
+                fields.integer("seed", Long.MIN_VALUE, Long.MAX_VALUE, SimulationSetup.DEFAULT_SEED));
         fields.reportUnknownAndMissing();
         return head;
     }

@@ -7,7 +7,6 @@ import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
-import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.WorldSpec;
@@ -20,15 +19,12 @@ class HeadlessRunTest {
 
     private static SimulationSetup setup(SimulationSetup.TimedCommand... timeline) {
         WorldSpec world = new WorldSpec(4, 3, true, 3, List.of());
-        return new SimulationSetup(
-                world,
-                RobotSpec.DEFAULT,
-                new Pose(2, 1.5, 0),
-                new ControllerSpec.None(),
-                List.of(timeline),
-                0.25,
-                7,
-                1);
+        return SimulationSetup.of(world, new Pose(2, 1.5, 0))
+                .withController(new ControllerSpec.None())
+                .withTimeline(List.of(timeline))
+                .withTick(0.25)
+                .withSeed(7)
+                .withDuration(1);
     }
 
     @Test

@@ -8,7 +8,6 @@ import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
-import faultline.robot.RobotSpec;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
@@ -19,20 +18,17 @@ import org.junit.jupiter.api.Test;
 class RunMeterTest {
 
     private static final double DURATION = 120;
-    private static final SimulationSetup SETUP = new SimulationSetup(
-            new WorldSpec(
-                    3.7,
-                    2.9,
-                    true,
-                    3,
-                    List.of(new Obstacle("cupboard", new ObstacleShape.Rectangle(0.9, 0.4), new Pose(3.2, 2.68, 0)))),
-            RobotSpec.DEFAULT,
-            new Pose(1.3, 1.1, 2),
-            ControllerSpec.WallFollowing.DEFAULT,
-            List.of(),
-            0.01,
-            5150,
-            DURATION);
+    private static final SimulationSetup SETUP = SimulationSetup.of(
+                    new WorldSpec(
+                            3.7,
+                            2.9,
+                            true,
+                            3,
+                            List.of(new Obstacle(
+                                    "cupboard", new ObstacleShape.Rectangle(0.9, 0.4), new Pose(3.2, 2.68, 0)))),
+                    new Pose(1.3, 1.1, 2))
+            .withSeed(5150)
+            .withDuration(DURATION);
 
     @Test
     void whatIsAskedForAtEveryTickEndsWithTheResultOfTheWholeRun() {

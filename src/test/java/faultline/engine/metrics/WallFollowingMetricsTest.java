@@ -7,7 +7,6 @@ import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
-import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.WorldSpec;
@@ -21,8 +20,10 @@ class WallFollowingMetricsTest {
 
     private static RunResult run(ControllerSpec controller, double duration, SimulationSetup.TimedCommand... timeline) {
         WorldSpec world = new WorldSpec(4, 4, true, 3, List.of());
-        SimulationSetup setup = new SimulationSetup(
-                world, RobotSpec.DEFAULT, new Pose(2, 2, 0.3), controller, List.of(timeline), 0.01, 1, duration);
+        SimulationSetup setup = SimulationSetup.of(world, new Pose(2, 2, 0.3))
+                .withController(controller)
+                .withTimeline(List.of(timeline))
+                .withDuration(duration);
         return HeadlessRun.run(setup, ControllerMode.DIRECT, List.of());
     }
 

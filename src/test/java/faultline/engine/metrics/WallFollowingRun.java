@@ -48,7 +48,11 @@ record WallFollowingRun(RunResult result, int searchCount, OptionalDouble lapTim
         }
 
         SimulationSetup setupFor(PolygonRoom room) {
-            return new SimulationSetup(room.world(), robot, room.start(), follower, List.of(), dt, 1, duration);
+            return SimulationSetup.of(room.world(), room.start())
+                    .withRobot(robot)
+                    .withController(follower)
+                    .withTick(dt)
+                    .withDuration(duration);
         }
     }
 

@@ -18,7 +18,6 @@ import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
-import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -48,15 +47,9 @@ class RecorderTest {
 
     private static SimulationSetup setup(List<SimulationSetup.TimedCommand> timeline) {
         Obstacle desk = new Obstacle("desk", new ObstacleShape.Rectangle(0.6, 0.4), new Pose(2, 1.5, 0.4));
-        return new SimulationSetup(
-                new WorldSpec(4, 3, true, 3, List.of(desk)),
-                RobotSpec.DEFAULT,
-                new Pose(0.6, 0.6, 0.3),
-                ControllerSpec.WallFollowing.DEFAULT,
-                timeline,
-                0.01,
-                1,
-                60);
+        return SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of(desk)), new Pose(0.6, 0.6, 0.3))
+                .withTimeline(timeline)
+                .withDuration(60);
     }
 
     /** A moment of the direct run. */
@@ -214,15 +207,10 @@ class RecorderTest {
 
     @Test
     void theCollisionIsLoggedOnce() {
-        SimulationSetup blind = new SimulationSetup(
-                room.world(),
-                room.robot(),
-                new Pose(0.6, 0.6, 0),
-                new ControllerSpec.Drive(3, 3),
-                List.of(),
-                0.01,
-                1,
-                60);
+        SimulationSetup blind = SimulationSetup.of(room.world(), new Pose(0.6, 0.6, 0))
+                .withRobot(room.robot())
+                .withController(new ControllerSpec.Drive(3, 3))
+                .withDuration(60);
         try (Session session = Session.start(blind)) {
             SessionFrame frame = runTo(session, 2000);
             List<RunEvent> events = events(frame);

@@ -3,14 +3,12 @@ package faultline.engine.session;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.Recorder;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
-import faultline.robot.RobotSpec;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WaypointPath;
@@ -81,15 +79,8 @@ class MemoryGrowthTest {
                 new ObstacleShape.Circle(0.1),
                 new Pose(3.6, 2, 0),
                 new WaypointPath(0.2, true, List.of(new Vector2(3.6, 2), new Vector2(3.6, 3))));
-        return new SimulationSetup(
-                new WorldSpec(6, 5, true, 3, List.of(desk, visitor)),
-                RobotSpec.DEFAULT,
-                new Pose(0.6, 0.6, 0.3),
-                ControllerSpec.WallFollowing.DEFAULT,
-                List.of(),
-                0.01,
-                1,
-                60);
+        return SimulationSetup.of(new WorldSpec(6, 5, true, 3, List.of(desk, visitor)), new Pose(0.6, 0.6, 0.3))
+                .withDuration(60);
     }
 
     /**

@@ -6,12 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.control.ControllerSpec;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.Recording;
 import faultline.geometry.Pose;
-import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -34,15 +32,11 @@ import org.junit.jupiter.api.Timeout;
 class SessionReplayTest {
 
     private static final Obstacle POLE = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(3, 2, 0));
-    private static final SimulationSetup ROOM = new SimulationSetup(
-            new WorldSpec(4, 3, true, 3, List.of(POLE)),
-            RobotSpec.DEFAULT,
-            new Pose(0.6, 0.6, 0.3),
-            ControllerSpec.WallFollowing.DEFAULT,
-            List.of(new SimulationSetup.TimedCommand(1, new Command.SwitchSensor("rear", false))),
-            0.01,
-            7,
-            60);
+    private static final SimulationSetup ROOM = SimulationSetup.of(
+                    new WorldSpec(4, 3, true, 3, List.of(POLE)), new Pose(0.6, 0.6, 0.3))
+            .withTimeline(List.of(new SimulationSetup.TimedCommand(1, new Command.SwitchSensor("rear", false))))
+            .withSeed(7)
+            .withDuration(60);
 
     /** What was done to a run of a thousand ticks. */
     private static final Journal JOURNAL = new Journal(

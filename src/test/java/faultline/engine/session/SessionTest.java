@@ -5,11 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.control.ControllerSpec;
 import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
-import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Obstacle;
@@ -36,15 +34,7 @@ class SessionTest {
     @BeforeEach
     void aPausedSession() {
         WorldSpec world = new WorldSpec(6, 4, true, 3, List.of(POLE));
-        session = Session.start(new SimulationSetup(
-                world,
-                RobotSpec.DEFAULT,
-                new Pose(1, 1, 0),
-                ControllerSpec.WallFollowing.DEFAULT,
-                List.of(),
-                0.01,
-                1,
-                10));
+        session = Session.start(SimulationSetup.of(world, new Pose(1, 1, 0)).withDuration(10));
     }
 
     @AfterEach

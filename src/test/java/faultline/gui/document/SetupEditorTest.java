@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
-import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
@@ -21,15 +20,10 @@ class SetupEditorTest {
 
     private static final Obstacle BOX = new Obstacle("box", new ObstacleShape.Rectangle(1, 1), new Pose(4, 2, 0));
     private static final Obstacle POLE = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(2, 3, 0));
-    private static final SimulationSetup BASE = new SimulationSetup(
-            new WorldSpec(6, 4, true, 3, List.of(BOX)),
-            RobotSpec.DEFAULT,
-            new Pose(1, 1, 0),
-            new ControllerSpec.None(),
-            List.of(),
-            0.01,
-            1,
-            60);
+    private static final SimulationSetup BASE = SimulationSetup.of(
+                    new WorldSpec(6, 4, true, 3, List.of(BOX)), new Pose(1, 1, 0))
+            .withController(new ControllerSpec.None())
+            .withDuration(60);
 
     @Test
     void movesAdditionsAndRemovalsOfObstaclesAreKeptInTheirOrder() {

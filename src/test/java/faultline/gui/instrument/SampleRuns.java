@@ -6,7 +6,6 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
-import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.WorldSpec;
@@ -26,19 +25,14 @@ final class SampleRuns {
     private SampleRuns() {}
 
     static SimulationSetup setup(ControllerSpec controller) {
-        return new SimulationSetup(
-                new WorldSpec(4, 3, true, 3, List.of()),
-                RobotSpec.DEFAULT,
-                new Pose(2, 1.5, 0.2),
-                controller,
-                List.of(
+        return SimulationSetup.of(new WorldSpec(4, 3, true, 3, List.of()), new Pose(2, 1.5, 0.2))
+                .withController(controller)
+                .withTimeline(List.of(
                         new SimulationSetup.TimedCommand(0, new Command.SwitchSensor("rear", false)),
                         new SimulationSetup.TimedCommand(
                                 2, new Command.InjectFault("rear-right", new Fault.Stuck(0.4))),
-                        new SimulationSetup.TimedCommand(3, new Command.SwitchSensor("nose", true))),
-                0.01,
-                1,
-                60);
+                        new SimulationSetup.TimedCommand(3, new Command.SwitchSensor("nose", true))))
+                .withDuration(60);
     }
 
     static SessionFrame frame(long tick) {

@@ -1,6 +1,5 @@
 package faultline.gui.window;
 
-import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.geometry.Pose;
@@ -48,8 +47,9 @@ final class CrowdedHall {
         WorldSpec world = new WorldSpec(
                 COLUMNS * PITCH + 2 * AISLE, rows * PITCH + 2 * AISLE, true, MOVING, new CrowdedHall().obstacles());
         RobotSpec robot = RobotSpec.DEFAULT.withPlatform(0.25, 0.20, 0.6);
-        SimulationSetup setup = new SimulationSetup(
-                world, robot, new Pose(0.5, 0.5, 0), ControllerSpec.WallFollowing.DEFAULT, List.of(), 0.01, 1, 60);
+        SimulationSetup setup = SimulationSetup.of(world, new Pose(0.5, 0.5, 0))
+                .withRobot(robot)
+                .withDuration(60);
         return new Scenario("Crowded hall", "", false, setup, Expectation.NONE);
     }
 

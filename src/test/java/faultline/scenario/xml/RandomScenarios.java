@@ -68,15 +68,14 @@ final class RandomScenarios {
         WorldSpec world = new WorldSpec(size(), size(), false, 3 + random.nextInt(3), obstacles);
         List<TimedCommand> timeline = new ArrayList<>();
         IntStream.range(0, random.nextInt(12)).forEach(i -> timeline.addAll(commands(robot, obstacles)));
-        SimulationSetup setup = new SimulationSetup(
-                world,
-                robot,
-                new Pose(-50_000 - random.nextInt(1000), coordinate(), angle()),
-                controller(),
-                timeline,
-                1e-5 + random.nextDouble() / 2,
-                random.nextLong(),
-                edgeValue(0, 1e7));
+        SimulationSetup setup = SimulationSetup.of(
+                        world, new Pose(-50_000 - random.nextInt(1000), coordinate(), angle()))
+                .withRobot(robot)
+                .withController(controller())
+                .withTimeline(timeline)
+                .withTick(1e-5 + random.nextDouble() / 2)
+                .withSeed(random.nextLong())
+                .withDuration(edgeValue(0, 1e7));
         return new Scenario(
                 name() + "\" \n" + name(), name(), random.nextBoolean(), setup, expectation(setup.controller()));
     }

@@ -95,15 +95,7 @@ class ScenarioReaderTest {
                 <scenario xmlns="urn:faultline:scenario:1"><robot x="1" y="2"/><world width="6" height="4"/></scenario>
                 """);
         WorldSpec world = new WorldSpec(6, 4, true, 3, List.of());
-        SimulationSetup setup = new SimulationSetup(
-                world,
-                RobotSpec.DEFAULT,
-                new Pose(1, 2, 0),
-                ControllerSpec.WallFollowing.DEFAULT,
-                List.of(),
-                0.01,
-                1,
-                120);
+        SimulationSetup setup = SimulationSetup.of(world, new Pose(1, 2, 0));
         assertEquals(new Scenario("", "", false, setup, Expectation.NONE), scenario);
         assertEquals(MotorSpec.DEFAULT, scenario.setup().robot().motor());
     }

@@ -76,8 +76,10 @@ class ScenarioWriterTest {
         Scenario plain = SampleScenario.read(SampleScenario.PLAIN);
         SimulationSetup setup = plain.setup();
         WorldSpec vast = new WorldSpec(1e6, 1, true, 3, List.of());
-        Scenario bad = plain.withSetup(
-                new SimulationSetup(vast, setup.robot(), setup.start(), setup.controller(), List.of(), 0.01, 1, 1));
+        Scenario bad = plain.withSetup(SimulationSetup.of(vast, setup.start())
+                .withRobot(setup.robot())
+                .withController(setup.controller())
+                .withDuration(1));
         Path file = folder.resolve("room.xml");
         Files.writeString(file, "what was there before");
         IOException refusal = assertThrows(IOException.class, () -> bad.save(file));
