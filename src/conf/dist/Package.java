@@ -62,6 +62,7 @@ public final class Package {
         writeChecksums();
     }
 
+    /** Classes are not compressed, because unpacking them makes a start slower. */
     private static void makeRuntime() throws IOException, InterruptedException {
         run(
                 "jlink",
@@ -70,7 +71,7 @@ public final class Package {
                         MODULES,
                         "--no-header-files",
                         "--no-man-pages",
-                        "--compress=2",
+                        "--compress=0",
                         "--output",
                         RUNTIME.toString()));
         // jlink leaves out the archive of the JDK's own classes, without which a start takes half as long again.
