@@ -10,7 +10,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
@@ -51,6 +53,49 @@ class DocsTest {
                     .forEach(link -> dead.add(page + ": " + link));
         }
         assertEquals(List.of(), dead);
+    }
+
+    @Test
+    void theClassesOnAPathThroughTheCodeUseEachOther() throws IOException {
+        String page = Files.readString(Path.of("docs/architecture.md")).replace("\n  ", " ");
+        List<String> wrong = new ArrayList<>();
+        for (MatchResult path : Pattern.compile("(?m)^- .* \\((\\d+) classes\\): (`.*)$")
+                .matcher(page)
+                .results()
+                .toList()) {
+            List<String> names = List.of(path.group(2).replace("`", "").split(" → "));
+            assertEquals(Integer.parseInt(path.group(1)), Set.copyOf(names).size(), path.group());
+            List<String> sources = new ArrayList<>();
+            for (String name : names) {
+                sources.add(Files.readString(sourceOf(name)));
+            }
+            for (int i = 0; i < names.size(); i++) {
+                if (!isUsed(i, names, sources)) {
+                    wrong.add(names.get(i) + " in " + path.group());
+                }
+            }
+        }
+        assertEquals(List.of(), wrong);
+    }
+
+    /** Returns whether a class on a path names another one on it, or is named by it. */
+    private static boolean isUsed(int index, List<String> names, List<String> sources) {
+        return IntStream.range(0, names.size())
+                .filter(other -> other != index)
+                .anyMatch(other ->
+                        names(sources.get(other), names.get(index)) || names(sources.get(index), names.get(other)));
+    }
+
+    private static boolean names(String source, String name) {
+        return Pattern.compile("\\b" + name + "\\b").matcher(source).find();
+    }
+
+    private static Path sourceOf(String name) throws IOException {
+        try (Stream<Path> files = Files.walk(Path.of("src/main/java"))) {
+            return files.filter(file -> file.endsWith(name + ".java"))
+                    .findFirst()
+                    .orElseThrow(() -> new AssertionError("there is no class " + name));
+        }
     }
 
     @Test
