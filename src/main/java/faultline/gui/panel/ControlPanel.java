@@ -39,6 +39,7 @@ public final class ControlPanel extends JPanel {
     private final SensorDetailsPanel sensorDetails;
     private final ControllerPanel controller;
     private final RunPanel run = new RunPanel();
+    private final JTabbedPane tabs = new JTabbedPane();
     private final transient UndoController editor;
 
     /**
@@ -57,20 +58,24 @@ public final class ControlPanel extends JPanel {
         controller = new ControllerPanel(editor, scenarioEditor);
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);
-        JTabbedPane tabs = new JTabbedPane();
         tabs.getAccessibleContext().setAccessibleName(Messages.get("panel"));
         addTab(
-                tabs,
                 "panel.robot",
                 new TitledSection(robot),
                 new TitledSection(Messages.get("sensors.title"), sensors),
                 new TitledSection(Messages.get("faults.title"), sensorDetails));
-        addTab(tabs, "panel.controller", controller);
-        addTab(tabs, "panel.run", run);
+        addTab("panel.controller", controller);
+        addTab("panel.run", run);
         add(tabs, BorderLayout.CENTER);
     }
 
-    private static void addTab(JTabbedPane tabs, String key, JComponent... sections) {
+    /**
+     * Adds a tab.
+     *
+     * @param key the key of its name
+     * @param sections shown from top to bottom
+     */
+    public void addTab(String key, JComponent... sections) {
         JPanel column = new JPanel();
         column.setLayout(new BoxLayout(column, BoxLayout.PAGE_AXIS));
         for (JComponent section : sections) {

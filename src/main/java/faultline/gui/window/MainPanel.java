@@ -13,6 +13,7 @@ import faultline.gui.instrument.PositionedSplitPane;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.panel.RunVerdict;
 import faultline.gui.panel.VerdictBanner;
+import faultline.gui.properties.ObstaclePanel;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.LaneView;
@@ -55,6 +56,7 @@ final class MainPanel extends JPanel {
     private final StatusBar statusBar = new StatusBar();
     private final InstrumentDock instruments;
     private final TimelinePanel timeline;
+    private final ObstaclePanel obstacles;
     private final VerdictBanner banner;
     private final PositionedSplitPane dockSplit;
     private final PositionedSplitPane panelSplit;
@@ -84,6 +86,8 @@ final class MainPanel extends JPanel {
         super(new BorderLayout());
         this.canvas = canvas;
         controlPanel = new ControlPanel(editor, scenarioEditor, actions.get("path"));
+        obstacles = new ObstaclePanel(editor, canvas.tools());
+        controlPanel.addTab("panel.obstacles", obstacles);
         instruments = new InstrumentDock(jump);
         dockHeight = instruments.getPreferredSize().height;
         timeline = new TimelinePanel(jump, canvas::setFrame, timelineEditor);
@@ -122,6 +126,9 @@ final class MainPanel extends JPanel {
             instruments.setFrame(frame);
         }
         controlPanel.setSnapshot(frame.snapshot());
+        if (obstacles.isShowing()) {
+            obstacles.setObstacles(frame.snapshot().obstacles());
+        }
         statusBar.setFrame(frame.frame(), now);
     }
 

@@ -1,0 +1,143 @@
+package faultline.gui.properties;
+
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.gui.edit.UndoController;
+import faultline.gui.panel.CachedDegrees;
+import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.NumberSpinner;
+import faultline.gui.text.Messages;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.WaypointPath;
+import java.awt.GridBagLayout;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.DoubleFunction;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+
+/** Every attribute of one obstacle. Fields that do not apply to its shape are disabled. */
+final class ObstacleForm extends JPanel {
+
+    private static final double MAX_COORDINATE = 100_000;
+    private static final double MAX_TURN = 360;
+    private static final double MAX_SPEED = 10;
+    private static final double RIGHT_ANGLE = 90;
+    private static final double USUAL_SPECULAR_ANGLE = 20;
+    private static final double USUAL_SPEED = 0.2;
+
+    private final transient UndoController editor;
+    private final NumberSpinner x = coordinate(value -> new Pose(value, pose().y(), pose().heading()));
+    private final NumberSpinner y = coordinate(value -> new Pose(pose().x(), value, pose().heading()));
+    private final NumberSpinner heading = new NumberSpinner(
+            "0.##", -MAX_TURN, MAX_TURN, 5, value -> move(new Pose(pose().x(), pose().y(), Degrees.toRadians(value))));
+    private final SizeFields size = new SizeFields(shape -> change(old -> old.withShape(shape)));
+    private final JCheckBox glossy = new JCheckBox(Messages.get("obstacle.glossy"));
+    private final NumberSpinner specularAngle = new NumberSpinner(
+            "0.##", 0.1, RIGHT_ANGLE, 1, value -> change(old -> old.withSpecularAngle(Degrees.toRadians(value))));
+    private final NumberSpinner speed = new NumberSpinner(
+            "0.00##",
+            0,
+            MAX_SPEED,
+            0.05,
+            value -> change(old -> old.withMotion(old.motion().withSpeed(value))));
+    private final JCheckBox loop = new JCheckBox(Messages.get("obstacle.loop"));
+    private final PointsField waypoints = new PointsField("obstacle.waypoints", this::changeWaypoints);
+    private final transient CachedDegrees shownHeading = new CachedDegrees();
+    private final transient CachedDegrees shownSpecularAngle = new CachedDegrees();
+    /** Null if none is shown. */
+    private transient Obstacle obstacle;
+
+    ObstacleForm(UndoController editor) {
+        super(new GridBagLayout());
+        this.editor = editor;
+        addRow(0, "obstacle.x", x);
+        addRow(1, "obstacle.y", y);
+        addRow(2, "obstacle.heading", heading);
+        size.addTo(this, 3);
+        glossy.addActionListener(event -> change(old ->
+                old.withSpecularAngle(glossy.isSelected() ? Degrees.toRadians(USUAL_SPECULAR_ANGLE) : Obstacle.MATT)));
+        loop.addActionListener(event -> change(old -> old.withMotion(new WaypointPath(
+                old.motion().speed(), loop.isSelected(), old.motion().waypoints()))));
+        add(glossy, FormConstraints.fillRow(1, 6));
+        addRow(7, "obstacle.specularAngle", specularAngle);
+        addRow(8, "obstacle.waypoints", waypoints);
+        addRow(9, "obstacle.speed", speed);
+        add(loop, FormConstraints.fillRow(1, 10));
+        setObstacle(Optional.empty());
+    }
+
+    private NumberSpinner coordinate(DoubleFunction<Pose> moved) {
+        return new NumberSpinner("0.00##", -MAX_COORDINATE, MAX_COORDINATE, 0.05, value -> move(moved.apply(value)));
+    }
+
+    private void addRow(int row, String key, JComponent field) {
+        if (field instanceof NumberSpinner number) {
+            number.withName(Messages.get(key)).withColumns(8);
+            add(number, FormConstraints.cell(1, row));
+        } else {
+            add(field, FormConstraints.fillRow(1, row));
+        }
+        add(FormConstraints.label(key, field), FormConstraints.cell(0, row));
+    }
+
+    private Pose pose() {
+        return editor.pendingEdits().expected(obstacle).pose();
+    }
+
+    private void move(Pose pose) {
+        if (obstacle != null && !pose.equals(pose())) {
+            editor.send(new Command.MoveObstacle(obstacle.id(), pose));
+        }
+    }
+
+    /** Replaces the obstacle by a changed one, and returns whether that is allowed. */
+    private boolean change(UnaryOperator<Obstacle> change) {
+        if (obstacle == null) {
+            return false;
+        }
+        try {
+            Obstacle changed = change.apply(editor.pendingEdits().expected(obstacle));
+            if (!changed.equals(obstacle)) {
+                editor.send(new Command.PlaceObstacle(changed));
+            }
+            return true;
+        } catch (IllegalArgumentException notAllowed) {
+            return false;
+        }
+    }
+
+    private boolean changeWaypoints(List<Vector2> points) {
+        return change(old -> old.withMotion(new WaypointPath(
+                old.isMoving() ? old.motion().speed() : USUAL_SPEED,
+                old.motion().loop(),
+                points)));
+    }
+
+    /** Shows an obstacle, or disabled fields. */
+    void setObstacle(Optional<Obstacle> shown) {
+        obstacle = shown.orElse(null);
+        Stream.of(x, y, heading, waypoints).forEach(field -> field.setEnabled(shown.isPresent()));
+        size.setShape(shown.map(Obstacle::shape));
+        glossy.setEnabled(shown.filter(now -> now.shape().isFlat()).isPresent());
+        specularAngle.setEnabled(shown.filter(Obstacle::isSpecular).isPresent());
+        speed.setEnabled(shown.filter(Obstacle::isMoving).isPresent());
+        loop.setEnabled(speed.isEnabled());
+        shown.ifPresent(now -> {
+            Pose expected = pose();
+            x.setWorldValue(expected.x());
+            y.setWorldValue(expected.y());
+            heading.setWorldValue(shownHeading.toDegrees(expected.heading()));
+            glossy.setSelected(now.isSpecular());
+            specularAngle.setWorldValue(shownSpecularAngle.toDegrees(now.specularAngle()));
+            speed.setWorldValue(now.motion().speed());
+            loop.setSelected(now.motion().loop());
+            waypoints.setPoints(now.motion().waypoints());
+        });
+    }
+}

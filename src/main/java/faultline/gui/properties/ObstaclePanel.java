@@ -1,0 +1,153 @@
+package faultline.gui.properties;
+
+import faultline.gui.canvas.tool.CanvasTools;
+import faultline.gui.edit.UndoController;
+import faultline.gui.panel.TitledSection;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
+import faultline.world.Obstacle;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.FlowLayout;
+import java.awt.GridLayout;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.AbstractListModel;
+import javax.swing.BoxLayout;
+import javax.swing.JButton;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+
+/**
+ * The list of obstacles, which selects them by keys as well as on the canvas, the attributes of the selected one, and
+ * buttons that arrange several.
+ */
+public final class ObstaclePanel extends JPanel {
+
+    private static final int FRAMES_PER_UPDATE = 6;
+    private static final int VISIBLE_ROWS = 7;
+    private static final int LIST_WIDTH = 380;
+    private static final int BUTTON_COLUMNS = 3;
+
+    private final transient UndoController editor;
+    private final transient CanvasTools tools;
+    private final IdModel ids = new IdModel();
+    private final JList<String> list = new JList<>(ids);
+    private final ObstacleForm form;
+    private final JPanel buttons = new JPanel(new GridLayout(0, BUTTON_COLUMNS, 4, 4));
+    private boolean updating;
+    private int skippedFrames = FRAMES_PER_UPDATE;
+
+    /**
+     * Creates an empty panel.
+     *
+     * @param editor receives changes
+     * @param tools select on the canvas
+     */
+    public ObstaclePanel(UndoController editor, CanvasTools tools) {
+        this.editor = editor;
+        this.tools = tools;
+        form = new ObstacleForm(editor);
+        setLayout(new BoxLayout(this, BoxLayout.PAGE_AXIS));
+        list.setVisibleRowCount(VISIBLE_ROWS);
+        list.setPrototypeCellValue("mmmmmmmmmmmm");
+        list.getAccessibleContext().setAccessibleName(Messages.get("obstacles.list"));
+        list.addListSelectionListener(event -> {
+            if (!updating && !event.getValueIsAdjusting()) {
+                tools.select(list.getSelectedValuesList());
+            }
+        });
+        tools.addSelectionListener(this::select);
+        JScrollPane scroll = new JScrollPane(list);
+        Dimension size = scroll.getPreferredSize();
+        scroll.setPreferredSize(new Dimension(TextSize.scaled(LIST_WIDTH), size.height));
+        add(new TitledSection(scroll));
+        add(new TitledSection(Messages.get("obstacles.selected"), form));
+        addButtons();
+    }
+
+    private void addButtons() {
+        for (ObstacleArrangement arrangement : ObstacleArrangement.values()) {
+            JButton button = new JButton(Messages.get("arrange." + arrangement.name()));
+            button.setToolTipText(Messages.get("arrange." + arrangement.name() + ".tip"));
+            button.addActionListener(event -> editor.send(arrangement.commands(tools.selected())));
+            buttons.add(button);
+        }
+        JPanel row = new JPanel(new FlowLayout(FlowLayout.LEADING, 0, 0));
+        row.add(buttons);
+        add(new TitledSection(Messages.get("arrange"), row));
+        enableButtons(0);
+    }
+
+    private void enableButtons(int selected) {
+        ObstacleArrangement[] all = ObstacleArrangement.values();
+        for (int i = 0; i < all.length; i++) {
+            buttons.getComponent(i).setEnabled(selected >= all[i].minCount());
+        }
+    }
+
+    /** Shows the obstacles of a frame, about ten times per second. */
+    public void setObstacles(List<Obstacle> obstacles) {
+        assert EventQueue.isDispatchThread();
+        if (++skippedFrames < FRAMES_PER_UPDATE) {
+            return;
+        }
+        skippedFrames = 0;
+        updating = true;
+        if (ids.update(obstacles)) {
+            select(Set.copyOf(tools.selected().stream().map(Obstacle::id).toList()));
+        }
+        updating = false;
+        List<Obstacle> selected = tools.selected();
+        form.setObstacle(selected.size() == 1 ? Optional.of(selected.get(0)) : Optional.empty());
+        enableButtons(selected.size());
+    }
+
+    private void select(Set<String> selected) {
+        boolean before = updating;
+        updating = true;
+        list.setValueIsAdjusting(true);
+        list.clearSelection();
+        if (!selected.isEmpty()) {
+            for (int i = 0; i < ids.getSize(); i++) {
+                if (selected.contains(ids.getElementAt(i))) {
+                    list.addSelectionInterval(i, i);
+                }
+            }
+            list.ensureIndexIsVisible(list.getMinSelectionIndex());
+        }
+        list.setValueIsAdjusting(false);
+        updating = before;
+        skippedFrames = FRAMES_PER_UPDATE;
+    }
+
+    /** The ids of the obstacles in drawing order. */
+    private static final class IdModel extends AbstractListModel<String> {
+        private List<String> ids = List.of();
+
+        /** Takes the ids of obstacles and returns whether they have changed. */
+        boolean update(List<Obstacle> obstacles) {
+            boolean same = ids.size() == obstacles.size();
+            for (int i = 0; same && i < ids.size(); i++) {
+                same = ids.get(i).equals(obstacles.get(i).id());
+            }
+            if (!same) {
+                ids = obstacles.stream().map(Obstacle::id).toList();
+                fireContentsChanged(this, 0, Math.max(0, ids.size() - 1));
+            }
+            return !same;
+        }
+
+        @Override
+        public int getSize() {
+            return ids.size();
+        }
+
+        @Override
+        public String getElementAt(int index) {
+            return ids.get(index);
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package faultline.gui.properties;
+
+import faultline.geometry.Vector2;
+import faultline.gui.text.Messages;
+import faultline.io.DecimalText;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import javax.swing.JTextField;
+
+/** A field for points, written as {@code x,y x,y}. Text that is not allowed is replaced by the old points. */
+final class PointsField extends JTextField {
+
+    private static final int MAX_COORDINATE = 100_000;
+    private static final int COLUMNS = 16;
+
+    private final transient Predicate<List<Vector2>> onChange;
+    private transient List<Vector2> shown = List.of();
+
+    /**
+     * Creates a field without points.
+     *
+     * @param onChange receives the points that the user enters, and returns whether they are allowed
+     */
+    PointsField(String key, Predicate<List<Vector2>> onChange) {
+        super(COLUMNS);
+        this.onChange = onChange;
+        getAccessibleContext().setAccessibleName(Messages.get(key));
+        setToolTipText(Messages.get("obstacle.points.tip"));
+        addActionListener(event -> commit());
+        addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                commit();
+            }
+        });
+    }
+
+    private void commit() {
+        List<Vector2> entered = parse(getText()).orElse(shown);
+        if (!entered.equals(shown) && onChange.test(entered)) {
+            shown = entered;
+        }
+        setText(format(shown));
+    }
+
+    /** Shows points, unless the user is typing. */
+    void setPoints(List<Vector2> points) {
+        if (!points.equals(shown) && !(isFocusOwner() && !getText().equals(format(shown)))) {
+            shown = points;
+            setText(format(points));
+            setCaretPosition(0);
+        }
+    }
+
+    static String format(List<Vector2> points) {
+        return points.stream()
+                .map(point -> DecimalText.format(point.x()) + "," + DecimalText.format(point.y()))
+                .collect(Collectors.joining(" "));
+    }
+
+    /** Returns the points of a text, empty if it is invalid. */
+    static Optional<List<Vector2>> parse(String text) {
+        List<Vector2> points = new ArrayList<>();
+        for (String pair : text.strip().split("\\s+")) {
+            List<Double> numbers = new ArrayList<>();
+            for (String number : pair.split(",", -1)) {
+                DecimalText.parse(number)
+                        .map(exact -> DecimalText.toDouble(exact, number))
+                        .filter(value -> Math.abs(value) <= MAX_COORDINATE)
+                        .ifPresent(numbers::add);
+            }
+            if (numbers.size() != 2 || pair.chars().filter(sign -> sign == ',').count() != 1) {
+                return Optional.empty();
+            }
+            points.add(new Vector2(numbers.get(0), numbers.get(1)));
+        }
+        return Optional.of(points);
+    }
+}

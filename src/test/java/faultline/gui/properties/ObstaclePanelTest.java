@@ -1,0 +1,212 @@
+package faultline.gui.properties;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Frame;
+import faultline.engine.SampleFrames;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.edit.UndoController;
+import faultline.gui.theme.Theme;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WaypointPath;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JList;
+import javax.swing.JSpinner;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** The list of obstacles and the attributes of the selected one, without a display. */
+@ExtendWith(EdtChecker.class)
+class ObstaclePanelTest {
+
+    private static final Obstacle CRATE =
+            new Obstacle("crate", new ObstacleShape.Rectangle(0.6, 0.4), new Pose(1.3, 2.9, 0));
+    private static final Obstacle VASE = new Obstacle("vase", new ObstacleShape.Circle(0.15), new Pose(4.1, 1.2, 0));
+    private static final Obstacle FENCE = new Obstacle(
+            "fence",
+            new ObstacleShape.Wall(List.of(new Vector2(0, 0), new Vector2(1, 0), new Vector2(1, 0.7))),
+            new Pose(2.2, 0.4, 0));
+    private static final Obstacle CAT = new Obstacle(
+            "cat",
+            new ObstacleShape.Ellipse(0.2, 0.1),
+            new Pose(5, 3, 0),
+            new WaypointPath(0.4, true, List.of(new Vector2(5, 2), new Vector2(3, 3))));
+
+    private final List<Command> commands = new ArrayList<>();
+    private SimulationCanvas canvas;
+    private ObstaclePanel panel;
+
+    @BeforeEach
+    void show() {
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            UndoController editor = new UndoController((sent, onExecuted) -> commands.addAll(sent), () -> {});
+            canvas = new SimulationCanvas(editor);
+            panel = new ObstaclePanel(editor, canvas.tools());
+            update();
+        });
+    }
+
+    private void update() {
+        Frame frame = SampleFrames.frameOf(new Pose(3, 2, 0), CRATE, VASE, FENCE, CAT);
+        canvas.setFrame(frame);
+        for (int i = 0; i < 6; i++) {
+            panel.setObstacles(frame.snapshot().obstacles());
+        }
+    }
+
+    private JList<?> list() {
+        return ComponentFinder.find(panel, JList.class, "Obstacles");
+    }
+
+    private void select(String... ids) {
+        runOnEdt(() -> {
+            canvas.tools().select(List.of(ids));
+            update();
+        });
+    }
+
+    private void type(String name, double value) {
+        runOnEdt(() -> ComponentFinder.find(panel, JSpinner.class, name).setValue(value));
+    }
+
+    private void write(String name, String text) {
+        runOnEdt(() -> {
+            JTextField field = ComponentFinder.find(panel, JTextField.class, name);
+            field.setText(text);
+            field.postActionEvent();
+        });
+    }
+
+    @Test
+    void theListAndTheCanvasSelectEachOther() {
+        select("vase", "cat");
+        assertEquals(List.of("vase", "cat"), callOnEdt(() -> List.copyOf(list().getSelectedValuesList())));
+        runOnEdt(() -> list().setSelectedIndex(2));
+        assertEquals(List.of(FENCE), callOnEdt(() -> canvas.tools().selected()));
+    }
+
+    @Test
+    void everyAttributeIsACommand() {
+        select("crate");
+        type("x, m", 1.45);
+        type("Heading, °", 30.0);
+        type("Height, m", 0.55);
+        runOnEdt(() -> ComponentFinder.find(panel, JCheckBox.class, "Glossy").doClick(0));
+        write("Waypoints, m", "1,1 2.5,1");
+        assertEquals(new Command.MoveObstacle("crate", new Pose(1.45, 2.9, 0)), commands.get(0));
+        assertEquals(
+                30,
+                StrictMath.toDegrees(
+                        ((Command.MoveObstacle) commands.get(1)).pose().heading()),
+                1e-9);
+        assertEquals(new ObstacleShape.Rectangle(0.6, 0.55), placed(2).shape());
+        assertTrue(placed(3).isSpecular());
+        assertEquals(
+                List.of(new Vector2(1, 1), new Vector2(2.5, 1)),
+                placed(4).motion().waypoints());
+        assertEquals(5, commands.size());
+    }
+
+    private Obstacle placed(int index) {
+        return ((Command.PlaceObstacle) commands.get(index)).obstacle();
+    }
+
+    @Test
+    void onlyWhatAppliesIsEnabled() {
+        select("vase");
+        assertTrue(isEnabled("Radius, m"));
+        assertFalse(callOnEdt(
+                () -> ComponentFinder.find(panel, JCheckBox.class, "Glossy").isEnabled()));
+        assertFalse(isEnabled("Speed, m/s"));
+        select("cat");
+        assertTrue(isEnabled("Radius x, m"));
+        assertTrue(isEnabled("Speed, m/s"));
+        select("vase", "cat");
+        assertFalse(isEnabled("x, m"));
+    }
+
+    private boolean isEnabled(String name) {
+        return callOnEdt(() -> ComponentFinder.find(panel, JSpinner.class, name).isEnabled());
+    }
+
+    @Test
+    void pointsThatAreNotAllowedAreReplacedByTheOldOnes() {
+        select("fence");
+        write("Points, m", "0,0 1,nought");
+        assertEquals("0,0 1,0 1,0.7", callOnEdt(() -> ComponentFinder.find(panel, JTextField.class, "Points, m")
+                .getText()));
+        write("Points, m", "0,0");
+        assertEquals(List.of(), commands);
+        write("Points, m", "0,0 1.5,0");
+        assertEquals(
+                new ObstacleShape.Wall(List.of(new Vector2(0, 0), new Vector2(1.5, 0))),
+                placed(0).shape());
+    }
+
+    @Test
+    void severalAreAlignedByTheirEdges() {
+        select("crate", "vase");
+        runOnEdt(() -> ComponentFinder.find(panel, JButton.class, "Left").doClick(0));
+        assertEquals(1, commands.size(), "the crate is in place");
+        assertEquals(1.0 + 0.15, ((Command.MoveObstacle) commands.get(0)).pose().x(), 1e-9);
+        assertFalse(callOnEdt(
+                () -> ComponentFinder.find(panel, JButton.class, "Spread x").isEnabled()));
+    }
+
+    @Test
+    void theOuterOnesStayWhenCentresAreSpread() {
+        List<Command> moves = ObstacleArrangement.SPREAD_X.commands(List.of(CAT, CRATE, VASE));
+        assertEquals(1, moves.size());
+        Command.MoveObstacle move = (Command.MoveObstacle) moves.get(0);
+        assertEquals("vase", move.obstacle());
+        assertEquals((1.3 + 5) / 2, move.pose().x(), 1e-9);
+        assertEquals(List.of(), ObstacleArrangement.SPREAD_Y.commands(List.of(CAT, CRATE)));
+    }
+
+    @Test
+    void everyArrangementLeavesWhatItHasArranged() {
+        for (ObstacleArrangement arrangement : ObstacleArrangement.values()) {
+            List<Obstacle> arranged = new ArrayList<>(List.of(CRATE, VASE, FENCE));
+            for (Command command : arrangement.commands(arranged)) {
+                Command.MoveObstacle move = (Command.MoveObstacle) command;
+                arranged.replaceAll(each -> each.id().equals(move.obstacle()) ? each.withPose(move.pose()) : each);
+            }
+            for (Command again : arrangement.commands(arranged)) {
+                Command.MoveObstacle move = (Command.MoveObstacle) again;
+                Pose now = arranged.stream()
+                        .filter(each -> each.id().equals(move.obstacle()))
+                        .findFirst()
+                        .orElseThrow()
+                        .pose();
+                assertEquals(0, now.position().distanceTo(move.pose().position()), 1e-9, arrangement.name());
+            }
+        }
+    }
+
+    @Test
+    void aListOfPointsIsReadBack() {
+        List<Vector2> points = List.of(new Vector2(0.125, -3), new Vector2(1e-7, 12.5));
+        assertEquals(Optional.of(points), PointsField.parse(PointsField.format(points)));
+        for (String wrong : Set.of("", "1", "1,2,3", "1,2 ;", "200000,0")) {
+            assertEquals(Optional.empty(), PointsField.parse(wrong), wrong);
+        }
+    }
+}
