@@ -23,6 +23,11 @@ public final class TraceLevel {
         return ticksPerBucket;
     }
 
+    /** Returns the number of channels. */
+    public int channelCount() {
+        return channels;
+    }
+
     /** Returns the index of the oldest bucket that is kept. */
     public long firstBucket() {
         return buckets.first();

@@ -8,6 +8,8 @@ import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.HashTrace;
 import faultline.engine.recording.HashTraceRecorder;
+import faultline.engine.recording.Recorder;
+import faultline.engine.recording.Recording;
 import faultline.geometry.Pose;
 import java.util.concurrent.CancellationException;
 import java.util.function.LongPredicate;
@@ -22,7 +24,7 @@ public final class ReferenceRun {
     private final double[] x;
     private final double[] y;
     private final double[] heading;
-    private final HashTrace hashTrace;
+    private final Recording recording;
     private final RobotPath path;
 
     private ReferenceRun(Journal journal, Simulation simulation, LongPredicate onward) {
@@ -31,7 +33,7 @@ public final class ReferenceRun {
         x = new double[size];
         y = new double[size];
         heading = new double[size];
-        HashTraceRecorder recorder = new HashTraceRecorder();
+        Recorder recorder = new Recorder(journal.setup());
         JournalPlayer replay = new JournalPlayer(journal);
         record(simulation, recorder);
         while (simulation.ticks() < size - 1) {
@@ -41,7 +43,7 @@ public final class ReferenceRun {
             replay.tick(simulation);
             record(simulation, recorder);
         }
-        hashTrace = recorder.view();
+        recording = recorder.view();
         path = simulation.frame().path();
     }
 
@@ -68,13 +70,13 @@ public final class ReferenceRun {
         }
     }
 
-    private void record(Simulation simulation, HashTraceRecorder recorder) {
+    private void record(Simulation simulation, Recorder recorder) {
         int tick = (int) simulation.ticks();
         Pose pose = simulation.pose();
         x[tick] = pose.x();
         y[tick] = pose.y();
         heading[tick] = pose.heading();
-        recorder.add(simulation.trajectoryHash());
+        recorder.observe(simulation);
     }
 
     /** Returns the setup of the run. */
@@ -100,6 +102,11 @@ public final class ReferenceRun {
 
     /** Returns the hash of the trajectory after every tick up to {@link #lastTick}. */
     public HashTrace hashTrace() {
-        return hashTrace;
+        return recording.hashTrace();
+    }
+
+    /** Returns what was recorded of the run, without its events of commands. */
+    public Recording recording() {
+        return recording;
     }
 }

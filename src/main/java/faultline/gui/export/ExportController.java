@@ -8,14 +8,15 @@ import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
+import faultline.gui.instrument.StripContent;
 import faultline.gui.theme.Glyph;
+import faultline.gui.theme.Theme;
 import faultline.io.FileTarget;
 import faultline.io.MessageException;
 import faultline.io.WriteProblem;
 import faultline.paint.export.PngImage;
 import faultline.paint.export.PrintablePage;
 import faultline.paint.export.RenderRequest;
-import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import java.awt.Component;
 import java.awt.Toolkit;
@@ -28,6 +29,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
 import javax.swing.JOptionPane;
 
 /**
@@ -47,7 +50,8 @@ public final class ExportController implements WorkspaceListener {
     private final UiAction recordGif = UiAction.toggle("record", false, this::recordGif)
             .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_M))
             .withIcon(Glyph.RECORD);
-    private Palette palette = Palette.LIGHT;
+    private Theme theme = Theme.LIGHT;
+    private Supplier<Optional<StripContent>> chart = Optional::empty;
     private long recordingStart;
 
     /**
@@ -74,6 +78,11 @@ public final class ExportController implements WorkspaceListener {
         workspace.addListener(this);
     }
 
+    /** Sets what returns the content of the strip chart; empty if it has none. */
+    public void setChart(Supplier<Optional<StripContent>> newChart) {
+        chart = newChart;
+    }
+
     /** Returns the actions of the controller. */
     public List<UiAction> actions() {
         return List.of(
@@ -82,7 +91,10 @@ public final class ExportController implements WorkspaceListener {
                 UiAction.of("exportSvg", () -> withRenderRequest(this::exportSvg)),
                 UiAction.of("exportGif", () -> withRenderRequest(request -> exportGif(request, 0))),
                 UiAction.of("exportCsv", this::exportCsv),
-                UiAction.toggle("exportDark", false, dark -> palette = dark ? Palette.DARK : Palette.LIGHT),
+                UiAction.of("exportChartPng", () -> exportChart("exportChartPng", ".png", this::toPng)),
+                UiAction.of("exportChartSvg", () -> exportChart("exportChartSvg", ".svg", this::toSvg)),
+                UiAction.of("exportChartCsv", () -> exportChart("exportChartCsv", ".csv", ExportController::toCsv)),
+                UiAction.toggle("exportDark", false, dark -> theme = dark ? Theme.DARK : Theme.LIGHT),
                 UiAction.of("copyPicture", () -> withRenderRequest(this::copyImage))
                         .withAccelerator(Keystrokes.menuShiftShortcut(KeyEvent.VK_C)),
                 UiAction.of("print", () -> withRenderRequest(this::print))
@@ -91,7 +103,7 @@ public final class ExportController implements WorkspaceListener {
     }
 
     private void withRenderRequest(Consumer<RenderRequest> action) {
-        canvas.renderRequest(palette).ifPresent(action);
+        canvas.renderRequest(theme.palette()).ifPresent(action);
     }
 
     private void exportPng(RenderRequest request) {
@@ -100,6 +112,24 @@ public final class ExportController implements WorkspaceListener {
 
     private void exportSvg(RenderRequest request) {
         write("exportSvg", ".svg", (out, progress) -> out.write(request.toSvg().getBytes(StandardCharsets.UTF_8)));
+    }
+
+    private void exportChart(String action, String extension, Function<StripContent, FileExport> format) {
+        chart.get().ifPresent(content -> write(action, extension, format.apply(content)));
+    }
+
+    private FileExport toPng(StripContent content) {
+        Theme chosen = theme;
+        return (out, progress) -> PngImage.write(content.toImage(chosen, (int) RESOLUTION_SCALE), out);
+    }
+
+    private FileExport toSvg(StripContent content) {
+        Theme chosen = theme;
+        return (out, progress) -> out.write(content.toSvg(chosen).getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static FileExport toCsv(StripContent content) {
+        return (out, progress) -> out.write(content.toCsv().getBytes(StandardCharsets.UTF_8));
     }
 
     private void exportGif(RenderRequest request, long from) {

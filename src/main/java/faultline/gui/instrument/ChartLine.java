@@ -29,6 +29,11 @@ record ChartLine(String name, int channel, Function<Theme, Color> colour, DashPa
         return (theme == Theme.DARK ? ChartStyle.DARK : ChartStyle.LIGHT).series();
     }
 
+    /** Returns this line with another name. */
+    ChartLine withName(String newName) {
+        return new ChartLine(newName, channel, colour, dash);
+    }
+
     /** Returns the style of this line in the colours of a theme. */
     LineStyle style(Theme theme) {
         return new LineStyle(colour.apply(theme), LINE_WIDTH, dash);

@@ -2,11 +2,14 @@ package faultline.gui.instrument;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.recording.RunEvent;
+import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
+import faultline.gui.timeline.TimelineItem;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.LongConsumer;
 import javax.swing.JComponent;
@@ -26,6 +29,7 @@ public final class InstrumentDock extends JTabbedPane {
     private final EventLogView events;
     private final PositionedSplitPane split;
     private transient Optional<SessionFrame> newestFrame = Optional.empty();
+    private transient List<TimelineItem> shownItems = List.of();
     private int skippedFrames;
 
     /**
@@ -69,6 +73,24 @@ public final class InstrumentDock extends JTabbedPane {
     /** Shows in the event log where the run differs from the reference run, or removes the mark. */
     public void setDivergence(Optional<RunEvent.Diverged> divergence) {
         events.setDivergence(divergence);
+    }
+
+    /** Sets the items of the time line that the charts mark; the same list as before changes nothing. */
+    public void setItems(List<TimelineItem> items) {
+        if (items != shownItems) {
+            shownItems = items;
+            chart.setItems(items);
+        }
+    }
+
+    /** Shows the values of a reference run in the chart, null for none. */
+    public void setReference(ReferenceRun run) {
+        chart.setReference(run);
+    }
+
+    /** Returns the strip chart. */
+    public StripChart chart() {
+        return chart;
     }
 
     /** Prepares for another scenario: names its timing rule and releases a held chart. */

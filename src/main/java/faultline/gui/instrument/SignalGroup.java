@@ -16,6 +16,9 @@ import java.util.List;
  */
 record SignalGroup(String name, String unit, List<ChartLine> lines) {
 
+    /** The id of the sensor whose reading the controller follows, by convention of the controller's telemetry. */
+    private static final String FOLLOWED_SENSOR = "left";
+
     SignalGroup {
         lines = List.copyOf(lines);
     }
@@ -23,13 +26,54 @@ record SignalGroup(String name, String unit, List<ChartLine> lines) {
     /** Returns all groups for a robot with the given sensors. */
     static List<SignalGroup> allOf(List<SensorSnapshot> sensors) {
         List<SignalGroup> signals = new ArrayList<>();
-        signals.add(pair("distance", "m", TraceChannels.MEASURED_DISTANCE, TraceChannels.WANTED_DISTANCE));
+        signals.add(distance(sensors));
         signals.add(pair("terms", "rad/s", TraceChannels.PROPORTIONAL, TraceChannels.DERIVATIVE));
         signals.add(pair("volts", "V", TraceChannels.LEFT_VOLTS, TraceChannels.RIGHT_VOLTS));
         for (int i = 0; i < sensors.size(); i++) {
             signals.add(sensor(sensors.get(i).spec().id(), i));
         }
         return signals;
+    }
+
+    /** Returns the lines of other groups that can be shown in the same chart, named after their groups. */
+    static List<ChartLine> additions(SignalGroup shown, List<SignalGroup> all) {
+        return all.stream()
+                .filter(other ->
+                        other.unit().equals(shown.unit()) && !other.name().equals(shown.name()))
+                .flatMap(other -> other.lines().stream().map(line -> line.withName(other.name() + ", " + line.name())))
+                .toList();
+    }
+
+    /** Returns this group with further lines behind its own. */
+    SignalGroup with(List<ChartLine> additions) {
+        List<ChartLine> all = new ArrayList<>(additions);
+        all.addAll(lines);
+        return new SignalGroup(name, unit, all);
+    }
+
+    /** Returns the index of the sensor that the controller follows, 2 as in the default robot if it has none. */
+    static int followedSensor(List<SensorSnapshot> sensors) {
+        for (int i = 0; i < sensors.size(); i++) {
+            if (sensors.get(i).spec().id().equals(FOLLOWED_SENSOR)) {
+                return i;
+            }
+        }
+        return 2;
+    }
+
+    private static SignalGroup distance(List<SensorSnapshot> sensors) {
+        int followed = followedSensor(sensors);
+        ChartLine reading = new ChartLine(
+                Messages.get("signal.distance.first"),
+                TraceChannels.MEASURED_DISTANCE,
+                theme -> theme.palette().sensorColours(followed).outline(),
+                DashPattern.SOLID);
+        ChartLine target = new ChartLine(
+                Messages.get("signal.distance.second"),
+                TraceChannels.WANTED_DISTANCE,
+                theme -> theme.palette().text(),
+                DashPattern.DASHED);
+        return new SignalGroup(Messages.get("signal.distance"), "m", List.of(target, reading));
     }
 
     private static SignalGroup pair(String key, String unit, int first, int second) {

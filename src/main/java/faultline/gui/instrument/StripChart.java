@@ -1,47 +1,65 @@
 package faultline.gui.instrument;
 
+import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.TextSize;
+import faultline.gui.timeline.TimelineItem;
 import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.BoxLayout;
+import javax.swing.JButton;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.JToggleButton;
 
 /** A chart of values over time, with a choice of signals and a button that holds it still. */
 public final class StripChart extends JPanel {
 
-    private static final int MIN_CHOICE_WIDTH = 64;
+    private static final int MIN_CHOICE_WIDTH = 44;
 
     private final StripView view = new StripView();
     private final JComboBox<SignalGroup> choice = new JComboBox<>();
     private final StripLegend legend = new StripLegend();
+    private final JButton add = new JButton(Glyph.ADD.icon());
     private final JToggleButton fitValues = new JToggleButton(Glyph.FIT.icon());
     private final JToggleButton freeze = new JToggleButton(Glyph.PAUSE.icon());
     private List<String> sensors = List.of("");
+    private transient List<SignalGroup> groups = List.of();
+    /** The lines of other groups that are shown beside those of the chosen one. */
+    private final transient List<ChartLine> additions = new ArrayList<>();
 
     /** Creates an empty chart. */
     public StripChart() {
         super(new BorderLayout());
         choice.getAccessibleContext().setAccessibleName(Messages.get("strip.choice"));
         choice.setToolTipText(Messages.get("strip.choice.tip"));
-        choice.addActionListener(event -> updateSignal());
+        choice.addActionListener(event -> {
+            additions.clear();
+            updateSignal();
+            view.setRange(automaticRange());
+        });
+        add.getAccessibleContext().setAccessibleName(Messages.get("strip.add"));
+        add.setToolTipText(Messages.get("strip.add.tip"));
+        add.addActionListener(event -> createAdditionsMenu().show(add, 0, add.getHeight()));
         freeze.getAccessibleContext().setAccessibleName(Messages.get("strip.hold"));
         freeze.setToolTipText(Messages.get("strip.hold.tip"));
         freeze.addActionListener(event -> view.setFrozen(freeze.isSelected()));
         fitValues.getAccessibleContext().setAccessibleName(Messages.get("strip.fit"));
         fitValues.setToolTipText(Messages.get("strip.fit.tip"));
-        fitValues.addActionListener(event -> view.setFromZero(!fitValues.isSelected()));
+        fitValues.addActionListener(event -> view.setRange(automaticRange()));
         new StripChartMouse(view, this::freeze).install();
         JPanel bar = new JPanel();
         bar.setLayout(new BoxLayout(bar, BoxLayout.LINE_AXIS));
@@ -49,10 +67,13 @@ public final class StripChart extends JPanel {
         choice.setPrototypeDisplayValue(widestSignal());
         choice.setMaximumSize(choice.getPreferredSize());
         choice.setMinimumSize(new Dimension(TextSize.scaled(MIN_CHOICE_WIDTH), choice.getPreferredSize().height));
+        add.setMinimumSize(add.getPreferredSize());
         freeze.setMinimumSize(freeze.getPreferredSize());
         fitValues.setMinimumSize(fitValues.getPreferredSize());
         bar.add(choice);
         bar.add(Box.createHorizontalStrut(6));
+        bar.add(add);
+        bar.add(Box.createHorizontalStrut(2));
         bar.add(freeze);
         bar.add(Box.createHorizontalStrut(2));
         bar.add(fitValues);
@@ -82,14 +103,59 @@ public final class StripChart extends JPanel {
     /** Lets the chart follow the run again, over the initial time span. */
     void release() {
         view.setSpan(TimeSpan.DEFAULT);
+        view.setRange(automaticRange());
         freeze(false);
+    }
+
+    private ValueRange automaticRange() {
+        return fitValues.isSelected() ? ValueRange.FITTED : ValueRange.FROM_ZERO;
     }
 
     private void updateSignal() {
         if (choice.getSelectedItem() instanceof SignalGroup signal) {
-            view.setSignal(signal);
-            legend.setSignal(signal);
+            SignalGroup shown = signal.with(additions);
+            view.setSignal(shown);
+            legend.setSignal(shown);
         }
+    }
+
+    /** Creates a menu of the lines with the same unit as the chosen signal. */
+    JPopupMenu createAdditionsMenu() {
+        JPopupMenu menu = new JPopupMenu();
+        if (choice.getSelectedItem() instanceof SignalGroup signal) {
+            for (ChartLine line : SignalGroup.additions(signal, groups)) {
+                JCheckBoxMenuItem item = new JCheckBoxMenuItem(line.name(), isAdded(line));
+                item.addActionListener(event -> toggle(line));
+                menu.add(item);
+            }
+        }
+        return menu;
+    }
+
+    private boolean isAdded(ChartLine line) {
+        return additions.stream().anyMatch(other -> other.name().equals(line.name()));
+    }
+
+    private void toggle(ChartLine line) {
+        if (!additions.removeIf(other -> other.name().equals(line.name()))) {
+            additions.add(line);
+        }
+        updateSignal();
+    }
+
+    /** Sets the faults, switches and moves that are marked behind the lines. */
+    void setItems(List<TimelineItem> items) {
+        view.setItems(items);
+    }
+
+    /** Shows the lines of a reference run beside those of the run, null for none. */
+    void setReference(ReferenceRun run) {
+        view.setReference(run);
+    }
+
+    /** Returns all that the chart shows; empty before the first frame. */
+    public Optional<StripContent> content() {
+        return view.content();
     }
 
     /** Shows a frame with the recording of its run. */
@@ -106,7 +172,8 @@ public final class StripChart extends JPanel {
             sensors = ids;
             int chosen = Math.max(0, choice.getSelectedIndex());
             choice.removeAllItems();
-            SignalGroup.allOf(present).forEach(choice::addItem);
+            groups = SignalGroup.allOf(present);
+            groups.forEach(choice::addItem);
             choice.setMaximumRowCount(choice.getItemCount());
             choice.setSelectedIndex(chosen < choice.getItemCount() ? chosen : 0);
         }

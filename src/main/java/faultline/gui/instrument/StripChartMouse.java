@@ -6,7 +6,6 @@ import java.awt.event.FocusListener;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
-import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
@@ -14,16 +13,18 @@ import javax.swing.KeyStroke;
 
 /**
  * The mouse and keyboard input of a strip chart: the wheel zooms at the cursor, dragging and the arrow keys scroll
- * through time, and the cursor shows values.
+ * through time, and the cursor shows values. With Ctrl they act on the vertical axis.
  */
 final class StripChartMouse extends MouseAdapter implements FocusListener {
 
     private static final double ZOOM_FACTOR = 1.25;
     private static final double PAN_STEP = 0.1;
+    private static final double HALF = 0.5;
 
     private final StripView view;
     private final Consumer<Boolean> freezeHandler;
     private int dragX;
+    private int dragY;
 
     /** Creates the input handler of a view; {@code hold} holds or releases the chart. */
     StripChartMouse(StripView view, Consumer<Boolean> hold) {
@@ -40,6 +41,10 @@ final class StripChartMouse extends MouseAdapter implements FocusListener {
         bindKey("RIGHT", () -> panBy(PAN_STEP));
         bindKey("UP", () -> zoom(1 / ZOOM_FACTOR, 1));
         bindKey("DOWN", () -> zoom(ZOOM_FACTOR, 1));
+        bindKey("ctrl UP", () -> view.zoomValues(1 / ZOOM_FACTOR, HALF));
+        bindKey("ctrl DOWN", () -> view.zoomValues(ZOOM_FACTOR, HALF));
+        bindKey("shift UP", () -> view.moveValues(PAN_STEP));
+        bindKey("shift DOWN", () -> view.moveValues(-PAN_STEP));
         bindKey("END", () -> freezeHandler.accept(false));
     }
 
@@ -64,30 +69,41 @@ final class StripChartMouse extends MouseAdapter implements FocusListener {
 
     @Override
     public void mouseWheelMoved(MouseWheelEvent event) {
-        zoom(Math.pow(ZOOM_FACTOR, event.getPreciseWheelRotation()), view.shareAt(event.getX()));
+        double factor = Math.pow(ZOOM_FACTOR, event.getPreciseWheelRotation());
+        if (event.isControlDown()) {
+            view.zoomValues(factor, view.valueShareAt(event.getY()));
+        } else {
+            zoom(factor, view.shareAt(event.getX()));
+        }
     }
 
     @Override
     public void mousePressed(MouseEvent event) {
         view.requestFocusInWindow();
         dragX = event.getX();
+        dragY = event.getY();
     }
 
     @Override
     public void mouseDragged(MouseEvent event) {
-        panBy(view.shareAt(dragX) - view.shareAt(event.getX()));
+        if (event.isControlDown()) {
+            view.moveValues(view.valueShareAt(dragY) - view.valueShareAt(event.getY()));
+        } else {
+            panBy(view.shareAt(dragX) - view.shareAt(event.getX()));
+        }
         dragX = event.getX();
+        dragY = event.getY();
         mouseMoved(event);
     }
 
     @Override
     public void mouseMoved(MouseEvent event) {
-        view.setPointer(OptionalDouble.of(event.getX()));
+        view.setPointer(event.getX());
     }
 
     @Override
     public void mouseExited(MouseEvent event) {
-        view.setPointer(OptionalDouble.empty());
+        view.setPointer(StripView.NOWHERE);
     }
 
     @Override

@@ -20,11 +20,15 @@ record StripData(TraceLevel level, long from, long to, double dt) {
 
     /** Returns the recorded data in a time span, for a chart of the given width. */
     static StripData of(SessionFrame frame, TimeSpan span, int pixels) {
-        Trace trace = frame.recording().trace();
         // At tick 0 the length of a tick is not known and not needed.
         double dt = frame.snapshot().tick() > 0
                 ? frame.snapshot().time() / frame.snapshot().tick()
                 : 1;
+        return of(frame.recording().trace(), dt, span, pixels);
+    }
+
+    /** Returns the data of a trace in a time span; {@code dt} is the length of a tick, seconds. */
+    static StripData of(Trace trace, double dt, TimeSpan span, int pixels) {
         long first = (long) Math.floor(span.start() / dt);
         long last = (long) Math.ceil(span.end() / dt) + 1;
         TraceLevel level =

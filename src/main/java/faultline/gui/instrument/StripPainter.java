@@ -1,49 +1,64 @@
 package faultline.gui.instrument;
 
+import faultline.engine.recording.EventLog;
+import faultline.engine.recording.RunEvent;
 import faultline.geometry.Vector2;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Theme;
+import faultline.gui.timeline.Lane;
+import faultline.gui.timeline.TimelineItem;
 import faultline.paint.chart.PlotPainter;
 import faultline.paint.chart.TickStyle;
+import faultline.paint.surface.DashPattern;
 import faultline.paint.surface.LineStyle;
+import faultline.paint.surface.Palette;
 import faultline.paint.surface.PixelRectangle;
+import faultline.paint.surface.Shapes;
 import faultline.paint.surface.Surface;
 import faultline.paint.surface.TextStyle;
 import faultline.paint.surface.TextStyle.Anchor;
+import java.awt.Color;
 import java.awt.geom.Rectangle2D;
-import java.util.ArrayList;
 import java.util.List;
 
-/** Paints a strip chart: the bar of controller states, axes and lines. */
+/** Paints a strip chart: the bar of controller states, faults behind the lines, axes, lines and collisions. */
 final class StripPainter {
 
     private static final int RIBBON_GAP = 6;
     private static final int RIBBON_HEIGHT = 15;
+    private static final int FAULT_ALPHA = 45;
+    private static final double LEGEND_SAMPLE = 26;
 
     private final Surface surface;
     private final Theme theme;
     private final StripScale scale;
+    private final StripContent content;
     private final PixelRectangle area;
     private final TextStyle textStyle;
     private final TextStyle mutedStyle;
 
-    StripPainter(Surface surface, Theme theme, StripScale scale) {
+    StripPainter(Surface surface, Theme theme, StripScale scale, StripContent content) {
         this.surface = surface;
         this.theme = theme;
         this.scale = scale;
+        this.content = content;
         this.area = scale.plot().area();
         textStyle = TextStyle.plain(11, theme.palette().text());
         mutedStyle = TextStyle.plain(11, theme.palette().muted());
     }
 
-    void paint(List<StateIntervals.StateInterval> intervals) {
-        intervals.forEach(this::paintState);
+    void paint() {
+        StateIntervals.within(content.frame(), content.span()).forEach(this::paintState);
+        content.items().forEach(this::paintItem);
         PlotPainter painter = new PlotPainter(surface, scale.plot());
         painter.paintGrid(LineStyle.solid(theme.palette().gridMajor(), 1));
         painter.paintTicks(new TickStyle(mutedStyle, 0, 6, 15, " s"));
         surface.drawText(scale.signal().unit(), new Vector2(4, RIBBON_GAP + 12), mutedStyle);
-        scale.signal().lines().forEach(line -> painter.paintLine(values(line), line.style(theme)));
+        StripLines lines = new StripLines(painter, theme, scale);
+        lines.paintReference(content);
+        scale.signal().lines().forEach(lines::paint);
+        paintEvents();
         if (scale.isEmpty()) {
             surface.drawText(
                     Messages.get("strip.none"),
@@ -54,8 +69,8 @@ final class StripPainter {
 
     /** Paints a section of the ribbon, with the name of the state if there is room for it. */
     private void paintState(StateIntervals.StateInterval interval) {
-        double from = Math.max(area.x(), scale.plot().x(interval.start()));
-        double to = Math.min(area.x() + area.width(), scale.plot().x(interval.end()));
+        double from = x(interval.start());
+        double to = x(interval.end());
         if (to <= from) {
             return;
         }
@@ -71,19 +86,60 @@ final class StripPainter {
         }
     }
 
-    /** Returns the values of a line, each bucket from its least to its greatest; a bucket without any is a gap. */
-    private List<Vector2> values(ChartLine line) {
-        StripData data = scale.data();
-        List<Vector2> values = new ArrayList<>();
-        for (long bucket = data.from(); bucket < data.to(); bucket++) {
-            double time = data.timeOf(bucket);
-            float low = data.level().min(line.channel(), bucket);
-            float high = data.level().max(line.channel(), bucket);
-            values.add(new Vector2(time, low));
-            if (high > low) {
-                values.add(new Vector2(time, high));
+    /** Returns the x coordinate of a time, limited to the plot. */
+    private double x(double time) {
+        return Math.max(area.x(), Math.min(area.x() + area.width(), scale.plot().x(Math.min(time, 1e9))));
+    }
+
+    /** Shades the interval of a fault in the colour of its sensor, or marks a moment. */
+    private void paintItem(TimelineItem item) {
+        if (!item.isInterval()) {
+            paintMoment(item.start(), theme.palette().muted(), DashPattern.DOTTED);
+            return;
+        }
+        double from = x(item.start());
+        double to = x(item.end());
+        if (to > from) {
+            int sensor = item.lane() instanceof Lane.OfSensor lane ? scale.sensorIndex(lane.id()) : 0;
+            Color colour = item.colours(theme.palette(), sensor).outline();
+            surface.fill(
+                    new Rectangle2D.Double(from, area.y(), to - from, area.height()),
+                    Palette.withAlpha(colour, FAULT_ALPHA));
+            paintMoment(item.start(), colour, DashPattern.SOLID);
+            paintMoment(item.end(), colour, DashPattern.SOLID);
+        }
+    }
+
+    private void paintMoment(double time, Color colour, DashPattern dash) {
+        if (time >= content.span().start() && time <= content.span().end()) {
+            double at = scale.plot().x(time);
+            surface.draw(
+                    Shapes.polyline(List.of(new Vector2(at, area.y()), new Vector2(at, area.y() + area.height()))),
+                    new LineStyle(colour, 1, dash));
+        }
+    }
+
+    private void paintEvents() {
+        EventLog log = content.frame().recording().events();
+        for (long i = log.firstIndex(); i < log.endIndex(); i++) {
+            if (log.get(i) instanceof RunEvent.Collided collided) {
+                paintMoment(collided.time(), theme.palette().collision(), DashPattern.SOLID);
             }
         }
-        return values;
+    }
+
+    /** Paints the names of the lines into the upper right corner of the plot, for pictures without a legend. */
+    void paintLegend() {
+        double y = area.y() + 14;
+        for (int i = scale.signal().lines().size() - 1; i >= 0; i--) {
+            ChartLine line = scale.signal().lines().get(i);
+            double right = area.x() + area.width() - 8;
+            double left = right - textStyle.estimateWidth(line.name()) - LEGEND_SAMPLE - 6;
+            surface.draw(
+                    Shapes.polyline(List.of(new Vector2(left, y - 4), new Vector2(left + LEGEND_SAMPLE, y - 4))),
+                    line.style(theme));
+            surface.drawText(line.name(), new Vector2(left + LEGEND_SAMPLE + 6, y), textStyle);
+            y += 15;
+        }
     }
 }

@@ -4,6 +4,7 @@ import faultline.engine.session.SessionFrame;
 import faultline.paint.chart.Axis;
 import faultline.paint.chart.Plot;
 import faultline.paint.surface.PixelRectangle;
+import java.util.List;
 import java.util.stream.DoubleStream;
 
 /**
@@ -12,8 +13,9 @@ import java.util.stream.DoubleStream;
  * @param signal the lines
  * @param data their recorded values
  * @param plot the rectangle of the lines, with its axes of time and value
+ * @param sensors the ids of the sensors in the robot's order
  */
-record StripScale(SignalGroup signal, StripData data, Plot plot) {
+record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> sensors) {
 
     static final int LEFT_MARGIN = 46;
     static final int RIGHT_MARGIN = 14;
@@ -22,7 +24,7 @@ record StripScale(SignalGroup signal, StripData data, Plot plot) {
 
     /** Returns the scale of a chart; width and height in pixels. */
     static StripScale of(
-            SessionFrame frame, SignalGroup signal, TimeSpan span, boolean fromZero, int width, int height) {
+            SessionFrame frame, SignalGroup signal, TimeSpan span, ValueRange range, int width, int height) {
         PixelRectangle area = new PixelRectangle(
                 LEFT_MARGIN,
                 TOP_MARGIN,
@@ -30,19 +32,22 @@ record StripScale(SignalGroup signal, StripData data, Plot plot) {
                 Math.max(1, height - TOP_MARGIN - BOTTOM_MARGIN));
         StripData data = StripData.of(frame, span, (int) area.width());
         Axis time = Axis.linear("s", span.start(), span.end());
-        return new StripScale(signal, data, new Plot(area, time, createAxis(signal, data, fromZero)));
+        List<String> ids = frame.snapshot().sensors().stream()
+                .map(sensor -> sensor.spec().id())
+                .toList();
+        return new StripScale(
+                signal,
+                data,
+                new Plot(
+                        area,
+                        time,
+                        range.axis(signal.unit(), values(signal, data).toArray())),
+                ids);
     }
 
-    /** Returns the vertical axis, which includes zero or only the values. */
-    private static Axis createAxis(SignalGroup signal, StripData data, boolean fromZero) {
-        double[] values = values(signal, data).toArray();
-        boolean flat = DoubleStream.of(values).allMatch(value -> value == 0);
-        return flat
-                ? Axis.linear(signal.unit(), 0, 1)
-                : Axis.covering(
-                        signal.unit(),
-                        DoubleStream.concat(
-                                fromZero ? DoubleStream.of(0) : DoubleStream.empty(), DoubleStream.of(values)));
+    /** Returns the index of a sensor in the robot's order, 0 if there is none. */
+    int sensorIndex(String id) {
+        return Math.max(0, sensors.indexOf(id));
     }
 
     private static DoubleStream values(SignalGroup signal, StripData data) {

@@ -1,10 +1,12 @@
 package faultline.gui.instrument;
 
+import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.gui.timeline.TimelineItem;
 import faultline.paint.surface.GraphicsSurface;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -13,21 +15,29 @@ import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import javax.accessibility.AccessibleContext;
 import javax.swing.JComponent;
 
 /** The plot area of a strip chart. It follows the newest frame, or is held over a past time span. */
 final class StripView extends JComponent {
 
+    /** No x coordinate. */
+    static final double NOWHERE = Double.NaN;
+
     private static final Dimension MIN_SIZE = new Dimension(220, 110);
 
-    private transient Optional<SessionFrame> frame = Optional.empty();
-    private transient Optional<SignalGroup> signal = Optional.empty();
+    /** Null before the first frame. */
+    private transient SessionFrame frame;
+
+    private transient SignalGroup signal = new SignalGroup("", "", List.of());
     private transient TimeSpan span = TimeSpan.DEFAULT;
-    private transient OptionalDouble pointer = OptionalDouble.empty();
+    private transient ValueRange range = ValueRange.FROM_ZERO;
+    private transient List<TimelineItem> items = List.of();
+    /** Null if there is no reference run. */
+    private transient ReferenceRun reference;
+
+    private double pointer = NOWHERE;
     private boolean frozen;
-    private boolean fromZero = true;
 
     StripView() {
         setMinimumSize(MIN_SIZE);
@@ -40,7 +50,7 @@ final class StripView extends JComponent {
     /** Shows a newer frame. */
     void setFrame(SessionFrame newest) {
         assert EventQueue.isDispatchThread();
-        frame = Optional.of(newest);
+        frame = newest;
         if (!frozen) {
             span = span.endingAt(newest.snapshot().time());
         }
@@ -48,21 +58,43 @@ final class StripView extends JComponent {
     }
 
     void setSignal(SignalGroup chosen) {
-        signal = Optional.of(chosen);
+        signal = chosen;
         getAccessibleContext().setAccessibleDescription(chosen.name());
+        repaint();
+    }
+
+    /** Sets the faults, switches and moves that are marked behind the lines. */
+    void setItems(List<TimelineItem> newItems) {
+        items = newItems;
+        repaint();
+    }
+
+    /** Shows the lines of a reference run beside those of the run, null for none. */
+    void setReference(ReferenceRun run) {
+        reference = run;
         repaint();
     }
 
     /** Holds the chart, or lets it follow the newest frame. */
     void setFrozen(boolean hold) {
         frozen = hold;
-        frame.ifPresent(this::setFrame);
+        refresh();
     }
 
-    /** Includes zero in the vertical axis, or fits it to the values. */
-    void setFromZero(boolean newFromZero) {
-        fromZero = newFromZero;
+    private void refresh() {
+        if (frame != null) {
+            setFrame(frame);
+        }
+    }
+
+    /** Sets the range of the vertical axis. */
+    void setRange(ValueRange newRange) {
+        range = newRange;
         repaint();
+    }
+
+    ValueRange range() {
+        return range;
     }
 
     boolean isFrozen() {
@@ -76,7 +108,7 @@ final class StripView extends JComponent {
     /** Shows another time span; while the chart follows the run, the span ends at the newest frame. */
     void setSpan(TimeSpan wanted) {
         span = wanted;
-        frame.ifPresent(this::setFrame);
+        refresh();
     }
 
     /** Returns the position of an x coordinate on the time axis, 0 at its start and 1 at its end. */
@@ -85,8 +117,26 @@ final class StripView extends JComponent {
                 / Math.max(1, getWidth() / imageScale() - StripScale.LEFT_MARGIN - StripScale.RIGHT_MARGIN);
     }
 
-    /** Shows the values at an x coordinate, or none. */
-    void setPointer(OptionalDouble x) {
+    /** Returns the position of a y coordinate on the vertical axis, 0 at its lower end and 1 at its upper end. */
+    double valueShareAt(double y) {
+        return 1
+                - scale().map(scale -> (y / imageScale() - scale.plot().area().y())
+                                / scale.plot().area().height())
+                        .orElse(0.5);
+    }
+
+    /** Scales the vertical axis by a factor, with the value at a share of it kept in place. */
+    void zoomValues(double factor, double share) {
+        scale().ifPresent(scale -> setRange(ValueRange.zoomed(scale.plot().vertical(), factor, share)));
+    }
+
+    /** Moves the vertical axis by a share of its length. */
+    void moveValues(double share) {
+        scale().ifPresent(scale -> setRange(ValueRange.moved(scale.plot().vertical(), share)));
+    }
+
+    /** Shows the values at an x coordinate, or none at {@link #NOWHERE}. */
+    void setPointer(double x) {
         pointer = x;
         repaint();
     }
@@ -97,9 +147,9 @@ final class StripView extends JComponent {
     }
 
     private Optional<ChartTooltip> tooltip(StripScale scale) {
-        return pointer.isEmpty()
+        return Double.isNaN(pointer)
                 ? Optional.empty()
-                : Optional.of(new ChartTooltip(scale, span.timeAt(shareAt(pointer.getAsDouble()))))
+                : Optional.of(new ChartTooltip(scale, span.timeAt(shareAt(pointer))))
                         .filter(out -> !scale.isEmpty() && !out.isEmpty());
     }
 
@@ -107,16 +157,21 @@ final class StripView extends JComponent {
         return TextSize.imageScale(getWidth(), getHeight(), MIN_SIZE);
     }
 
+    /** Returns all that is shown; empty before the first frame. */
+    Optional<StripContent> content() {
+        return frame == null
+                ? Optional.empty()
+                : Optional.of(new StripContent(frame, signal, span, range, items, reference));
+    }
+
     private Optional<StripScale> scale() {
         int width = (int) (getWidth() / imageScale());
         int height = (int) (getHeight() / imageScale());
-        return frame.flatMap(
-                shown -> signal.map(chosen -> StripScale.of(shown, chosen, span, fromZero, width, height)));
+        return content().map(shown -> shown.scale(width, height));
     }
 
     private void paint(Graphics2D g, StripScale scale) {
-        new StripPainter(new GraphicsSurface(g), Theme.current(), scale)
-                .paint(StateIntervals.within(frame.get(), span));
+        content().orElseThrow().paint(new GraphicsSurface(g), Theme.current(), scale);
         tooltip(scale).ifPresent(out -> out.paint(g, Theme.current()));
     }
 

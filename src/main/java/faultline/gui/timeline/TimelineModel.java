@@ -20,6 +20,7 @@ public final class TimelineModel {
 
     private final List<TimedCommand> commands;
     private final List<Pair> pairs = new ArrayList<>();
+    private final List<TimelineItem> items;
 
     /**
      * An item and the indices of its commands.
@@ -47,6 +48,7 @@ public final class TimelineModel {
                 .sorted(Comparator.comparingDouble(index -> commands.get(index).time()))
                 .forEachOrdered(this::add);
         pairs.sort(Comparator.comparingDouble(pair -> pair.item().start()));
+        items = pairs.stream().map(Pair::item).toList();
     }
 
     /** Returns the model of a timeline. */
@@ -70,9 +72,9 @@ public final class TimelineModel {
         }
     }
 
-    /** Returns the items in the order of their starts. */
+    /** Returns the items in the order of their starts; always the same list. */
     public List<TimelineItem> items() {
-        return pairs.stream().map(Pair::item).toList();
+        return items;
     }
 
     /** Returns the commands. */

@@ -64,6 +64,11 @@ public final class TimelinePanel extends JPanel {
         return bar;
     }
 
+    /** Returns the items of the scenario's timeline; the same list as before if nothing has changed. */
+    public List<TimelineItem> items() {
+        return editor.model().items();
+    }
+
     /** Returns the lanes. */
     public LaneView lanes() {
         return lanes;

@@ -122,6 +122,7 @@ final class MainPanel extends JPanel {
             shownFrame = frame;
             canvas.setFrame(frame.frame());
         }
+        instruments.setItems(timeline.items());
         if (instruments.isVisible()) {
             instruments.setFrame(frame);
         }
@@ -142,6 +143,7 @@ final class MainPanel extends JPanel {
     void setReferenceRun(ReferenceOverlay overlay, RunEvent.Diverged divergence) {
         canvas.setReferenceOverlay(Optional.ofNullable(overlay));
         timeline.bar().setDivergence(divergence);
+        instruments.setReference(overlay == null ? null : overlay.run());
         instruments.setDivergence(Optional.ofNullable(divergence));
     }
 

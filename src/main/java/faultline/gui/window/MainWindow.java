@@ -98,6 +98,7 @@ public final class MainWindow extends JFrame {
                 new TimelineEditor(workspace, runController, undoController));
         comparisonActions = new ComparisonActions(
                 new ComparisonController(workspace, runController.navigator()), mainPanel::setReferenceRun);
+        exportController.setChart(mainPanel.instruments().chart()::content);
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
         setJMenuBar(Menus.createMenuBar(actionRegistry));
         getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), fileController::open), 2);
@@ -115,11 +116,15 @@ public final class MainWindow extends JFrame {
                 workspace,
                 fileController::onFileChangedOnDisk,
                 exception -> showNote(Dialogs.unreadableFileText(exception)));
+        installEditNotifier();
+        workspace.addListener(new WorkspaceEvents());
+        poll.start();
+    }
+
+    private void installEditNotifier() {
         EditNotifier editNotifier = new EditNotifier(runController, actionRegistry, this::showNote);
         undoController.setForkListener(editNotifier::timelineForked);
         undoController.setUndoListener(editNotifier::editUndone);
-        workspace.addListener(new WorkspaceEvents());
-        poll.start();
     }
 
     private void addActions() {

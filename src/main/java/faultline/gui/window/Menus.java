@@ -38,7 +38,9 @@ final class Menus {
 
     private JMenu createFileMenu() {
         JMenu file = createMenu("file", "new open examples revert - save saveAs saveJournal properties -");
-        file.add(createMenu("export", "exportPng exportSvg exportGif exportCsv - exportDark"));
+        file.add(createMenu(
+                "export",
+                "exportPng exportSvg exportGif exportCsv - exportChartPng exportChartSvg exportChartCsv - exportDark"));
         addItems(file, "copyPicture print - quit");
         return file;
     }

@@ -8,6 +8,7 @@ import faultline.paint.surface.Shapes;
 import faultline.paint.surface.Surface;
 import faultline.paint.surface.TextStyle;
 import faultline.paint.surface.TextStyle.Anchor;
+import java.awt.Color;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -86,12 +87,17 @@ public record PlotPainter(Surface surface, Plot plot) {
     }
 
     private void paintBand(Series.Band band, ChartStyle style) {
-        List<Vector2> outline = new ArrayList<>(band.lower());
+        paintBand(band.upper(), band.lower(), ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2));
+    }
+
+    /** Fills the band between two lines, both in the order of x. */
+    public void paintBand(List<Vector2> upper, List<Vector2> lower, Color colour) {
+        List<Vector2> outline = new ArrayList<>(lower);
         Collections.reverse(outline);
-        outline.addAll(0, band.upper());
+        outline.addAll(0, upper);
         List<Vector2> clamped =
                 outline.stream().map(plot::toFractions).map(PlotPainter::clamp).toList();
-        surface.fill(Shapes.polygon(toPicture(clamped)), ChartStyle.withOpacity(style.series(band.styleIndex()), 0.2));
+        surface.fill(Shapes.polygon(toPicture(clamped)), colour);
     }
 
     /** Paints the cells of a map, which fill the plot. */

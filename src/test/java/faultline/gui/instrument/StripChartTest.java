@@ -16,7 +16,6 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.List;
 import java.util.Locale;
-import java.util.OptionalDouble;
 import javax.swing.JComboBox;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.BeforeEach;
@@ -48,7 +47,7 @@ class StripChartTest {
     /** Returns the values shown at a time of a span of ten seconds. */
     private List<String> readOut(double time) {
         return callOnEdt(() -> {
-            chart.view().setPointer(OptionalDouble.of(x(time)));
+            chart.view().setPointer(x(time));
             return chart.view().tooltip();
         });
     }
@@ -171,7 +170,7 @@ class StripChartTest {
                 SampleRuns.frame(SampleRuns.setup(new ControllerSpec.None()), 100),
                 SignalGroup.allOf(FRAME.snapshot().sensors()).get(0),
                 TimeSpan.DEFAULT,
-                true,
+                ValueRange.FROM_ZERO,
                 WIDTH,
                 HEIGHT);
         assertTrue(scale.isEmpty());
@@ -192,8 +191,8 @@ class StripChartTest {
     void theVerticalAxisFitsTheValuesOnRequest() {
         SignalGroup distance = SignalGroup.allOf(FRAME.snapshot().sensors()).get(0);
         TimeSpan span = TimeSpan.DEFAULT.endingAt(FRAME.snapshot().time());
-        StripScale fromZero = StripScale.of(FRAME, distance, span, true, 400, 200);
-        StripScale fitted = StripScale.of(FRAME, distance, span, false, 400, 200);
+        StripScale fromZero = StripScale.of(FRAME, distance, span, ValueRange.FROM_ZERO, 400, 200);
+        StripScale fitted = StripScale.of(FRAME, distance, span, ValueRange.FITTED, 400, 200);
         assertEquals(0, fromZero.plot().vertical().low());
         assertTrue(fitted.plot().vertical().low() > 0.1);
     }

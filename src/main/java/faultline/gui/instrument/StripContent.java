@@ -1,0 +1,81 @@
+package faultline.gui.instrument;
+
+import faultline.engine.session.ReferenceRun;
+import faultline.engine.session.SessionFrame;
+import faultline.gui.theme.Theme;
+import faultline.gui.timeline.TimelineItem;
+import faultline.paint.surface.GraphicsSurface;
+import faultline.paint.surface.Surface;
+import faultline.paint.surface.SvgSurface;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+
+/**
+ * All that a strip chart shows. Immutable, so that it can be exported on any thread.
+ *
+ * @param frame the newest frame of the run
+ * @param signal the lines
+ * @param span the times
+ * @param range the values
+ * @param items the faults, switches and moves of the timeline
+ * @param reference a reference run beside it, null for none
+ */
+public record StripContent(
+        SessionFrame frame,
+        SignalGroup signal,
+        TimeSpan span,
+        ValueRange range,
+        List<TimelineItem> items,
+        ReferenceRun reference) {
+
+    /** The size of exported pictures, pixels. */
+    private static final int WIDTH = 900;
+
+    private static final int HEIGHT = 420;
+
+    public StripContent {
+        items = List.copyOf(items);
+    }
+
+    /** Returns the scale of a picture; width and height in pixels. */
+    StripScale scale(int width, int height) {
+        return StripScale.of(frame, signal, span, range, width, height);
+    }
+
+    /** Paints the chart. */
+    void paint(Surface surface, Theme theme, StripScale scale) {
+        new StripPainter(surface, theme, scale, this).paint();
+    }
+
+    /** Returns an image for a file; {@code scale} pixels of it are one pixel of the screen. */
+    public BufferedImage toImage(Theme theme, int scale) {
+        BufferedImage image = new BufferedImage(WIDTH * scale, HEIGHT * scale, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setColor(theme.palette().canvas());
+        g.fillRect(0, 0, image.getWidth(), image.getHeight());
+        g.scale(scale, scale);
+        paintWithLegend(new GraphicsSurface(g), theme);
+        g.dispose();
+        return image;
+    }
+
+    /** Returns the text of an SVG file. */
+    public String toSvg(Theme theme) {
+        SvgSurface surface = new SvgSurface(WIDTH, HEIGHT, theme.palette().canvas());
+        paintWithLegend(surface, theme);
+        return surface.toSvg();
+    }
+
+    private void paintWithLegend(Surface surface, Theme theme) {
+        StripScale scale = scale(WIDTH, HEIGHT);
+        StripPainter painter = new StripPainter(surface, theme, scale, this);
+        painter.paint();
+        painter.paintLegend();
+    }
+
+    /** Returns the text of a table with one row for each recorded tick or interval of the shown times. */
+    public String toCsv() {
+        return StripTable.format(this);
+    }
+}

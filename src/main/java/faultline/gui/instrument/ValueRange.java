@@ -1,0 +1,59 @@
+package faultline.gui.instrument;
+
+import faultline.paint.chart.Axis;
+import java.util.stream.DoubleStream;
+
+/**
+ * The range of a chart's vertical axis.
+ *
+ * @param kind how it is chosen
+ * @param low the least value of a fixed range
+ * @param high the greatest value of a fixed range, above low
+ */
+record ValueRange(Kind kind, double low, double high) {
+
+    /** The values and zero. */
+    static final ValueRange FROM_ZERO = new ValueRange(Kind.FROM_ZERO, 0, 1);
+    /** The values only, so that small changes of large values are visible. */
+    static final ValueRange FITTED = new ValueRange(Kind.FITTED, 0, 1);
+
+    private static final double MIN_SIZE = 1e-5;
+
+    /** The ways to choose a range. */
+    enum Kind {
+        FROM_ZERO,
+        FITTED,
+        FIXED
+    }
+
+    static ValueRange fixed(double low, double high) {
+        return new ValueRange(Kind.FIXED, low, Math.max(high, low + MIN_SIZE));
+    }
+
+    /** Returns the axis of some finite values. */
+    Axis axis(String unit, double[] values) {
+        if (kind == Kind.FIXED) {
+            return Axis.linear(unit, low, high);
+        }
+        if (DoubleStream.of(values).allMatch(value -> value == 0)) {
+            return Axis.linear(unit, 0, 1);
+        }
+        return Axis.covering(
+                unit,
+                DoubleStream.concat(
+                        kind == Kind.FROM_ZERO ? DoubleStream.of(0) : DoubleStream.empty(), DoubleStream.of(values)));
+    }
+
+    /** Returns the range of an axis scaled by a factor, with the value at a share of it kept in place. */
+    static ValueRange zoomed(Axis axis, double factor, double share) {
+        double size = (axis.high() - axis.low()) * factor;
+        double low = axis.valueAt(share) - share * size;
+        return fixed(low, low + size);
+    }
+
+    /** Returns the range of an axis moved by a share of its size. */
+    static ValueRange moved(Axis axis, double share) {
+        double by = share * (axis.high() - axis.low());
+        return fixed(axis.low() + by, axis.high() + by);
+    }
+}

@@ -1,0 +1,189 @@
+package faultline.gui.instrument;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.Journal;
+import faultline.engine.recording.TraceChannels;
+import faultline.engine.session.ReferenceRun;
+import faultline.engine.session.SessionFrame;
+import faultline.geometry.Pose;
+import faultline.gui.theme.Theme;
+import faultline.gui.timeline.TimelineItem;
+import faultline.paint.chart.Axis;
+import faultline.paint.surface.Palette;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.awt.Color;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JCheckBoxMenuItem;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** What strip charts show beside the lines of one signal, and the files that they become. */
+class StripContentTest {
+
+    private static final SessionFrame FRAME = SampleRuns.frame(2000);
+    private static final List<SignalGroup> GROUPS =
+            SignalGroup.allOf(FRAME.snapshot().sensors());
+    private static final TimeSpan SPAN = new TimeSpan(10, 10);
+
+    private final StripChart chart = callOnEdt(StripChart::new);
+
+    @BeforeEach
+    void shown() {
+        runOnEdt(() -> {
+            Theme.LIGHT.install();
+            chart.setFrame(FRAME);
+            SampleRuns.render(chart, 560, 220);
+        });
+    }
+
+    private static StripContent content(TimeSpan span, List<TimelineItem> items, ReferenceRun reference) {
+        return new StripContent(FRAME, GROUPS.get(0), span, ValueRange.FROM_ZERO, items, reference);
+    }
+
+    private static int rgb(StripContent content, double time, double value) {
+        StripScale scale = content.scale(900, 420);
+        return content.toImage(Theme.LIGHT, 1)
+                        .getRGB((int) scale.plot().x(time), (int) scale.plot().y(value))
+                & 0xFFFFFF;
+    }
+
+    private static TimelineItem fault(String sensor) {
+        return new TimelineItem(new Command.InjectFault(sensor, new Fault.Dead()), 12.05, 14.05);
+    }
+
+    @Test
+    void aFaultIsShadedBehindTheLinesInTheColourOfItsSensor() {
+        TimelineItem fault = fault("left");
+        StripContent with = content(SPAN, List.of(fault), null);
+        assertEquals(rgb(content(SPAN, List.of(), null), 11, 0.03), rgb(with, 11, 0.03));
+        assertNotEquals(rgb(content(SPAN, List.of(), null), 13, 0.03), rgb(with, 13, 0.03));
+        assertNotEquals(rgb(content(SPAN, List.of(fault("front")), null), 13, 0.03), rgb(with, 13, 0.03));
+    }
+
+    @Test
+    void theReferenceRunHasItsOwnCurves() {
+        ReferenceRun other = ReferenceRun.replay(
+                new Journal(SampleRuns.ROOM_SETUP.withStart(new Pose(2, 1.3, 0.1)), List.of(), 2000));
+        Color colour = Theme.LIGHT.palette().reference();
+        assertEquals(0, SampleRuns.count(content(SPAN, List.of(), null).toImage(Theme.LIGHT, 1), colour));
+        assertTrue(SampleRuns.count(content(SPAN, List.of(), other).toImage(Theme.LIGHT, 1), colour) > 20);
+    }
+
+    @Test
+    void zoomedOutABandShowsLeastAndGreatestValues() {
+        SessionFrame longRun = SampleRuns.frame(20_000);
+        int[] shades = Stream.of(SPAN, new TimeSpan(0, 200))
+                .mapToInt(span -> {
+                    StripContent content =
+                            new StripContent(longRun, GROUPS.get(0), span, ValueRange.FROM_ZERO, List.of(), null);
+                    return content.toSvg(Theme.LIGHT).split("fill-opacity=", -1).length;
+                })
+                .toArray();
+        assertTrue(shades[1] > shades[0], "translucent areas: " + shades[0] + ", " + shades[1]);
+    }
+
+    @Test
+    void signalsWithTheSameUnitCanBeAdded() {
+        List<String> offered =
+                callOnEdt(() -> items(chart).map(JCheckBoxMenuItem::getText).toList());
+        assertEquals(2 * 8, offered.size());
+        assertEquals("Sensor front, reported", offered.get(0));
+        runOnEdt(() -> items(chart).findFirst().orElseThrow().doClick());
+        assertEquals(3, lines().size());
+        assertEquals(TraceChannels.reportedReading(0), lines().get(0).channel());
+        assertTrue(callOnEdt(() -> items(chart).findFirst().orElseThrow().isSelected()));
+        runOnEdt(() -> items(chart).findFirst().orElseThrow().doClick());
+        assertEquals(2, lines().size());
+    }
+
+    private static Stream<JCheckBoxMenuItem> items(StripChart chart) {
+        return Stream.of(chart.createAdditionsMenu().getComponents()).map(JCheckBoxMenuItem.class::cast);
+    }
+
+    private List<ChartLine> lines() {
+        return callOnEdt(() -> chart.content().orElseThrow().signal().lines());
+    }
+
+    @Test
+    void aLineHasTheColourOfItsSensorOnTheCanvas() {
+        Palette palette = Theme.LIGHT.palette();
+        assertEquals(
+                palette.sensorColours(2).outline(),
+                GROUPS.get(0).lines().get(1).colour().apply(Theme.LIGHT));
+        assertEquals(
+                palette.sensorColours(2).outline(),
+                GROUPS.get(5).lines().get(0).colour().apply(Theme.LIGHT));
+    }
+
+    @Test
+    void ctrlAndTheWheelZoomTheValuesAtTheCursor() {
+        Axis before = verticalAxis();
+        double value = before.valueAt(0.25);
+        runOnEdt(() -> {
+            StripScale scale = chart.content().orElseThrow().scale(width(), height());
+            int y = (int) Math.round(scale.plot().y(value));
+            chart.view()
+                    .dispatchEvent(new MouseWheelEvent(
+                            chart.view(),
+                            MouseEvent.MOUSE_WHEEL,
+                            0,
+                            InputEvent.CTRL_DOWN_MASK,
+                            200,
+                            y,
+                            0,
+                            false,
+                            MouseWheelEvent.WHEEL_UNIT_SCROLL,
+                            1,
+                            -4));
+        });
+        Axis after = verticalAxis();
+        assertEquals((before.high() - before.low()) / Math.pow(1.25, 4), after.high() - after.low(), 1e-9);
+        assertEquals(0.25, after.fractionOf(value), 0.01);
+        assertEquals(20, chart.view().span().end(), 1e-9, "the times stay");
+        runOnEdt(chart::release);
+        assertEquals(before, verticalAxis());
+    }
+
+    private int width() {
+        return chart.view().getWidth();
+    }
+
+    private int height() {
+        return chart.view().getHeight();
+    }
+
+    private Axis verticalAxis() {
+        return callOnEdt(() ->
+                chart.content().orElseThrow().scale(width(), height()).plot().vertical());
+    }
+
+    @Test
+    void theTableHasARowForEveryTickAndAnEmptyCellForNothing() {
+        List<String> rows = callOnEdt(() ->
+                        new StripContent(FRAME, GROUPS.get(3 + 5), SPAN, ValueRange.FITTED, List.of(), null).toCsv())
+                .lines()
+                .toList();
+        assertEquals("t,\"reported\",\"true\"", rows.get(0));
+        assertTrue(rows.get(1).matches("10,0\\.4,(\\d\\.\\d+)?"), rows.get(1));
+        assertEquals(1 + 1001, rows.size());
+        assertTrue(rows.get(1001).startsWith("20,"), rows.get(1001));
+    }
+
+    @Test
+    void theDrawingNamesItsLines() {
+        String svg = content(SPAN, List.of(), null).toSvg(Theme.LIGHT);
+        assertTrue(svg.contains("left reading") && svg.contains("target"), svg);
+        assertFalse(svg.contains("NaN"));
+    }
+}
