@@ -52,7 +52,7 @@ final class HealthRows extends JPanel {
     }
 
     private static String name(SensorFinding finding) {
-        return Messages.get("finding." + finding.name());
+        return Messages.get("health.finding." + finding.name());
     }
 
     private static String format(String pattern, double value) {

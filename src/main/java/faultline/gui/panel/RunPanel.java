@@ -7,6 +7,7 @@ import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.RunMeasures;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
 import faultline.robot.Velocity;
@@ -128,6 +129,6 @@ public final class RunPanel extends JPanel {
     }
 
     private static String rungText(String rung) {
-        return rung.isEmpty() ? "–" : Messages.get("rung." + rung);
+        return rung.isEmpty() ? "–" : HealthText.rungPosition(rung);
     }
 }

@@ -22,8 +22,18 @@ public final class HealthText {
 
     /** Returns the name of a rung, or the controller's own name for it if it is none of the ladder. */
     public static String rung(String rung) {
-        String key = "rung." + rung;
-        return Messages.contains(key) ? Messages.get(key) : rung;
+        return textOr("rung." + rung, rung);
+    }
+
+    /**
+     * Returns the position of a rung in the ladder, or the controller's own name for it if it is none of the ladder.
+     */
+    public static String rungPosition(String rung) {
+        return textOr("run.rung." + rung, rung);
+    }
+
+    private static String textOr(String key, String otherwise) {
+        return Messages.contains(key) ? Messages.get(key) : otherwise;
     }
 
     /** Describes a change of a sensor's health in a sentence. */

@@ -58,8 +58,8 @@ class EventLogViewTest {
         assertEquals(
                 List.of(
                         "0.000 Command rear turned off",
-                        "0.010 Health rear is not trusted: no answer",
-                        "0.010 Rung 1 of 6: all sensors → 2 of 6: wall side and front"),
+                        "0.010 Health rear is not trusted: it gives no answer",
+                        "0.010 Rung All sensors → Left and front"),
                 rows());
     }
 

@@ -3,6 +3,7 @@ package faultline.gui.text;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.SensorFinding;
 import faultline.gui.document.TaskKind;
 import faultline.sensor.FaultKind;
 import java.io.IOException;
@@ -59,6 +60,33 @@ class MessagesTest {
         Stream.of(FaultKind.values())
                 .forEach(kind -> assertTrue(Messages.contains("fault." + kind.fileName()), kind.fileName()));
         Stream.of(TaskKind.values()).forEach(task -> assertTrue(Messages.contains("failed." + task), task.name()));
+    }
+
+    @Test
+    void noTextIsDefinedTwice() throws IOException {
+        for (String file : List.of("Messages.properties", "Messages_pl.properties")) {
+            List<String> keys = Files.readAllLines(
+                            Path.of("src/main/resources/faultline/gui").resolve(file))
+                    .stream()
+                    .filter(line -> line.matches("[A-Za-z].*=.*"))
+                    .map(line -> line.substring(0, line.indexOf('=')))
+                    .toList();
+            assertEquals(new TreeSet<>(keys).size(), keys.size(), file);
+        }
+    }
+
+    @Test
+    void aRungThatIsNoneOfTheLadderKeepsTheNameThatItsControllerGivesIt() {
+        assertEquals("Two sensors", HealthText.rung("TWO"));
+        assertEquals("5 of 6: one sensor, local map", HealthText.rungPosition("ONE"));
+        assertEquals("limp", HealthText.rung("limp"));
+        assertEquals("limp", HealthText.rungPosition("limp"));
+    }
+
+    @Test
+    void aDistrustedSensorHasItsReasonInASentence() {
+        assertEquals("its reading does not change", HealthText.reason(SensorFinding.STUCK));
+        assertEquals("", HealthText.reason(SensorFinding.NONE));
     }
 
     @Test
