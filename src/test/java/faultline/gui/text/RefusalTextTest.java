@@ -20,7 +20,7 @@ class RefusalTextTest {
     @ParameterizedTest
     @EnumSource
     void everyReasonIsTranslated(Refusal.Reason reason) {
-        Refusal refusal = new Refusal(reason, "sofa");
+        Refusal refusal = new Refusal(reason, reason == Refusal.Reason.UNKNOWN_MOTOR_FAULT ? "left" : "sofa");
         assertEquals(refusal.message(), RefusalText.format(refusal), "the English texts are equal");
         Messages.setLanguage(Language.POLISH);
         assertNotEquals(refusal.message(), RefusalText.format(refusal));
