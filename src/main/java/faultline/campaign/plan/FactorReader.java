@@ -90,7 +90,7 @@ final class FactorReader {
         List<Factor.Level> levels = new ArrayList<>();
         node.childrenNamed("variant").forEach(child -> levels.add(readVariant(child, names)));
         if (levels.isEmpty()) {
-            problems.add(node, "<variants> holds no variant, allowed is one or more");
+            problems.add(node, PlanProblem.NO_VARIANT.with());
             return Optional.empty();
         }
         return Optional.of(

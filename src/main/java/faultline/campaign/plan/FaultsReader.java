@@ -65,7 +65,7 @@ final class FaultsReader {
             }
         }
         if (drafts.isEmpty()) {
-            problems.add(node, "<faults> holds no fault, allowed is one or more <fault> or <healthy>");
+            problems.add(node, PlanProblem.NO_FAULT.with());
             return Optional.empty();
         }
         List<Column> columns = attributes.stream().map(key -> column(name, key)).toList();

@@ -80,7 +80,7 @@ final class PlanCheck {
                 ? problem.location()
                 : edits.get(edits.size() - 1).location();
         if (reported.add(location.toString() + problem.message())) {
-            problems.add(location, problem.message() + " (in " + world + ")");
+            problems.add(location, PlanProblem.IN_WORLD.with(problem.message(), world));
         }
     }
 }

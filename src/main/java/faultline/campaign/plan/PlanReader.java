@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -70,10 +71,7 @@ final class PlanReader {
 
     private Optional<CampaignPlan> read(String name, byte[] bytes, XmlElement root, PlanFiles.Resolver resolver) {
         if (!root.name().equals("campaign")) {
-            problems.add(
-                    root,
-                    "the root element is <" + MessageText.oneLine(root.name()) + ">, allowed is <campaign xmlns=\""
-                            + Format.FORMAT.namespace() + "\">");
+            problems.add(root, PlanProblem.ROOT.with(MessageText.oneLine(root.name()), Format.FORMAT.namespace()));
             return Optional.empty();
         }
         ElementRules.checkChildren(root, CHILD_ELEMENTS, problems);
@@ -157,10 +155,7 @@ final class PlanReader {
         for (Factor factor : factors) {
             for (Column column : factor.columns()) {
                 if (!names.add(column.name())) {
-                    problems.add(
-                            root,
-                            "two columns of runs.csv would be called " + MessageText.quoted(column.name())
-                                    + ", allowed is each name once; name gives another one");
+                    problems.add(root, PlanProblem.DUPLICATE_COLUMN.with(MessageText.excerpt(column.name())));
                 }
             }
         }
@@ -173,10 +168,7 @@ final class PlanReader {
             runs *= factor.levels().size();
         }
         if (runs > MAX_RUNS) {
-            problems.add(
-                    root,
-                    "the plan has " + String.format(java.util.Locale.ROOT, "%.0f", runs) + " runs, allowed is "
-                            + MAX_RUNS + " or fewer");
+            problems.add(root, PlanProblem.TOO_MANY_RUNS.with(String.format(Locale.ROOT, "%.0f", runs), MAX_RUNS));
         }
     }
 }

@@ -1,9 +1,9 @@
 package faultline.campaign.plan;
 
 import faultline.io.DidYouMean;
+import faultline.io.Message;
 import faultline.io.MessageText;
 import faultline.scenario.xml.Problem;
-import faultline.scenario.xml.ProblemKind;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.SourceLocation;
 import faultline.scenario.xml.XmlElement;
@@ -41,8 +41,8 @@ final class ScenarioTree {
         try {
             return set(root, path.steps(), path.attribute(), text, location);
         } catch (NoSuchElementException e) {
-            String message = "attribute of <set> is " + MessageText.quoted(path.toString()) + ", but " + e.getMessage();
-            throw new ScenarioException(List.of(new Problem(file, location, ProblemKind.OTHER.with(message))));
+            Message message = PlanProblem.NO_SUCH_ATTRIBUTE.with(MessageText.excerpt(path.toString()), e.getMessage());
+            throw new ScenarioException(List.of(new Problem(file, location, message)));
         }
     }
 

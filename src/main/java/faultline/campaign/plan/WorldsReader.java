@@ -42,9 +42,7 @@ final class WorldsReader {
             node.children().forEach(child -> readSource(child).ifPresent(sources::add));
         });
         if (worlds.isEmpty() || worlds.get().children().isEmpty()) {
-            problems.add(
-                    worlds.orElse(root),
-                    "<campaign> has no worlds, allowed is <worlds> with <scenario> or <rooms> in it");
+            problems.add(worlds.orElse(root), PlanProblem.NO_WORLDS.with());
         }
         return sources;
     }
@@ -76,10 +74,7 @@ final class WorldsReader {
         String label = fields.text("name").orElse(stem(file));
         fields.reportUnknownAndMissing();
         if (!labels.add(label) || scenarios.containsKey(file)) {
-            problems.add(
-                    node,
-                    "name of <scenario> is " + MessageText.quoted(label)
-                            + ", which another scenario has already, allowed is each name and each file once");
+            problems.add(node, PlanProblem.DUPLICATE_SCENARIO.with(MessageText.excerpt(label)));
             return Optional.empty();
         }
         try {
@@ -88,7 +83,7 @@ final class WorldsReader {
             return Optional.of(new WorldSource.File(label, file, parse(file, bytes)));
         } catch (ScenarioException e) {
             for (Problem problem : e.problems()) {
-                problems.add(node, "file of <scenario> is " + MessageText.quoted(file) + ": " + problem);
+                problems.add(node, PlanProblem.SCENARIO.with(MessageText.excerpt(file), problem));
             }
             return Optional.empty();
         }

@@ -52,7 +52,6 @@ public enum ProblemKind implements Message.Template {
     NOT_SHIPPED("no such scenario ships with the program"),
     UNREADABLE_RESOURCE("the scenario cannot be read from the program''s own files"),
     EMPTY_FILE("the file is empty, allowed is a scenario"),
-    OTHER("{0}"),
     MORE("and {0} more problems"),
     NOT_SAVED("the scenario cannot be saved: {0}"),
     NOT_REPRODUCIBLE("it would not read back the same");

@@ -24,17 +24,7 @@ public final class Problems {
         add(node.location(), message);
     }
 
-    /** Adds a problem with an English text that is not translated. */
-    public void add(XmlElement node, String text) {
-        add(node.location(), text);
-    }
-
-    /** Adds a problem with an English text that is not translated. */
-    public void add(SourceLocation place, String text) {
-        add(place, ProblemKind.OTHER.with(text));
-    }
-
-    void add(SourceLocation place, Message message) {
+    public void add(SourceLocation place, Message message) {
         add(place, () -> message);
     }
 
