@@ -29,6 +29,7 @@ public final class RunJson {
         writeCollision(json, result);
         writeNumber(json.name("coverage"), result.coverageOrNaN());
         writeNumber(json.name("distance_rms_m"), result.distanceRmsOrNaN());
+        writeNumber(json.name("follow_rms_m"), result.followRmsOrNaN());
         json.member("trajectory_hash", RunSummary.formatHash(result)).member("seed", result.seed());
         json.name("rung");
         if (result.rung().isEmpty()) {

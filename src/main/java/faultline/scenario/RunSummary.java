@@ -35,6 +35,7 @@ public final class RunSummary {
                         + result.collision().map(RunSummary::formatObstacle).orElse("none"),
                 "coverage: " + formatNumber(result.coverageOrNaN(), "%.4f"),
                 "distance_rms_m: " + formatNumber(result.distanceRmsOrNaN(), "%.6f"),
+                "follow_rms_m: " + formatNumber(result.followRmsOrNaN(), "%.6f"),
                 "trajectory_hash: " + formatHash(result),
                 "seed: " + result.seed(),
                 "rung: " + (result.rung().isEmpty() ? "none" : result.rung()),

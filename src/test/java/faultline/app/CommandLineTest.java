@@ -69,6 +69,7 @@ class CommandLineTest {
                         "collided_with",
                         "coverage",
                         "distance_rms_m",
+                        "follow_rms_m",
                         "trajectory_hash",
                         "seed",
                         "rung",

@@ -41,6 +41,7 @@ public final class CampaignPlan {
             "clock_start_s",
             "coverage",
             "distance_rms_m",
+            "follow_rms_m",
             "final_state",
             "final_rung",
             "detection_delay_s",

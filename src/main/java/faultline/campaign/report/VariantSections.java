@@ -15,7 +15,7 @@ final class VariantSections {
 
     /** The numbers that are compared beside the share of runs carried on, by their columns. */
     private static final List<String> METRICS =
-            List.of("coverage", "distance_rms_m", "wall_share", "laps", "detection_delay_s");
+            List.of("coverage", "distance_rms_m", "follow_rms_m", "wall_share", "laps", "detection_delay_s");
 
     private static final int BINS = 10;
     private static final int MAX_GROUPS = 40;
@@ -216,7 +216,8 @@ final class VariantSections {
     /** Returns histograms of the results. */
     String distributions() {
         StringBuilder charts = new StringBuilder();
-        for (String metric : List.of("coverage", "wall_share", "laps", "distance_rms_m", "simulated_s")) {
+        for (String metric :
+                List.of("coverage", "wall_share", "laps", "distance_rms_m", "follow_rms_m", "simulated_s")) {
             double[] values = values(data.rows(), metric);
             if (values.length > 0) {
                 charts.append(Svg.histogram(metric, values, 24));

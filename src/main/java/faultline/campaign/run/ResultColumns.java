@@ -85,6 +85,11 @@ public final class ResultColumns {
                     "distance error on straight walls, root mean square",
                     (result, carry, diagnosis) -> fixed(result.distanceRms().orElse(Double.NaN), 6)),
             new Result(
+                    "follow_rms_m",
+                    "m",
+                    "distance error in all of FOLLOW, root mean square",
+                    (result, carry, diagnosis) -> fixed(result.followRmsOrNaN(), 6)),
+            new Result(
                     "final_state", "", "last state of the controller", (result, carry, diagnosis) -> result.finalState()
                             .name()),
             new Result(

@@ -138,6 +138,7 @@ public final class HeadlessRun {
                 List.copyOf(states),
                 coverage(wall),
                 wall.distanceRms().orElse(Double.NaN),
+                wall.followRms().orElse(Double.NaN),
                 simulation.trajectoryHash(),
                 simulation.setup().seed(),
                 refused,

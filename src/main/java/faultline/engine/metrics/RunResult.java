@@ -18,6 +18,7 @@ import java.util.OptionalDouble;
  * @param visitedStates all states of the controller in the order of their first appearance
  * @param coverageOrNaN the followed share of the wall that could be followed, in [0, 1]; NaN if no wall was followed
  * @param distanceRmsOrNaN the distance error on straight walls, metres, root mean square; NaN if none was followed
+ * @param followRmsOrNaN the distance error in all of FOLLOW, metres, root mean square; NaN without any
  * @param trajectoryHash of all ticks
  * @param seed of the run
  * @param refusals the refused commands of the timeline, one sentence each, in order
@@ -33,6 +34,7 @@ public record RunResult(
         List<ControllerState> visitedStates,
         double coverageOrNaN,
         double distanceRmsOrNaN,
+        double followRmsOrNaN,
         long trajectoryHash,
         long seed,
         List<String> refusals,
@@ -60,5 +62,10 @@ public record RunResult(
     @Override
     public OptionalDouble distanceRms() {
         return RunOutcome.ifNumber(distanceRmsOrNaN);
+    }
+
+    /** Returns the distance error in all of FOLLOW, metres, root mean square; empty without any. */
+    public OptionalDouble followRms() {
+        return RunOutcome.ifNumber(followRmsOrNaN);
     }
 }

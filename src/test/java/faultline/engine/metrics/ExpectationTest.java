@@ -43,6 +43,7 @@ class ExpectationTest {
                 List.of(FollowerState.SEARCH, FollowerState.FOLLOW),
                 coverage,
                 rms,
+                rms,
                 1,
                 1,
                 List.of(),
