@@ -69,7 +69,7 @@ final class ObstacleForm extends JPanel {
         addRow(8, "obstacle.waypoints", waypoints);
         addRow(9, "obstacle.speed", speed);
         add(loop, FormConstraints.fillRow(1, 10));
-        setObstacle(Optional.empty());
+        setObstacle(null);
     }
 
     private NumberSpinner coordinate(DoubleFunction<Pose> moved) {
@@ -119,11 +119,12 @@ final class ObstacleForm extends JPanel {
                 points)));
     }
 
-    /** Shows an obstacle, or disabled fields. */
-    void setObstacle(Optional<Obstacle> shown) {
-        obstacle = shown.orElse(null);
+    /** Shows an obstacle, or disabled fields if it is null. */
+    void setObstacle(Obstacle obstacleOrNull) {
+        obstacle = obstacleOrNull;
+        Optional<Obstacle> shown = Optional.ofNullable(obstacle);
         Stream.of(x, y, heading, waypoints).forEach(field -> field.setEnabled(shown.isPresent()));
-        size.setShape(shown.map(Obstacle::shape));
+        size.setShape(shown.map(Obstacle::shape).orElse(null));
         glossy.setEnabled(shown.filter(now -> now.shape().isFlat()).isPresent());
         specularAngle.setEnabled(shown.filter(Obstacle::isSpecular).isPresent());
         speed.setEnabled(shown.filter(Obstacle::isMoving).isPresent());

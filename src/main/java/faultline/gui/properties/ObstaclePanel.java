@@ -11,7 +11,6 @@ import java.awt.EventQueue;
 import java.awt.FlowLayout;
 import java.awt.GridLayout;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import javax.swing.AbstractListModel;
 import javax.swing.BoxLayout;
@@ -101,7 +100,7 @@ public final class ObstaclePanel extends JPanel {
         }
         updating = false;
         List<Obstacle> selected = tools.selected();
-        form.setObstacle(selected.size() == 1 ? Optional.of(selected.get(0)) : Optional.empty());
+        form.setObstacle(selected.size() == 1 ? selected.get(0) : null);
         enableButtons(selected.size());
     }
 

@@ -6,7 +6,6 @@ import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Messages;
 import faultline.world.ObstacleShape;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Predicate;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -95,10 +94,10 @@ final class SizeFields implements ObstacleShape.Visitor<SizeFields.Size> {
         }
     }
 
-    /** Shows a shape, or disabled fields. */
-    void setShape(Optional<ObstacleShape> shown) {
-        shape = shown.orElse(null);
-        Size size = shown.map(now -> now.accept(this)).orElse(new Size("rectangle", Double.NaN, Double.NaN, List.of()));
+    /** Shows a shape, or disabled fields if it is null. */
+    void setShape(ObstacleShape shapeOrNull) {
+        shape = shapeOrNull;
+        Size size = shape == null ? new Size("rectangle", Double.NaN, Double.NaN, List.of()) : shape.accept(this);
         setLabels(size.kind());
         show(first, size.first());
         show(second, size.second());
