@@ -61,7 +61,7 @@ class KeystrokesTest {
     }
 
     @Test
-    void charactersAreWrittenAsCharacters() {
+    void aKeystrokeOfACharacterIsShownAsTheCharacter() {
         assertEquals(".", Keystrokes.toText(Keystrokes.character('.')));
         assertEquals("Ctrl++", Keystrokes.toText(Keystrokes.menuCharacter('+')));
         assertTrue(Keystrokes.isMenuCharacter(Keystrokes.menuCharacter('+')));

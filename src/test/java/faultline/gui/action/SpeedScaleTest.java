@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 class SpeedScaleTest {
 
     @Test
-    void theScaleGoesFromATenthOverRealTimeToAHundredAndThenAsFastAsPossible() {
+    void theScaleRangesFromATenthToAHundredTimesRealTimeAndEndsAtUnlimitedSpeed() {
         assertEquals(0.1, SpeedScale.speedAt(0), 1e-12);
         assertEquals(1, SpeedScale.speedAt(SpeedScale.REAL_TIME_POSITION));
         assertEquals(100, SpeedScale.speedAt(SpeedScale.UNLIMITED - 1), 1e-9);
@@ -16,7 +16,7 @@ class SpeedScaleTest {
     }
 
     @Test
-    void realTimeHasThreePositionsAndEveryOtherSpeedOne() {
+    void realTimeHasThreePositionsAndEveryOtherSpeedHasOne() {
         for (int position = 1; position <= SpeedScale.UNLIMITED; position++) {
             double below = SpeedScale.speedAt(position - 1);
             double here = SpeedScale.speedAt(position);
@@ -27,7 +27,7 @@ class SpeedScaleTest {
     }
 
     @Test
-    void eachPressOfAKeyIsAnotherSpeedAndStopsAtTheEnds() {
+    void eachKeyPressChangesTheSpeedUpToTheEndsOfTheScale() {
         int presses = 0;
         for (int position = 0; position < SpeedScale.UNLIMITED; presses++) {
             int next = SpeedScale.nextFaster(position);
@@ -43,7 +43,7 @@ class SpeedScaleTest {
     }
 
     @Test
-    void speedsAreWrittenWithoutNoise() {
+    void speedsAreFormattedWithoutTrailingDigits() {
         assertEquals("0.125×", SpeedScale.format(SpeedScale.speedAt(1)));
         assertEquals("1×", SpeedScale.format(1));
         assertEquals("80×", SpeedScale.format(SpeedScale.speedAt(SpeedScale.UNLIMITED - 2)));

@@ -51,7 +51,7 @@ class BackgroundTasksTest {
 
     @ParameterizedTest
     @MethodSource("works")
-    void theProgramDoesNotExitBeforeTheWorkHasEndedInAnyWay(Callable<String> work) throws Exception {
+    void theProgramExitsOnlyAfterTheTaskHasEndedEvenIfItFails(Callable<String> work) throws Exception {
         runOnEdt(() -> BackgroundTasks.runBeforeExit(
                 () -> perform(work), this::addOutcome, failure -> addOutcome(failure.getMessage())));
         assertFalse(worker.get().isDaemon(), "a daemon thread would not keep the program from exiting");
@@ -63,7 +63,7 @@ class BackgroundTasksTest {
     }
 
     @Test
-    void otherWorkEndsWithTheProgram() throws Exception {
+    void otherTasksEndWithTheProgram() throws Exception {
         runOnEdt(() -> BackgroundTasks.run(() -> perform(() -> "read"), this::addOutcome, failure -> {}));
         assertTrue(worker.get().isDaemon());
         released.complete(null);

@@ -67,7 +67,7 @@ class CrashRecoveryTest {
     }
 
     @Test
-    void unsavedEditsOutliveACrashAndAreStillUnsavedThen() throws Exception {
+    void unsavedEditsSurviveACrashAndRemainUnsaved() throws Exception {
         edit();
         Scenario edited = callOnEdt(() -> workspace.scenario().orElseThrow());
         RecoveryStore dying = new RecoveryStore(folder.resolve("kept"), DEAD, Instant.EPOCH);
@@ -112,7 +112,7 @@ class CrashRecoveryTest {
     }
 
     @Test
-    void aDamagedOriginHidesNeitherItsOwnEditsNorThoseOfOthers() throws IOException {
+    void aDamagedOriginFileHidesNoOtherEdits() throws IOException {
         Path kept = folder.resolve("kept");
         RecoveryStore first = new RecoveryStore(kept, DEAD - 1, Instant.EPOCH);
         first.save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
@@ -148,7 +148,7 @@ class CrashRecoveryTest {
     }
 
     @Test
-    void onlyTheOwnerMayReadWhatIsKept() throws IOException {
+    void onlyTheOwnerMayReadTheRecoveryFiles() throws IOException {
         new RecoveryStore(folder.resolve("home/.faultline/recovery"))
                 .save(file, callOnEdt(() -> workspace.scenario().orElseThrow()));
         for (String name : List.of("home/.faultline", "home/.faultline/recovery")) {
@@ -229,7 +229,7 @@ class CrashRecoveryTest {
     }
 
     @Test
-    void theSameScenarioWrittenOtherwiseIsNotReported() throws IOException {
+    void theSameScenarioInAnotherFormatIsNotReported() throws IOException {
         FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add));
         rewrite(Files.readString(file).replace("\n", "\n\n"));
         poll(watch, 4);

@@ -27,12 +27,12 @@ class FileNamesTest {
             Lpt1.room, _Lpt1.room
             console, console
             """)
-    void aNameKeepsItsLettersAndNothingThatASystemRefuses(String scenario, String file) {
+    void aFileNameKeepsLettersAndNoCharacterThatASystemRejects(String scenario, String file) {
         assertEquals(file, FileNames.forScenario(scenario));
     }
 
     @Test
-    void whateverAScenarioIsCalledTheNameIsShortAndPlain() {
+    void aFileNameIsShortAndValidForEveryScenarioName() {
         Random random = new Random(3);
         for (int i = 0; i < 2000; i++) {
             String scenario = random.ints(random.nextInt(300), 0, Character.MAX_CODE_POINT + 1)

@@ -71,7 +71,7 @@ class RunNavigatorTest {
     }
 
     @Test
-    void backBeforeAnEditItCanBeRedoneAndOnPastItUndoneAgain() {
+    void seekingBeforeAnEditMakesItRedoableAndSeekingPastItUndoable() {
         seek(15);
         assertEquals(FIRST, pole());
         assertTrue(
@@ -98,7 +98,7 @@ class RunNavigatorTest {
     }
 
     @Test
-    void theScenarioStaysAsEditedAtWhateverMomentTheRunIs() throws ScenarioException {
+    void seekingDoesNotChangeTheEditedScenario() throws ScenarioException {
         seek(5);
         waitForEdited(SECOND);
         Path file = folder.resolve("saved.xml");
@@ -111,7 +111,7 @@ class RunNavigatorTest {
     }
 
     @Test
-    void aRestartFromAnEarlierMomentLeavesEveryEditToBeUndone() {
+    void allEditsCanBeUndoneAfterARestartFromAnEarlierTick() {
         seek(5);
         runOnEdt(run::restart);
         Await.until("the restart", () -> run.frame().orElseThrow().snapshot().tick() == 0);
@@ -143,7 +143,7 @@ class RunNavigatorTest {
     }
 
     @Test
-    void severalEditsInThePastStandBeforeTheLaterOnes() {
+    void editsInThePastPrecedeTheLaterOnes() {
         seek(15);
         edit(new Command.SetPlatform(0.2, 0.2, 0.4));
         edit(new Command.SwitchSensor("left", false));
@@ -164,7 +164,7 @@ class RunNavigatorTest {
     }
 
     @Test
-    void anEditThatWasUndoneLaterIsThereAtTheMomentBetween() {
+    void anEditIsDoneAtATickBetweenItAndItsUndo() {
         runOnEdt(edits::undo);
         waitForPole(FIRST);
         stepTo(40);
@@ -175,7 +175,7 @@ class RunNavigatorTest {
     }
 
     @Test
-    void commandsGivenDuringASeekAreAppliedAfterIt() {
+    void commandsSentDuringASeekAreExecutedAfterIt() {
         runOnEdt(() -> {
             run.navigator().seek(15);
             edits.send(new Command.SwitchSensor("left", false));
@@ -195,7 +195,7 @@ class RunNavigatorTest {
     }
 
     @Test
-    void aLongSeekReportsProgressAndWhenCancelledLeavesTheRunWhereItWas() {
+    void aLongSeekReportsProgressAndCancellingItLeavesTheRunUnchanged() {
         runOnEdt(() -> run.navigator().seek(FAR));
         Await.until(
                 "some of the way",

@@ -78,7 +78,7 @@ class SetupChangeTest {
     }
 
     @Test
-    void aFaultInTheFutureActsWhenTheRunComesToIt() {
+    void aFutureFaultActsWhenTheRunReachesItsTime() {
         setTimeline(List.of(new TimedCommand(0.63, FAULT)));
         stepTo(62);
         assertEquals(List.of(), faultsOfLeft());
@@ -87,7 +87,7 @@ class SetupChangeTest {
     }
 
     @Test
-    void aRunningRunGoesOn() {
+    void aRunningRunResumes() {
         runOnEdt(run::toggleRunning);
         Await.until("the run", () -> run.status().orElseThrow().running());
         setTimeline(List.of(new TimedCommand(0.2, FAULT)));
@@ -97,7 +97,7 @@ class SetupChangeTest {
     }
 
     @Test
-    void whatWasInjectedByHandCanBeMovedAndWhatWasMovedStaysMoved() throws ScenarioException {
+    void aManuallyInjectedFaultCanBeMovedAndStaysMoved() throws ScenarioException {
         runOnEdt(
                 () -> edits.send(List.of(FAULT, SWITCH, new Command.MoveObstacle("copier", new Pose(3.3, 0.35, 0.5)))));
         Await.until("the edit", () -> edits.undoName().isPresent());
@@ -127,7 +127,7 @@ class SetupChangeTest {
     }
 
     @Test
-    void undoAndRedoSimulateTheRunAgainAndQuickChangesOfOneThingAreOneEdit() {
+    void undoAndRedoSimulateTheRunAgainAndRepeatedChangesAreOneEdit() {
         long before = hash();
         List<TimedCommand> first = List.of(new TimedCommand(0.2, FAULT));
         List<TimedCommand> second = List.of(new TimedCommand(0.3, FAULT));
@@ -164,7 +164,7 @@ class SetupChangeTest {
     }
 
     @Test
-    void anotherNameNeedsNoRun() {
+    void aChangeOfTheNameDoesNotSimulateTheRunAgain() {
         runOnEdt(() -> run.change(old -> new Scenario("Mine", "", false, old.setup(), old.expectation())));
         assertTrue(callOnEdt(() -> workspace.task().isEmpty() && workspace.isChanged()));
         assertEquals("Mine", callOnEdt(() -> workspace.scenario().orElseThrow().name()));

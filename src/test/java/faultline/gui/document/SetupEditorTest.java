@@ -26,7 +26,7 @@ class SetupEditorTest {
             .withDuration(60);
 
     @Test
-    void movesAdditionsAndRemovalsOfObstaclesAreKeptInTheirOrder() {
+    void changedObstaclesKeepTheirOrder() {
         Pose there = new Pose(3, 3, 1);
         assertEquals(
                 List.of(BOX.withPose(there), POLE),
@@ -41,7 +41,7 @@ class SetupEditorTest {
     }
 
     @Test
-    void platformRangeAndConeAreKept() {
+    void changesOfThePlatformAndOfSensorSettingsAreKept() {
         SensorSpec left =
                 BASE.robot().sensor("left").orElseThrow().withRange(1.5).withCone(0.5);
         SimulationSetup edited = after(new Command.SetPlatform(0.3, 0.25, 0.4), new Command.ConfigureSensor(left));
@@ -61,7 +61,7 @@ class SetupEditorTest {
     }
 
     @Test
-    void whatIsUndoneInTheSameTickLeavesNoTrace() {
+    void twoCommandsOfOneTickThatCancelOutAreLeftOut() {
         Fault stuck = new Fault.Stuck(0.4);
         assertEquals(
                 BASE,
@@ -85,7 +85,7 @@ class SetupEditorTest {
     }
 
     @Test
-    void anObstacleMovedToTheRobotsStartIsMovedBack() {
+    void anObstacleMovedOntoTheStartPoseIsMovedBack() {
         SimulationSetup edited =
                 after(new Command.SetPlatform(0.3, 0.2, 0.3), new Command.MoveObstacle("box", new Pose(1.2, 1, 0)));
         assertEquals(List.of(BOX), edited.world().obstacles());
@@ -93,19 +93,19 @@ class SetupEditorTest {
     }
 
     @Test
-    void anAddedObstacleAtTheRobotsStartIsLeftOut() {
+    void anObstacleAddedOnTheStartPoseIsLeftOut() {
         assertEquals(BASE, after(new Command.PlaceObstacle(POLE.withPose(new Pose(1, 1, 0)))));
     }
 
     @Test
-    void aPlatformTooLargeForTheStartKeepsItsSpeedOnly() {
+    void aPlatformTooLargeForTheStartPoseChangesOnlyTheSpeed() {
         assertEquals(
                 BASE.robot().withPlatform(0.25, 0.20, 0.9),
                 after(new Command.SetPlatform(3, 3, 0.9)).robot());
     }
 
     @Test
-    void anObstacleThatComesBackTakesItsOldPlaceInTheOrder() {
+    void aRestoredObstacleTakesItsOldPositionInTheOrder() {
         assertEquals(
                 List.of(BOX, POLE),
                 after(

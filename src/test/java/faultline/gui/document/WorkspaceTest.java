@@ -101,7 +101,7 @@ class WorkspaceTest {
     }
 
     @Test
-    void aMovedObstacleMarksTheScenarioAsChangedUntilItIsSavedAndReadsBackAsItStands() throws ScenarioException {
+    void aMovedObstacleIsUnsavedUntilASaveAndLoadsAtItsNewPose() throws ScenarioException {
         move();
         waitFor("the mark", workspace::isChanged);
         runOnEdt(() -> documentStore.save(file, () -> sessionCount = 7));
@@ -127,7 +127,7 @@ class WorkspaceTest {
     }
 
     @Test
-    void aFaultInjectedByHandIsUnsavedUntilASaveWritesItToTheTimeline() throws ScenarioException {
+    void anInjectedFaultIsUnsavedUntilASaveWritesItToTheTimeline() throws ScenarioException {
         Command fault = new Command.InjectFault("left", new Fault.Stuck(0.4));
         runOnEdt(() -> {
             run.step();
@@ -145,7 +145,7 @@ class WorkspaceTest {
     }
 
     @Test
-    void aRestartGoesBackToTimeZeroWithEditsKeptAndRepeatsSwitchesAtTheirTime() {
+    void aRestartKeepsEditsAndRepeatsSwitchesAtTheirTimes() {
         move();
         runOnEdt(() -> {
             send(new Command.SwitchSensor("left", false));
@@ -210,7 +210,7 @@ class WorkspaceTest {
     }
 
     @Test
-    void ofTwoFilesOpenedAtOnceTheLaterOneStays() throws IOException {
+    void ofTwoFilesOpenedAtTheSameTimeTheLaterOneRemainsOpen() throws IOException {
         Path other = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("other.xml"));
         runOnEdt(() -> {
             documentStore.open(file);
@@ -221,7 +221,7 @@ class WorkspaceTest {
     }
 
     @Test
-    void whatIsEditedWhileAFileIsWrittenStaysUnsaved() {
+    void anEditMadeDuringASaveRemainsUnsaved() {
         OpenDocument asked = callOnEdt(() -> workspace.openDocument().orElseThrow());
         Scenario initial = callOnEdt(asked.document()::edited);
         move();
@@ -233,7 +233,7 @@ class WorkspaceTest {
     }
 
     @Test
-    void aScenarioSavedElsewhereDuringARestartStaysInThatFile() {
+    void aScenarioSavedAsAnotherFileDuringARestartKeepsThatFile() {
         Path other = folder.resolve("other.xml");
         CompletableFuture<OpenDocument> made = new CompletableFuture<>();
         runOnEdt(() -> {
@@ -266,7 +266,7 @@ class WorkspaceTest {
     }
 
     @Test
-    void requestsForOneScenarioAreNotAppliedToTheNext() throws IOException {
+    void deferredRequestsAreDiscardedWhenAnotherScenarioIsOpened() throws IOException {
         Path other = Files.copy(file, folder.resolve("other.xml"));
         runOnEdt(() -> {
             run.restart();

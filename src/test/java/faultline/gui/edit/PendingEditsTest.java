@@ -20,7 +20,7 @@ class PendingEditsTest {
     private final PendingEdits pending = new PendingEdits();
 
     @Test
-    void allPendingCommandsAreExpectedInTheirOrder() {
+    void pendingCommandsAreAppliedInTheirOrder() {
         SensorSpec left = RobotSpec.DEFAULT.sensor("left").orElseThrow();
         pending.add(List.of(new Command.SetPlatform(0.3, 0.2, 0.4)));
         pending.add(List.of(new Command.ConfigureSensor(left.withRange(1.5))));
@@ -33,7 +33,7 @@ class PendingEditsTest {
     }
 
     @Test
-    void aCommandIsExpectedUntilTheFirstFrameAfterItsAnswer() {
+    void aCommandIsPendingUntilTheFirstFrameAfterItsAnswer() {
         Runnable onAnswered = pending.add(List.of(new Command.SwitchSensor("left", false)));
         pending.setRobot(RobotSpec.DEFAULT);
         assertFalse(isLeftOn(), "not answered");
@@ -48,7 +48,7 @@ class PendingEditsTest {
     }
 
     @Test
-    void anObstacleIsExpectedWhereItWasSentLast() {
+    void anObstacleIsExpectedAtTheLastPoseThatWasSent() {
         pending.add(List.of(new Command.MoveObstacle("box", new Pose(2, 1, 0))));
         pending.add(List.of(new Command.MoveObstacle("pole", new Pose(4, 1, 0))));
         pending.add(List.of(new Command.MoveObstacle("box", new Pose(3, 1, 0))));

@@ -30,21 +30,21 @@ class PresetsTest {
     }
 
     @Test
-    void aPresetLeavesOnWhatFollowingTheWallNeeds() {
+    void aPresetLeavesTheSensorsOnThatWallFollowingNeeds() {
         assertEquals(List.of("front", "left"), on(RobotSpec.DEFAULT, true, 2));
         assertEquals(List.of("front", "left", "front-right"), on(RobotSpec.DEFAULT, true, 3));
         assertEquals(List.of("front", "front-left", "right"), on(RobotSpec.DEFAULT, false, 3));
     }
 
     @Test
-    void allAreOnAgainAndWhatIsOnIsNotSwitched() {
+    void thePresetForAllSensorsSwitchesOnlyThoseThatAreOff() {
         RobotSpec one =
                 RobotSpec.DEFAULT.withSensor(RobotSpec.DEFAULT.sensors().get(3).withOn(false));
         assertEquals(List.of(new Command.SwitchSensor("rear-left", true)), SensorPresets.commands(one, true, 8));
     }
 
     @Test
-    void copiesStandBesideTheirOriginalsWithTheirMotionPaths() {
+    void copiesAreBesideTheirOriginalsWithTheirMotionPaths() {
         Obstacle visitor = new Obstacle(
                 "visitor",
                 new ObstacleShape.Circle(0.1),
@@ -62,7 +62,7 @@ class PresetsTest {
     }
 
     @Test
-    void whatWasCutComesBackToItsPlace() {
+    void aCutObstacleIsPastedAtItsOldPosition() {
         Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1, 1, 0.3));
         assertEquals(List.of(pole), ObstacleCopies.copyOf(List.of(pole), Set.of("desk")));
     }

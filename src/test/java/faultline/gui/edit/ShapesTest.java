@@ -31,7 +31,7 @@ class ShapesTest {
 
     @ParameterizedTest
     @EnumSource
-    void everyShapeOfThePaletteStandsAboutTheClick(ShapePreset shape) {
+    void everyShapeOfThePaletteIsCentredOnTheClick(ShapePreset shape) {
         Obstacle placed = shape.createAt("new", new Vector2(2, 1));
         assertEquals(new Pose(2, 1, 0), placed.pose());
         List<Vector2> handles = ShapeHandles.positions(placed);
@@ -52,14 +52,14 @@ class ShapesTest {
     }
 
     @Test
-    void drawnPointsStandAboutTheMiddleOfTheirBoundsWithoutNoise() {
+    void theFrameOfDrawnPointsIsTheCentreOfTheirBounds() {
         Obstacle wall = PointShapes.wall("wall", List.of(new Vector2(0.1, 0.2), new Vector2(0.3, 0.6)));
         assertEquals(new Pose(0.2, 0.4, 0), wall.pose());
         assertEquals(new ObstacleShape.Wall(List.of(new Vector2(-0.1, -0.2), new Vector2(0.1, 0.2))), wall.shape());
     }
 
     @Test
-    void everyHandleOfATurnedRectangleLeavesTheOppositeOneWhereItIs() {
+    void everyHandleOfARotatedRectangleLeavesTheOppositeOneInPlace() {
         Obstacle box = new Obstacle("box", new ObstacleShape.Rectangle(1, 0.5), new Pose(2, 1, Degrees.toRadians(30)));
         for (int handle = 0; handle < 8; handle++) {
             Vector2 opposite = ShapeHandles.positions(box).get((handle + 4) % 8);

@@ -46,7 +46,7 @@ class UndoControllerTest {
     }
 
     @Test
-    void tenEditsAreTakenBackOneByOneAndDoneAgain() {
+    void tenEditsAreUndoneAndRedoneOneByOne() {
         List<Snapshot> states = new ArrayList<>(List.of(world.snapshot()));
         List<String> names = new ArrayList<>();
         for (Command edit : tenEdits()) {
@@ -146,7 +146,7 @@ class UndoControllerTest {
     }
 
     @Test
-    void switchingThereAndBackIsTwoEdits() {
+    void switchingASensorOffAndOnIsTwoEdits() {
         runOnEdt(() -> controller.send(new Command.SwitchSensor("front", false)));
         runOnEdt(() -> controller.send(new Command.SwitchSensor("front", true)));
         runOnEdt(controller::undo);

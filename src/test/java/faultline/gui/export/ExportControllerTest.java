@@ -119,7 +119,7 @@ class ExportControllerTest {
     }
 
     @Test
-    void picturesAreDarkOnlyWhereThatIsAskedFor() throws IOException {
+    void imagesAreDarkOnlyOnRequest() throws IOException {
         runOnEdt(Theme.DARK::install);
         assertEquals(
                 Palette.LIGHT.canvas().getRGB(),
@@ -136,7 +136,7 @@ class ExportControllerTest {
     }
 
     @Test
-    void aDrawingIsAsLargeAsTheCanvas() throws Exception {
+    void anSvgDrawingHasTheSizeOfTheCanvas() throws Exception {
         Path file = exportToFile("exportSvg", ".svg");
         assertEquals(
                 "300",
@@ -148,7 +148,7 @@ class ExportControllerTest {
     }
 
     @Test
-    void whatIsWrittenInPicturesIsInTheLanguageOfTheWindow() {
+    void textsInImagesAreInTheLanguageOfTheWindow() {
         runOnEdt(() -> Messages.setLanguage(Language.POLISH));
         String off = callOnEdt(() -> canvas.renderRequest(Palette.LIGHT)
                 .orElseThrow()
@@ -160,7 +160,7 @@ class ExportControllerTest {
     }
 
     @Test
-    void aTraceIsTheOneThatARunWithoutAWindowWrites() throws Exception {
+    void anExportedTraceEqualsThatOfAHeadlessRun() throws Exception {
         StringWriter expected = new StringWriter();
         Scenario scenario = Scenario.load(Path.of("scenarios/office.xml"));
         HeadlessRun.run(
@@ -185,7 +185,7 @@ class ExportControllerTest {
     }
 
     @Test
-    void anAnimatedGifStartsWhereItsRecordingDidEvenIfTheFileHasChanged() throws IOException {
+    void anAnimatedGifStartsAtTheStartOfTheRecordingEvenIfTheFileHasChanged() throws IOException {
         runOnEdt(() -> setRecording(true));
         stepTo(STEPS + 6);
         Path other = folder.resolve("other.xml");
@@ -288,7 +288,7 @@ class ExportControllerTest {
     }
 
     @Test
-    void aPictureComesBackFromTheClipboard() throws IOException, UnsupportedFlavorException {
+    void aCopiedImageCanBeReadFromTheClipboard() throws IOException, UnsupportedFlavorException {
         Clipboard clipboard = new Clipboard("test");
         copyTo(clipboard);
         Await.until("the picture", () -> clipboard.isDataFlavorAvailable(DataFlavor.imageFlavor));

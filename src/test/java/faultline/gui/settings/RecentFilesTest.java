@@ -29,7 +29,7 @@ class RecentFilesTest {
     }
 
     @Test
-    void theEightNewestAreKeptEachOnce() {
+    void theEightNewestFilesAreKeptWithoutDuplicates() {
         IntStream.range(0, 10).forEach(i -> recent.add(file("room" + i)));
         recent.add(file("room5"));
         assertEquals(
@@ -40,7 +40,7 @@ class RecentFilesTest {
     }
 
     @Test
-    void longNamesPushTheOldestOut() {
+    void longNamesLeaveRoomForFewerFiles() {
         IntStream.range(0, 8).forEach(i -> recent.add(file(i + "x".repeat(200) + "/y".repeat(1000))));
         List<Path> files = recent.files();
         assertEquals(file("7" + "x".repeat(200) + "/y".repeat(1000)), files.get(0));

@@ -19,7 +19,7 @@ class WindowPreferencesTest {
             new WindowPreferences.PreferenceStore(key -> store.getOrDefault(key, ""), store::put));
 
     @Test
-    void whatIsKeptComesBack() {
+    void storedPreferencesAreRestored() {
         preferences.setTheme(Theme.DARK);
         preferences.setBounds(new Rectangle(-20, 30, 1200, 800));
         preferences.setPanelWidth(410);

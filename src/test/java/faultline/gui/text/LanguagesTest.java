@@ -42,14 +42,14 @@ class LanguagesTest {
     }
 
     @Test
-    void everyTextHasTheSameGapsMarksAndParts() {
+    void everyTextHasTheSamePlaceholdersMnemonicsAndPartsInBoth() {
         List<String> unlike = keys().filter(key -> !form(ENGLISH, key).equals(form(POLISH, key)))
                 .toList();
         assertEquals(List.of(), unlike);
     }
 
     @Test
-    void aTextWithGapsHasNoLoneQuote() {
+    void quotesAreDoubledInTextsWithPlaceholders() {
         Pattern lone = Pattern.compile("(?<!')'(?!')");
         Stream.of(ENGLISH, POLISH)
                 .forEach(language -> assertEquals(
@@ -60,7 +60,7 @@ class LanguagesTest {
     }
 
     @Test
-    void wordsAreTranslated() {
+    void textsAreTranslated() {
         List<String> same = keys().filter(key -> key.endsWith(".tip") && !key.equals("action.languagePolish.tip"))
                 .filter(key -> text(ENGLISH, key).equals(text(POLISH, key)))
                 .toList();
@@ -68,7 +68,7 @@ class LanguagesTest {
     }
 
     @Test
-    void theGuideHasTheSamePartsInBoth() {
+    void theGuideHasTheSameSectionsInBoth() {
         List<String> english = tags(Messages.loadPage("guide"));
         Messages.setLanguage(Language.POLISH);
         assertEquals(english, tags(Messages.loadPage("guide")));

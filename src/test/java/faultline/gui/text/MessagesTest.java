@@ -90,7 +90,7 @@ class MessagesTest {
     }
 
     @Test
-    void gapsAreFilledAsTheyAre() {
+    void placeholdersAreReplacedLiterally() {
         assertEquals("1234.5 to 2", Messages.get("number.limits", "1234.5", "2"));
     }
 

@@ -18,7 +18,7 @@ class GlyphTest {
 
     @ParameterizedTest
     @EnumSource(Glyph.class)
-    void everyGlyphPaintsInsideItsSquareAndNotTooLittle(Glyph glyph) {
+    void everyGlyphIsPaintedWithinItsSquare(Glyph glyph) {
         BufferedImage image =
                 new BufferedImage(Glyph.SIZE + 2 * MARGIN, Glyph.SIZE + 2 * MARGIN, BufferedImage.TYPE_INT_ARGB);
         Graphics2D graphics = image.createGraphics();
@@ -37,7 +37,7 @@ class GlyphTest {
     }
 
     @Test
-    void aDrawingIsReadVerbByVerb() {
+    void aGlyphIsParsedCommandByCommand() {
         assertEquals(
                 new Rectangle2D.Double(1, 2, 3, 4),
                 GlyphParser.parse("M 1 2 L 4 2 L 4 6 Z").getBounds2D());

@@ -13,7 +13,7 @@ class ThemeColoursTest {
 
     @ParameterizedTest
     @EnumSource(Theme.class)
-    void textStandsOutFromEveryGroundItIsWrittenOn(Theme theme) {
+    void textContrastsWithEveryBackground(Theme theme) {
         ThemeColours c = theme.colours();
         for (Color ground : List.of(c.background(), c.field(), c.hover(), c.pressed())) {
             assertContrast(4.5, c.text(), ground);
@@ -25,7 +25,7 @@ class ThemeColoursTest {
 
     @ParameterizedTest
     @EnumSource(Theme.class)
-    void whatShowsAControlOrItsStateStandsOutFromItsGround(Theme theme) {
+    void controlsAndTheirStatesContrastWithTheBackground(Theme theme) {
         ThemeColours c = theme.colours();
         for (Color ground : List.of(c.background(), c.field())) {
             assertContrast(3, c.border(), ground);

@@ -33,7 +33,7 @@ class ThemeTest {
     }
 
     @Test
-    void aLiveSwitchLeavesNoPixelOfTheOtherThemesGround() {
+    void switchingTheThemeLeavesNoPixelOfTheOtherBackground() {
         JPanel panel = callOnEdt(() -> {
             Theme.LIGHT.install();
             return everyControl();

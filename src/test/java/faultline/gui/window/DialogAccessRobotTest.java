@@ -78,7 +78,7 @@ class DialogAccessRobotTest {
     }
 
     @Test
-    void theQuestionsAboutUnsavedChangesAreToo() {
+    void theQuestionsAboutUnsavedChangesAreNamedAndReachedByKeys() {
         driver.drag(0, 0, 30);
         driver.waitForTitle("office.xml*");
         driver.chooseLater("revert");
@@ -88,7 +88,7 @@ class DialogAccessRobotTest {
     }
 
     @Test
-    void theProblemsOfAnInvalidFileAreToo() throws IOException {
+    void theProblemsOfAnInvalidFileAreNamedAndReachedByKeys() throws IOException {
         Path broken = Files.writeString(
                 folder.resolve("broken.xml"), Files.readString(file).replaceFirst("<robot ", "<robot lenght=\"1\" "));
         runOnEdt(() -> driver.window().open(broken));
@@ -96,7 +96,7 @@ class DialogAccessRobotTest {
     }
 
     @Test
-    void theSentenceOfAFileThatIsGoneIsToo() {
+    void theMessageAboutAMissingFileIsNamedAndReachedByKeys() {
         runOnEdt(() -> driver.window().open(folder.resolve("gone.xml")));
         check("Faultline");
     }

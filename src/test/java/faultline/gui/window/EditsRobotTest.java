@@ -184,7 +184,7 @@ class EditsRobotTest {
     }
 
     @Test
-    void obstaclesGoOverTheClipboardAsText() {
+    void obstaclesAreCopiedToTheClipboardAsText() {
         driver.robot().whileHolding(KeyEvent.VK_SHIFT, () -> drag(point(2.9, 3.9), point(3.6, 3.1)));
         waitForSelection("chair-1");
         driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_C);
@@ -193,7 +193,7 @@ class EditsRobotTest {
     }
 
     @Test
-    void whatWouldOverlapTheRobotIsRefusedWithAReason() {
+    void anObstacleThatWouldOverlapTheRobotIsRefusedWithAReason() {
         driver.choose("placeCircle");
         click(2, 1.8);
         driver.robot().waitFor("the status bar says why", () -> ComponentFinder.findAll(driver.window(), JLabel.class)
@@ -241,7 +241,7 @@ class EditsRobotTest {
     }
 
     @Test
-    void theRobotIsDraggedToAnotherStartAndBackByUndo() {
+    void draggingTheRobotMovesTheStartPoseAndUndoRestoresIt() {
         drag(point(2, 1.8), point(2.5, 2));
         driver.waitForFrame(
                 "it starts elsewhere",
@@ -254,7 +254,7 @@ class EditsRobotTest {
     }
 
     @Test
-    void aConeIsSelectedByAClickAndItsRangeDraggedByTheRim() {
+    void aClickSelectsAConeAndDraggingItsArcChangesTheRange() {
         Sector cone = driver.frame().snapshot().sensors().get(4).sector();
         Vector2 inside = onScreen(cone.apex().plus(cone.axis().times(cone.range() / 2)));
         driver.robot().click(driver.canvas(), inside.x(), inside.y(), LEFT);

@@ -27,7 +27,7 @@ class FileDropHandlerTest {
     }
 
     @Test
-    void aDroppedTextOrNoFileAtAllIsNotTaken() {
+    void droppedTextAndEmptyListsAreRejected() {
         assertFalse(drop.importData(support(new StringSelection("a.xml"))));
         assertFalse(drop.importData(support(new FileListTransferable(List.of()))));
         assertEquals(List.of(), opened);

@@ -76,7 +76,7 @@ class FileEditingRobotTest {
     }
 
     @Test
-    void anObstacleIsDraggedWhileTimeRunsAndTheSavedFileHasItWhereItStands() throws ScenarioException {
+    void anObstacleDraggedDuringARunIsSavedAtItsNewPose() throws ScenarioException {
         driver.choose("run");
         driver.waitForFrame("time runs", frame -> frame.snapshot().tick() > 0);
         Pose before = driver.frame().snapshot().obstacles().get(0).pose();

@@ -59,7 +59,7 @@ class InstrumentsRobotTest {
     }
 
     @Test
-    void theCommaTakesATickBackAndThePointMakesItAgain() {
+    void commaGoesBackByATickAndPeriodForward() {
         for (int i = 0; i < 3; i++) {
             driver.robot().pressKeys(KeyEvent.VK_PERIOD);
         }
@@ -93,7 +93,7 @@ class InstrumentsRobotTest {
     }
 
     @Test
-    void aKeyHidesTheInstrumentsAndBringsThemBackAsHighAsTheyWere() {
+    void aKeyHidesTheInstrumentsAndShowsThemAtTheirOldHeight() {
         int height = callOnEdt(() -> dock().getHeight());
         int canvas = callOnEdt(() -> driver.canvas().getHeight());
         driver.robot().pressKeys(KeyEvent.VK_I);

@@ -176,7 +176,7 @@ class JournalRobotTest {
     }
 
     @Test
-    void aScrubIntoThePastKeepsLaterEditsToBeRedone() {
+    void seekingIntoThePastKeepsLaterEditsRedoable() {
         driver.type(KeyEvent.VK_SPACE);
         driver.waitForFrame("time runs", frame -> frame.snapshot().time() > 0.5);
         Obstacle before = driver.frame().snapshot().obstacles().get(0);

@@ -146,8 +146,7 @@ class MainPanelTest {
 
     @ParameterizedTest
     @MethodSource("windowSizes")
-    void nothingIsCutOffAtTheDefaultAndMinimumSizeInAnyLanguageAndTextSize(
-            int width, int height, TextSize size, Language language) {
+    void noComponentIsCutOffInAnyLanguageAndTextSize(int width, int height, TextSize size, Language language) {
         try {
             build(size, language);
             runOnEdt(() -> mainPanel.statusBar().showNote("A sentence that says why something has been refused."));
@@ -171,7 +170,7 @@ class MainPanelTest {
     }
 
     @Test
-    void nothingMovesWhenNumbersChange() {
+    void noComponentMovesWhenNumbersChange() {
         runOnEdt(() -> setSizeAndLayOut(1360, 840));
         Map<Component, Rectangle> before = callOnEdt(this::places);
         SessionFrame frame = new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY);
@@ -183,7 +182,7 @@ class MainPanelTest {
     }
 
     @Test
-    void everythingThatCanBeUsedHasANameForReadersOfTheScreen() {
+    void everyControlHasAnAccessibleName() {
         List<String> nameless = callOnEdt(() -> ComponentFinder.tree(mainPanel)
                 .filter(MainPanelTest::isUsed)
                 .filter(part -> ComponentFinder.accessibleName(part).isBlank())
@@ -198,7 +197,7 @@ class MainPanelTest {
 
     @ParameterizedTest
     @EnumSource(Language.class)
-    void everyMenuHasMnemonicsAndNoneTwice(Language language) {
+    void everyMenuItemHasAUniqueMnemonic(Language language) {
         Messages.setLanguage(language);
         actions = new ActionRegistry();
         build();
@@ -227,7 +226,7 @@ class MainPanelTest {
     }
 
     @Test
-    void theArrowOfAChoiceIsNoStopForTheTabKey() {
+    void theArrowOfAComboBoxIsNotFocusable() {
         List<AbstractButton> arrows = callOnEdt(() -> ComponentFinder.findAll(mainPanel, AbstractButton.class)
                 .filter(button -> button.getParent() instanceof JComboBox)
                 .toList());
@@ -236,14 +235,14 @@ class MainPanelTest {
     }
 
     @Test
-    void theTipOfAToolNamesItsKey() {
+    void theToolTipOfAnActionNamesItsKey() {
         assertEquals(
                 "Advance by one tick (.)", callOnEdt(() -> ComponentFinder.find(mainPanel, AbstractButton.class, "Step")
                         .getToolTipText()));
     }
 
     @Test
-    void theWholePaintsInBothThemes() {
+    void theWindowIsPaintedInBothThemes() {
         for (Theme theme : Theme.values()) {
             runOnEdt(theme::install);
             build(theme);

@@ -198,7 +198,7 @@ class OpenRobotTest {
 
     @ParameterizedTest
     @CsvSource({"examples, Examples", "guide, User guide"})
-    void askedForAgainWhatIsOpenComesToTheFront(String action, String title) {
+    void aDialogThatIsOpenAlreadyComesToTheFront(String action, String title) {
         driver.choose(action);
         JDialog open = driver.dialog(title);
         runOnEdt(driver.window()::requestFocus);

@@ -47,7 +47,7 @@ class ResponsivenessRobotTest {
     }
 
     @Test
-    void inAMinuteOfRandomUseTheWindowIsNeverBusyForLong() {
+    void theWindowStaysResponsiveDuringAMinuteOfRandomInput() {
         assertEquals(List.of(), longBusyPeriods());
     }
 

@@ -82,7 +82,7 @@ class SaveRobotTest {
     }
 
     @Test
-    void saveAsWritesANewFileAndTheOldOneStaysAsItWas() throws ScenarioException {
+    void saveAsWritesANewFileAndLeavesTheOldOneUnchanged() throws ScenarioException {
         Path other = folder.resolve("other.xml");
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_S);
         driver.enterFile("Save scenario", other);
@@ -107,7 +107,7 @@ class SaveRobotTest {
     }
 
     @Test
-    void aSaveThatFailsSaysWhyAndLosesNothing() throws IOException, ScenarioException {
+    void aFailedSaveIsReportedAndLosesNothing() throws IOException, ScenarioException {
         Files.delete(file);
         Files.createDirectory(file);
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
@@ -149,7 +149,7 @@ class SaveRobotTest {
     }
 
     @Test
-    void theBoxOfTheWindowAsksTooAndEscCancels() throws ScenarioException {
+    void theCloseButtonOfTheWindowAsksTooAndEscCancels() throws ScenarioException {
         EventQueue.invokeLater(
                 () -> driver.window().dispatchEvent(new WindowEvent(driver.window(), WindowEvent.WINDOW_CLOSING)));
         JDialog dialog = driver.dialog("Unsaved changes");
@@ -160,7 +160,7 @@ class SaveRobotTest {
     }
 
     @Test
-    void undoneBackToTheFileNothingIsUnsaved() {
+    void undoingAllEditsLeavesNoUnsavedChanges() {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
         driver.waitForTitle("office.xml");
         assertEquals(before, shown());

@@ -46,7 +46,7 @@ class SpaceKeyDispatcherTest {
     }
 
     @Test
-    void spaceRunsInsteadOfPressingTheButtonClickedLast() {
+    void spaceStartsTheRunInsteadOfPressingTheFocusedButton() {
         JButton inject = callOnEdt(() -> new JButton("Inject"));
         inject.addActionListener(event -> log.add("inject"));
         assertEquals(true, press(inject, KeyEvent.VK_SPACE, ' '));

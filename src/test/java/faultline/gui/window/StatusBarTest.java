@@ -31,7 +31,7 @@ class StatusBarTest {
     }
 
     @Test
-    void aHeadingIsWithinHalfATurnAndNeverMinusNothing() {
+    void aHeadingIsShownWithinHalfATurnAndNeverAsMinusZero() {
         show(SampleFrames.frameOf(new Pose(1, 1, 7 * Math.PI - 1e-3)), running(1));
         assertTrue(texts().get(4).endsWith("θ 179.9°"), texts().get(4));
         show(SampleFrames.frameOf(new Pose(1, 1, -1e-4)), running(1));
@@ -39,7 +39,7 @@ class StatusBarTest {
     }
 
     @Test
-    void thePlaceUnderTheMouseShowsWhileItIsOnTheCanvas() {
+    void theCursorPositionIsShownWhileTheMouseIsOnTheCanvas() {
         runOnEdt(() -> bar.showCursor(new Vector2(1.234, -2)));
         assertEquals("cursor 1.23, -2.00", texts().get(5));
         runOnEdt(() -> bar.showCursor(null));
@@ -47,7 +47,7 @@ class StatusBarTest {
     }
 
     @Test
-    void aRefusalShowsForAWhile() {
+    void aRefusalIsShownForSomeTime() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         Session.Status refused =
                 new Session.Status(true, 1, 1, 1, new Refusal(Refusal.Reason.UNKNOWN_OBSTACLE, "box"), null);
@@ -60,7 +60,7 @@ class StatusBarTest {
     }
 
     @Test
-    void aLongNoteShowsForLonger() {
+    void aLongNoteIsShownLonger() {
         Frame frame = SampleFrames.frameOf(new Pose(1, 1, 0));
         String sentence = "word ".repeat(30);
         runOnEdt(() -> bar.showNote(sentence));
@@ -81,7 +81,7 @@ class StatusBarTest {
     }
 
     @Test
-    void whereTheLineIsShortItsEndGivesWayToTheReasonOfARefusal() {
+    void aRefusalHidesTheLastCellsOfANarrowStatusBar() {
         runOnEdt(() -> bar.setSize(2000, 28));
         assertEquals(8, shown());
         runOnEdt(() -> bar.setSize(600, 28));

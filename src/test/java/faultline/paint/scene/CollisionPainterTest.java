@@ -23,7 +23,7 @@ class CollisionPainterTest {
     }
 
     @Test
-    void theBadgeUsesTheGivenLabels() {
+    void theBadgeUsesTheGivenTexts() {
         SceneLabels words = new SceneLabels(
                 "Zderzenie",
                 "Uszkodzone",

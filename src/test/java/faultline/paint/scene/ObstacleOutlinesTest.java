@@ -50,7 +50,7 @@ class ObstacleOutlinesTest {
     }
 
     @Test
-    void anObstacleStandsAtItsPose() {
+    void anObstacleIsPlacedAtItsPose() {
         Shape placed = ObstacleOutlines.worldShape(
                 new Obstacle("plank", new ObstacleShape.Rectangle(2, 1), new Pose(5, 3, QUARTER_TURN)));
         assertTrue(placed.contains(5.4, 3.9));

@@ -18,7 +18,7 @@ class PathPainterTest {
      * out there are left out at once.
      */
     @Test
-    void linesThatLeaveTheViewAndReturnAreDrawnToItsEdge() {
+    void linesThatLeaveTheViewAreDrawnToItsEdge() {
         List<Vector2> points = new ArrayList<>();
         for (int i = 0; i < 64; i++) {
             points.add(new Vector2(3, 2 + 0.01 * i));

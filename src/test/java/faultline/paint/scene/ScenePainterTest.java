@@ -86,7 +86,7 @@ class ScenePainterTest {
     }
 
     @Test
-    void eachShapeIsFilledInsideAndNotBesideIt() {
+    void everyShapeIsFilledOnlyInside() {
         Pixels pixels = Pixels.render(
                 SampleFrames.frameOf(
                         AT_2_1,
@@ -166,7 +166,7 @@ class ScenePainterTest {
     }
 
     @Test
-    void aSensorThatIsOffIsADashedGreyOutlineWithoutFill() {
+    void aSensorThatIsOffHasADashedGreyOutlineWithoutFill() {
         Pixels pixels = Pixels.render(
                 withSensor(SampleFrames.sensor(FRONT.withOn(false), AT_2_1, new Reading(Reading.OFF))), LIGHT);
         assertTrue(pixels.hasNear(LIGHT.muted(), new Vector2(2.8, 1), 6));

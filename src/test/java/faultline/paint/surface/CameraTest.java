@@ -13,7 +13,7 @@ class CameraTest {
     private final Camera camera = new Camera(3, 2, 100, 800, 600);
 
     @Test
-    void theMiddleOfThePictureShowsTheCentreAndYGoesUp() {
+    void theCentreIsInTheMiddleOfThePictureAndYPointsUp() {
         assertEquals(new Vector2(400, 300), camera.toScreen(new Vector2(3, 2)));
         assertEquals(new Vector2(500, 200), camera.toScreen(new Vector2(4, 3)));
     }
