@@ -10,6 +10,8 @@ import faultline.gui.document.FileNames;
 import faultline.gui.document.RecoveryPrompt;
 import faultline.gui.document.RecoveryStore;
 import faultline.gui.document.Workspace;
+import faultline.gui.properties.FloorPlanFiles;
+import faultline.gui.properties.ImportDialog;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.scenario.Scenario;
@@ -24,6 +26,7 @@ public final class FileController {
 
     private final Workspace workspace;
     private final DocumentStore documentStore;
+    private final Component parent;
     private final FileDialogs fileDialogs;
     private final BooleanSupplier commitPendingEdit;
 
@@ -35,6 +38,7 @@ public final class FileController {
         this.workspace = workspace;
         this.documentStore = new DocumentStore(workspace);
         this.commitPendingEdit = commitPendingEdit;
+        this.parent = parent;
         this.fileDialogs = new FileDialogs(parent);
     }
 
@@ -42,6 +46,8 @@ public final class FileController {
         actions.add(UiAction.of("open", this::open)
                 .withAccelerator(menuShortcut(KeyEvent.VK_O))
                 .withIcon(Glyph.OPEN));
+        actions.add(
+                UiAction.of("importPlan", () -> fileDialogs.chooseFloorPlan().ifPresent(this::importPlan)));
         actions.add(UiAction.of("revert", this::revert));
         actions.add(UiAction.of("save", this::save)
                 .withAccelerator(menuShortcut(KeyEvent.VK_S))
@@ -74,9 +80,17 @@ public final class FileController {
         documentStore.openShipped(name);
     }
 
-    /** Opens a file that was dropped on the window. */
+    /** Opens a file that was dropped on the window, or imports it if it is a floor plan. */
     public void open(Path file) {
-        runIfChangesHandled(() -> documentStore.open(file));
+        if (FloorPlanFiles.isFloorPlan(file)) {
+            importPlan(file);
+        } else {
+            runIfChangesHandled(() -> documentStore.open(file));
+        }
+    }
+
+    private void importPlan(Path file) {
+        ImportDialog.showDialog(parent, file).ifPresent(this::openNew);
     }
 
     /** Opens a scenario that ships with the program. */

@@ -1,5 +1,6 @@
 package faultline.gui.dialog;
 
+import faultline.gui.properties.FloorPlanFiles;
 import faultline.gui.text.Messages;
 import java.awt.Component;
 import java.io.File;
@@ -32,6 +33,12 @@ final class FileDialogs {
         return selectedFile(chooser, chooser.showOpenDialog(parent));
     }
 
+    /** Asks for a floor plan to import; empty if cancelled. */
+    Optional<Path> chooseFloorPlan() {
+        JFileChooser chooser = createChooser("importPlan", "plan", FloorPlanFiles.EXTENSIONS.toArray(String[]::new));
+        return selectedFile(chooser, chooser.showOpenDialog(parent));
+    }
+
     /**
      * Asks for a file to write, of the same type as the suggestion; empty if cancelled. Confirms before replacing a
      * file.
@@ -50,9 +57,13 @@ final class FileDialogs {
     }
 
     private JFileChooser createChooser(String action, String extension) {
+        return createChooser(action, extension, extension);
+    }
+
+    private JFileChooser createChooser(String action, String filter, String... extensions) {
         JFileChooser chooser = new EscapableFileChooser(folder);
         chooser.setDialogTitle(Messages.get("files." + action));
-        chooser.setFileFilter(new FileNameExtensionFilter(Messages.get("files.filter." + extension), extension));
+        chooser.setFileFilter(new FileNameExtensionFilter(Messages.get("files.filter." + filter), extensions));
         return chooser;
     }
 

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.TransferHandler;
 
-/** Opens the first of the files that are dropped on the window. */
+/** Opens, or imports, the first of the files that are dropped on the window. */
 final class FileDropHandler extends TransferHandler {
 
     private final transient Consumer<Path> opener;

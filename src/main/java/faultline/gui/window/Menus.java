@@ -37,7 +37,7 @@ final class Menus {
     }
 
     private JMenu createFileMenu() {
-        JMenu file = createMenu("file", "new open examples revert - save saveAs saveJournal properties -");
+        JMenu file = createMenu("file", "new open examples importPlan revert - save saveAs saveJournal properties -");
         file.add(createMenu(
                 "export",
                 "exportPng exportSvg exportGif exportCsv - exportChartPng exportChartSvg exportChartCsv - exportDark"));

@@ -1,0 +1,41 @@
+package faultline.gui.properties;
+
+import faultline.floorplan.FloorPlan;
+import faultline.floorplan.FloorPlanScenario;
+import faultline.scenario.Scenario;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+
+/** Which files are floor plans, and how they are read. */
+public final class FloorPlanFiles {
+
+    /** The endings of floor plans: a map's YAML file, or an image. */
+    public static final List<String> EXTENSIONS = List.of("yaml", "yml", "pgm", "png", "bmp", "gif", "tif", "tiff");
+
+    private FloorPlanFiles() {}
+
+    /** Returns whether a file is a floor plan, by its name. */
+    public static boolean isFloorPlan(Path file) {
+        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+        return EXTENSIONS.stream().anyMatch(ending -> name.endsWith("." + ending));
+    }
+
+    /** A floor plan, and the scenario that is made of it. */
+    record Import(FloorPlan plan, Scenario scenario) {}
+
+    /**
+     * Reads a floor plan; takes some time.
+     *
+     * @param resolution the side of a pixel of an image, metres; a YAML file gives its own
+     */
+    static Import read(Path file, double resolution, FloorPlan.Options options) throws IOException {
+        FloorPlan plan = FloorPlan.isYaml(file)
+                ? FloorPlan.readYaml(file, options)
+                : FloorPlan.readImage(file, BigDecimal.valueOf(resolution), options);
+        String name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+        return new Import(plan, FloorPlanScenario.create(name, plan));
+    }
+}

@@ -1,0 +1,146 @@
+package faultline.gui.properties;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.floorplan.FloorPlan;
+import faultline.gui.document.BackgroundTasks;
+import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.NumberSpinner;
+import faultline.gui.text.ErrorMessages;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Theme;
+import faultline.paint.export.FrameRenderer;
+import faultline.paint.export.RenderRequest;
+import faultline.paint.scene.Layer;
+import faultline.paint.surface.Palette;
+import faultline.scenario.Scenario;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.GridBagConstraints;
+import java.awt.GridBagLayout;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.Optional;
+import javax.swing.ImageIcon;
+import javax.swing.JCheckBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingConstants;
+
+/** How a floor plan is traced, with a preview. The plan is read off the event dispatch thread. */
+final class ImportForm extends JPanel {
+
+    private static final Dimension PREVIEW_SIZE = new Dimension(520, 380);
+    private static final int GAP = 12;
+    private static final double USUAL_RESOLUTION = 0.05;
+    private static final double MAX_RESOLUTION = 10;
+    private static final int MAX_CELLS = 100_000;
+    private static final double MAX_SMOOTHING = 20;
+
+    /** A read plan with its picture. */
+    private record Preview(FloorPlanFiles.Import read, BufferedImage picture) {}
+
+    private final transient Path file;
+    private final NumberSpinner resolution =
+            new NumberSpinner("0.00##", 0.001, MAX_RESOLUTION, 0.01, value -> startReading());
+    private final JCheckBox unknownIsWall = new JCheckBox(Messages.get("import.unknown"));
+    private final NumberSpinner minCells = new NumberSpinner("0", 1, MAX_CELLS, 1, value -> startReading());
+    private final NumberSpinner smoothing = new NumberSpinner("0.0#", 0, MAX_SMOOTHING, 0.5, value -> startReading());
+    private final JLabel picture = new JLabel("", SwingConstants.CENTER);
+    private final JLabel status = new JLabel(" ");
+    private transient Optional<Scenario> scenario = Optional.empty();
+    /** Of readings; only the newest counts. */
+    private int reading;
+
+    ImportForm(Path file) {
+        super(new BorderLayout(GAP, GAP));
+        this.file = file;
+        JPanel fields = new JPanel(new GridBagLayout());
+        if (!FloorPlan.isYaml(file)) {
+            addNumber(fields, 0, "import.resolution", resolution);
+        }
+        fields.add(unknownIsWall, FormConstraints.fillRow(0, 1));
+        addNumber(fields, 2, "import.minCells", minCells);
+        addNumber(fields, 3, "import.smoothing", smoothing);
+        unknownIsWall.addActionListener(event -> startReading());
+        resolution.setWorldValue(USUAL_RESOLUTION);
+        minCells.setWorldValue(1);
+        picture.setPreferredSize(PREVIEW_SIZE);
+        picture.getAccessibleContext().setAccessibleName(Messages.get("import.preview"));
+        add(fields, BorderLayout.NORTH);
+        add(picture, BorderLayout.CENTER);
+        add(status, BorderLayout.SOUTH);
+        startReading();
+    }
+
+    private static void addNumber(JPanel form, int row, String key, NumberSpinner field) {
+        form.add(FormConstraints.label(key, field), FormConstraints.cell(0, row));
+        GridBagConstraints cell = FormConstraints.fillCell(1, row);
+        cell.fill = GridBagConstraints.NONE;
+        form.add(field.withName(Messages.get(key)).withColumns(6), cell);
+    }
+
+    private void startReading() {
+        assert EventQueue.isDispatchThread();
+        int started = ++reading;
+        double side = resolution.doubleValue();
+        FloorPlan.Options options = new FloorPlan.Options(
+                unknownIsWall.isSelected(), (int) minCells.doubleValue(), smoothing.doubleValue());
+        Palette palette = Theme.current().palette();
+        scenario = Optional.empty();
+        status.setText(Messages.get("import.reading"));
+        BackgroundTasks.run(
+                () -> read(file, side, options, palette),
+                preview -> ifNewest(started, () -> show(preview)),
+                failure -> ifNewest(started, () -> showFailure(failure)));
+    }
+
+    private static Preview read(Path file, double side, FloorPlan.Options options, Palette palette) throws IOException {
+        FloorPlanFiles.Import read = FloorPlanFiles.read(file, side, options);
+        try (Simulation simulation = new Simulation(read.scenario().setup(), ControllerMode.DIRECT)) {
+            BufferedImage image = new RenderRequest(
+                            simulation.frame(),
+                            FrameRenderer.fitCamera(simulation.snapshot(), PREVIEW_SIZE.width, PREVIEW_SIZE.height),
+                            palette,
+                            EnumSet.of(Layer.CONES))
+                    .toImage(1);
+            return new Preview(read, image);
+        }
+    }
+
+    private void ifNewest(int started, Runnable action) {
+        if (started == reading) {
+            action.run();
+        }
+    }
+
+    private void show(Preview preview) {
+        FloorPlan plan = preview.read().plan();
+        scenario = Optional.of(preview.read().scenario());
+        picture.setIcon(new ImageIcon(preview.picture()));
+        status.setText(Messages.get(
+                "import.result",
+                Integer.toString(plan.grid().width()),
+                Integer.toString(plan.grid().height()),
+                Integer.toString(plan.rings().size()),
+                Integer.toString(plan.segmentCount())));
+    }
+
+    private void showFailure(Throwable failure) {
+        picture.setIcon(null);
+        status.setText(ErrorMessages.describe(failure, file));
+    }
+
+    /** Returns the scenario of the plan; empty while it is read, or if it cannot be read. */
+    Optional<Scenario> scenario() {
+        return scenario;
+    }
+
+    /** Returns the line below the preview. */
+    String status() {
+        return status.getText();
+    }
+}

@@ -1,0 +1,104 @@
+package faultline.gui.properties;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.Await;
+import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.theme.Theme;
+import faultline.scenario.Scenario;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.swing.JLabel;
+import javax.swing.JSpinner;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The import of a floor plan of 60 by 40 cells: a room with a box of 5 by 5 cells and a speck. */
+@ExtendWith(EdtChecker.class)
+class ImportFormTest {
+
+    private static final int WIDTH = 60;
+    private static final int HEIGHT = 40;
+
+    @TempDir
+    private Path folder;
+
+    private Path image;
+
+    @BeforeEach
+    void write() throws IOException {
+        runOnEdt(Theme.LIGHT::install);
+        StringBuilder text = new StringBuilder("P2\n" + WIDTH + " " + HEIGHT + "\n255\n");
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                boolean wall = x == 0 || y == 0 || x == WIDTH - 1 || y == HEIGHT - 1;
+                boolean box = x >= 10 && x < 15 && y >= 8 && y < 13;
+                text.append(wall || box || x == 40 && y == 20 ? "0 " : "254 ");
+            }
+            text.append('\n');
+        }
+        image = Files.writeString(folder.resolve("hall.pgm"), text);
+    }
+
+    private static void awaitStatus(ImportForm form, String start) {
+        Await.until("the status \"" + start + "\"", () -> form.status().startsWith(start));
+    }
+
+    @Test
+    void theImageIsReadWithEachChangeOfAField() {
+        ImportForm form = callOnEdt(() -> new ImportForm(image));
+        awaitStatus(form, "60 × 40 cells, 4 outlines");
+        Scenario small = callOnEdt(() -> form.scenario().orElseThrow());
+        assertEquals(3, small.setup().world().width(), 1e-9);
+        runOnEdt(() -> ComponentFinder.find(form, JSpinner.class, "Smallest wall, cells")
+                .setValue(2.0));
+        awaitStatus(form, "60 × 40 cells, 3 outlines");
+        runOnEdt(() ->
+                ComponentFinder.find(form, JSpinner.class, "Side of a pixel, m").setValue(0.1));
+        Await.until("the larger plan", () -> form.scenario()
+                .filter(read -> Math.abs(read.setup().world().width() - 6) < 1e-9)
+                .isPresent());
+        assertTrue(callOnEdt(
+                () -> ComponentFinder.find(form, JLabel.class, "Preview").getIcon() != null));
+        assertEquals("hall", callOnEdt(() -> form.scenario().orElseThrow().name()));
+    }
+
+    @Test
+    void aMapGivesItsOwnResolution() throws IOException {
+        Path map = Files.writeString(
+                folder.resolve("hall.yaml"),
+                "image: hall.pgm\nresolution: 0.08\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+                        + "free_thresh: 0.196\n");
+        ImportForm form = callOnEdt(() -> new ImportForm(map));
+        awaitStatus(form, "60 × 40 cells");
+        assertEquals(
+                4.8,
+                callOnEdt(() -> form.scenario().orElseThrow().setup().world().width()),
+                1e-9);
+        assertFalse(callOnEdt(() -> ComponentFinder.findAll(form, JSpinner.class)
+                .anyMatch(field -> ComponentFinder.accessibleName(field).equals("Side of a pixel, m"))));
+    }
+
+    @Test
+    void aFileThatIsNoPlanGivesASentence() throws IOException {
+        Path broken = Files.writeString(folder.resolve("broken.pgm"), "P5\nhello");
+        ImportForm form = callOnEdt(() -> new ImportForm(broken));
+        Await.until("a sentence", () -> !form.status().startsWith("Reading"));
+        assertTrue(callOnEdt(() -> form.scenario().isEmpty() && form.status().length() > 10), form.status());
+    }
+
+    @Test
+    void plansAreKnownByTheirEndings() {
+        assertTrue(FloorPlanFiles.isFloorPlan(Path.of("Willow.YAML")));
+        assertTrue(FloorPlanFiles.isFloorPlan(Path.of("a.b/floor.png")));
+        assertFalse(FloorPlanFiles.isFloorPlan(Path.of("office.xml")));
+    }
+}
