@@ -1,5 +1,7 @@
 package faultline.control.diagnosis;
 
+import java.util.Arrays;
+
 /**
  * How often each pair of sensors contradicted each other of late, and each sensor itself. Counts decay, so that a
  * contradiction that does not come back is forgotten.
@@ -14,12 +16,17 @@ final class ConflictCounts {
 
     private static final double MAX_SELF = 20;
 
+    private static final double NEGLIGIBLE = 0.01;
+
     private final int sensors;
     private final double[] counts;
+    /** For each sensor, whether any of its counts is worth mentioning. */
+    private final boolean[] active;
 
     ConflictCounts(int sensors) {
         this.sensors = sensors;
         this.counts = new double[sensors * sensors];
+        this.active = new boolean[sensors];
     }
 
     void add(int one, int other, double weight) {
@@ -31,14 +38,29 @@ final class ConflictCounts {
 
     private void bump(int one, int other, double weight) {
         int i = one * sensors + other;
+        active[one] = true;
         counts[i] = Math.min(one == other ? MAX_SELF : MAX_PAIR, counts[i] + weight);
     }
 
     /** Lets all counts of one sensor fade. */
     void fade(int sensor, double share) {
+        if (!active[sensor]) {
+            return;
+        }
+        double most = 0;
         for (int i = sensor * sensors; i < (sensor + 1) * sensors; i++) {
             counts[i] *= share;
+            most = Math.max(most, counts[i]);
         }
+        if (most < NEGLIGIBLE) {
+            Arrays.fill(counts, sensor * sensors, (sensor + 1) * sensors, 0);
+            active[sensor] = false;
+        }
+    }
+
+    /** Returns whether a sensor has any count at all. */
+    boolean isActive(int sensor) {
+        return active[sensor];
     }
 
     /** The count against a sensor: by itself and by the others of a mask. */

@@ -2,8 +2,6 @@ package faultline.control.diagnosis;
 
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
-import faultline.robot.Velocity;
-import faultline.robot.WheelSpeeds;
 
 /**
  * The robot's pose by dead reckoning: the controller's own voltages through the motor's model. In a frame in which the
@@ -11,10 +9,14 @@ import faultline.robot.WheelSpeeds;
  */
 public final class DeadReckoning {
 
+    /** Below this the series of sine and cosine to the fifth power are exact, radians. */
+    private static final double SMALL_TURN = 0.02;
+
     private double x;
     private double y;
     private double heading;
-    private WheelSpeeds wheelSpeeds = WheelSpeeds.ZERO;
+    private double leftSpeed;
+    private double rightSpeed;
     private double headingCos = 1;
     private double headingSin;
     private RobotSpec motorOf;
@@ -22,6 +24,8 @@ public final class DeadReckoning {
     private double decay;
     private double rolled;
     private double turned;
+    private double way;
+    private double turning;
 
     /**
      * Lets voltages act for some ticks.
@@ -42,23 +46,43 @@ public final class DeadReckoning {
             decay = motor.decay(dt);
         }
         for (long i = 0; i < ticks; i++) {
-            wheelSpeeds = motor.step(wheelSpeeds, leftVolts, rightVolts, decay);
-            Velocity velocity = wheelSpeeds.toVelocity(robot.track());
-            double way = velocity.linear() * dt;
-            double turn = velocity.angular() * dt;
+            leftSpeed = motor.step(leftSpeed, leftVolts, decay);
+            rightSpeed = motor.step(rightSpeed, rightVolts, decay);
+            double step = v() * dt;
+            double turn = omega(robot) * dt;
             // The direction at the middle of the arc, to second order in the turn of a tick.
-            double cos = ticks == 1 ? headingCos : StrictMath.cos(heading);
-            double sin = ticks == 1 ? headingSin : StrictMath.sin(heading);
             double half = turn / 2;
             double shrink = 1 - half * half / 2;
-            x += way * (cos * shrink - sin * half);
-            y += way * (sin * shrink + cos * half);
-            heading += turn;
-            rolled += way;
+            x += step * (headingCos * shrink - headingSin * half);
+            y += step * (headingSin * shrink + headingCos * half);
+            turn(turn);
+            rolled += step;
             turned += turn;
+            way += Math.abs(step);
+            turning += Math.abs(turn);
         }
-        headingCos = StrictMath.cos(heading);
-        headingSin = StrictMath.sin(heading);
+    }
+
+    /** Turns the heading; by a small angle without trigonometric functions, to their last digits. */
+    private void turn(double angle) {
+        heading += angle;
+        if (angle == 0) {
+            return;
+        }
+        if (Math.abs(angle) > SMALL_TURN) {
+            headingCos = StrictMath.cos(heading);
+            headingSin = StrictMath.sin(heading);
+            return;
+        }
+        double square = angle * angle;
+        double cos = 1 - square / 2 * (1 - square / 12);
+        double sin = angle * (1 - square / 6 * (1 - square / 20));
+        double turnedCos = headingCos * cos - headingSin * sin;
+        double turnedSin = headingSin * cos + headingCos * sin;
+        // One step of Newton's method keeps the length at 1.
+        double scale = (3 - turnedCos * turnedCos - turnedSin * turnedSin) / 2;
+        headingCos = turnedCos * scale;
+        headingSin = turnedSin * scale;
     }
 
     /**
@@ -116,6 +140,16 @@ public final class DeadReckoning {
         return turned;
     }
 
+    /** Returns how far it has rolled in all, forwards and backwards, metres. */
+    double way() {
+        return way;
+    }
+
+    /** Returns how much it has turned in all, either way, radians. */
+    double turning() {
+        return turning;
+    }
+
     /**
      * The rate of turning now.
      *
@@ -123,7 +157,7 @@ public final class DeadReckoning {
      * @return radians per second, positive to the left
      */
     public double omega(RobotSpec robot) {
-        return wheelSpeeds.toVelocity(robot.track()).angular();
+        return (rightSpeed - leftSpeed) / robot.track();
     }
 
     /**
@@ -132,6 +166,6 @@ public final class DeadReckoning {
      * @return metres per second
      */
     public double v() {
-        return wheelSpeeds.linear();
+        return (leftSpeed + rightSpeed) / 2;
     }
 }

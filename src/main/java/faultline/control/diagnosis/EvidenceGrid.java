@@ -15,7 +15,13 @@ public final class EvidenceGrid {
     public static final int SIZE = 128;
 
     private static final int WRAP = SIZE - 1;
-    private static final int PLANE = SIZE * SIZE;
+    private static final double CELLS_PER_METRE = 1 / CELL;
+
+    /** Makes all columns positive; a multiple of {@link #SIZE}. */
+    private static final int OFFSET = 1 << 30;
+
+    /** The distance between sources in the arrays: the same cell of all sources must not share one cache line's set. */
+    private static final int PLANE = SIZE * SIZE + 5 * 16;
 
     private final int[] free;
     private final int[] hit;
@@ -153,27 +159,46 @@ public final class EvidenceGrid {
         double rightSlope = cone.cos(0, axisCos, axisSin) / rightSin;
         double top = axisSin >= cone.cosHalf() ? 1 : Math.max(0, Math.max(leftSin, rightSin));
         double bottom = axisSin <= -cone.cosHalf() ? -1 : Math.min(0, Math.min(leftSin, rightSin));
+        // Right of the left edge, leftSin dx >= leftCos dy; left of the right edge, rightSin dx <= rightCos dy.
+        boolean leftStarts = leftSin > 0;
+        boolean rightStarts = rightSin < 0;
+        boolean leftEnds = leftSin < 0;
+        boolean rightEnds = rightSin > 0;
+        double square = radius * radius;
         int last = cellOf(y + radius * top);
         for (int row = cellOf(y + radius * bottom); row <= last; row++) {
             double dy = (row + 0.5) * CELL - y;
-            double reach = radius * radius - dy * dy;
+            double reach = square - dy * dy;
             if (reach > 0) {
-                double end = Math.sqrt(reach);
-                // Right of the left edge, leftSin dx >= leftCos dy; left of the right edge, rightSin dx <= rightCos dy.
-                double from = Math.max(leftSin > 0 ? leftSlope * dy : -end, rightSin < 0 ? rightSlope * dy : -end);
-                double to = Math.min(leftSin < 0 ? leftSlope * dy : end, rightSin > 0 ? rightSlope * dy : end);
-                markRow(source, row, x + Math.max(-end, from), x + Math.min(end, to), moment);
+                double to = Math.sqrt(reach);
+                double from = -to;
+                double left = leftSlope * dy;
+                double right = rightSlope * dy;
+                from = leftStarts && left > from ? left : from;
+                from = rightStarts && right > from ? right : from;
+                to = leftEnds && left < to ? left : to;
+                to = rightEnds && right < to ? right : to;
+                if (from < to) {
+                    markRow(source, row, x + from, x + to, moment);
+                }
             }
         }
     }
 
+    /** Marks the cells of a row whose centres lie between two coordinates. */
     private void markRow(int source, int row, double from, double to, int moment) {
-        int first = (int) Math.ceil(from / CELL - 0.5);
-        int last = (int) Math.floor(to / CELL - 0.5);
+        // Truncation rounds down because the sum is positive.
+        int first = (int) (from * CELLS_PER_METRE + OFFSET + 0.5);
+        int count = (int) (to * CELLS_PER_METRE + OFFSET + 0.5) - first;
         int base = source * PLANE + (row & WRAP) * SIZE;
         lastFreeInRow[source * SIZE + (row & WRAP)] = moment;
-        for (int column = first; column <= last; column++) {
-            free[base + (column & WRAP)] = moment;
+        int start = first & WRAP;
+        int end = start + count;
+        for (int i = start; i < Math.min(end, SIZE); i++) {
+            free[base + i] = moment;
+        }
+        for (int i = SIZE; i < end; i++) {
+            free[base + i - SIZE] = moment;
         }
     }
 }

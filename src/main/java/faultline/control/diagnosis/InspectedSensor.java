@@ -10,6 +10,12 @@ final class InspectedSensor {
 
     private static final double MAX_PENANCE = 48;
 
+    /** A cone that looks along the way sees little new, but its marks grow old. */
+    private static final double MIN_SIDEWAYS = 0.4;
+
+    /** A turn moves a cone sideways at this distance from the robot, metres. */
+    private static final double TURN_RADIUS = 0.24;
+
     private final int index;
     private final SignalTest signal;
     private final ClaimRing claims = new ClaimRing();
@@ -22,6 +28,11 @@ final class InspectedSensor {
     private double confirmations;
     private int standoff;
     private double blindAt = -1;
+    private double sideways;
+    private double markedWay = Double.NEGATIVE_INFINITY;
+    private double markedTurning;
+    private int inspections;
+    private int markedInspections;
 
     InspectedSensor(int index, MountedCone cone) {
         this.index = index;
@@ -34,7 +45,31 @@ final class InspectedSensor {
         if (!newCone.equals(cone)) {
             cone = newCone;
             table = new ConeTable(newCone);
+            sideways = Math.max(MIN_SIDEWAYS, Math.abs(StrictMath.sin(newCone.bearing())));
         }
+    }
+
+    /** Returns how far its cone has moved sideways since what it sees was marked in the map, metres. */
+    double movedSinceMark(DeadReckoning reckoning) {
+        return sideways * (reckoning.way() - markedWay) + TURN_RADIUS * (reckoning.turning() - markedTurning);
+    }
+
+    /** Notes that what it sees is marked in the map, and returns how many inspections the mark stands for. */
+    int mark(DeadReckoning reckoning) {
+        markedWay = reckoning.way();
+        markedTurning = reckoning.turning();
+        int passed = inspections - markedInspections;
+        markedInspections = inspections;
+        return passed;
+    }
+
+    void countInspection() {
+        inspections++;
+    }
+
+    /** Returns the number of inspections so far. */
+    int inspections() {
+        return inspections;
     }
 
     /** Returns its place in the robot's list. */

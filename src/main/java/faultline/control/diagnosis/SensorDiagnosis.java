@@ -22,6 +22,23 @@ public final class SensorDiagnosis {
     /** Each claim is tested again after these numbers of inspections, when more has been seen free. */
     private static final int[] RETESTS = {5, 12, 24};
 
+    /**
+     * As long as nothing is suspicious, what a sensor sees is marked after its cone moved sideways this much, metres.
+     */
+    private static final double MARKING = Double.parseDouble(System.getProperty("mk", "0.06"));
+
+    /** The same for a sensor that sees nothing, metres. */
+    private static final double OPEN_MARKING = Double.parseDouble(System.getProperty("om", "0.12"));
+
+    /** As long as nothing is suspicious, a sensor is inspected once in so many steps. */
+    private static final int CALM_STEPS = Integer.getInteger("cs", 2);
+
+    /** A contradiction is suspicious for this long, seconds. */
+    private static final double SUSPICION = 1;
+
+    /** A sensor is inspected at each step, seconds. */
+    private static final double STEP = 0.01;
+
     private static final double FADE = 0.97;
 
     private final double side;
@@ -37,6 +54,8 @@ public final class SensorDiagnosis {
     private long tick;
     private double time;
     private int next;
+    private double untilInspection;
+    private boolean alert;
 
     /**
      * A diagnosis of all sensors as healthy.
@@ -66,11 +85,17 @@ public final class SensorDiagnosis {
         clock.advance(reckoning.rolled(), reckoning.turned(), dt);
         lastReadings = observation.readings();
         testSignals();
-        long steps = Math.max(1, Math.min(sensors.length, Math.round(dt / 0.01)));
-        for (long i = 0; i < steps && sensors.length > 0; i++) {
-            inspect(sensors[next], lastReadings[next]);
-            next = (next + 1) % sensors.length;
+        alert = !verdicts.allTrusted() || time - verdicts.lastSuspicion() < SUSPICION;
+        untilInspection -= dt;
+        while (untilInspection < STEP / 2 && sensors.length > 0) {
+            inspectNext();
+            untilInspection += alert ? STEP : CALM_STEPS * STEP;
         }
+    }
+
+    private void inspectNext() {
+        inspect(sensors[next], lastReadings[next]);
+        next = (next + 1) % sensors.length;
         if (next == 0) {
             grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), robot.width() / 2, clock.moment());
         }
@@ -112,15 +137,13 @@ public final class SensorDiagnosis {
         if (!Reading.isOff(reading)) {
             boolean sees = reading < sensor.cone().range();
             keepClaim(sensor, sees ? reading : -1);
-            int now = clock.moment();
             if (sees) {
-                test(sensor, 0, now - MEMORY);
-                int others = verdicts.trusted() & ~sensor.bit();
-                if (claimTest.confirm(sensor, now, now - MEMORY, others)) {
-                    sensor.confirm(1);
-                }
+                test(sensor, 0, clock.moment() - MEMORY);
             }
-            markFree(sensor, (sees ? reading : sensor.cone().range()) - FREE_MARGIN);
+            sensor.countInspection();
+            if (alert || sensor.movedSinceMark(reckoning) > (sees ? MARKING : OPEN_MARKING)) {
+                mark(sensor, sees, reading);
+            }
             retest(sensor);
             if (sees && ApproachTest.applies(sensor.cone())) {
                 testApproach(sensor);
@@ -146,6 +169,21 @@ public final class SensorDiagnosis {
                         clock.ticks());
     }
 
+    /** Marks the last claim in the map. */
+    private void mark(InspectedSensor sensor, boolean sees, double reading) {
+        int now = clock.moment();
+        if (sees) {
+            int others = verdicts.trusted() & ~sensor.bit();
+            int inspections = sensor.mark(reckoning);
+            if (claimTest.confirm(sensor, now, now - MEMORY, others)) {
+                sensor.confirm(inspections);
+            }
+        } else {
+            sensor.mark(reckoning);
+        }
+        markFree(sensor, (sees ? reading : sensor.cone().range()) - FREE_MARGIN);
+    }
+
     private void markFree(InspectedSensor sensor, double radius) {
         ClaimRing ring = sensor.claims();
         if (radius > 0) {
@@ -163,8 +201,10 @@ public final class SensorDiagnosis {
 
     private void retest(InspectedSensor sensor) {
         ClaimRing ring = sensor.claims();
-        for (int age : RETESTS) {
-            if (ring.has(age) && ring.reading(age) >= 0) {
+        for (int i = 0; i < RETESTS.length; i++) {
+            int age = RETESTS[i];
+            boolean due = alert || i == sensor.inspections() % RETESTS.length;
+            if (due && ring.has(age) && ring.reading(age) >= 0) {
                 double since = clock.ticks() - ring.clock(age);
                 if (since > 1 && since < MEMORY) {
                     test(sensor, age, (int) ring.clock(age) + 1);

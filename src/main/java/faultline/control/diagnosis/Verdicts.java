@@ -9,6 +9,7 @@ import faultline.control.SensorFinding;
 final class Verdicts {
 
     private static final double THRESHOLD = 9;
+    private static final double SUSPICIOUS = Double.parseDouble(System.getProperty("su", "2.5"));
     private static final double FORGIVEN = 0.5;
     private static final int CONFIRMATIONS = 12;
     private static final int MAX_STANDOFF = 25;
@@ -22,6 +23,7 @@ final class Verdicts {
     private final InspectedSensor[] sensors;
     private final ConflictCounts conflicts;
     private int trusted;
+    private double lastSuspicion = Double.NEGATIVE_INFINITY;
 
     Verdicts(InspectedSensor[] sensors) {
         this.sensors = sensors;
@@ -40,7 +42,7 @@ final class Verdicts {
 
     /** Returns the count against a sensor as a share of what it takes not to trust it. */
     double evidence(int sensor) {
-        return conflicts.against(sensor, trusted) / THRESHOLD;
+        return conflicts.isActive(sensor) ? conflicts.against(sensor, trusted) / THRESHOLD : 0;
     }
 
     /**
@@ -59,6 +61,11 @@ final class Verdicts {
         }
     }
 
+    /** Returns when a sensor was suspicious last, seconds. */
+    double lastSuspicion() {
+        return lastSuspicion;
+    }
+
     /** Counts a surface that a sensor should see and does not. */
     void blameBlind(InspectedSensor sensor, double time) {
         conflicts.add(sensor.index(), sensor.index(), 3);
@@ -71,7 +78,14 @@ final class Verdicts {
     }
 
     void judge(InspectedSensor sensor, double time) {
+        if (sensor.isTrusted() && !conflicts.isActive(sensor.index())) {
+            sensor.countStandoff(false);
+            return;
+        }
         double against = conflicts.against(sensor.index(), trusted);
+        if (against > SUSPICIOUS) {
+            lastSuspicion = time;
+        }
         if (sensor.isTrusted()) {
             int standoff = sensor.countStandoff(hasStandoff(sensor));
             if (against > THRESHOLD && isWorst(against) || standoff > MAX_STANDOFF) {

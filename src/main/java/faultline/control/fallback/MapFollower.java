@@ -37,6 +37,9 @@ public final class MapFollower {
     /** After a scan this much of the way must be known, metres. */
     private static final double WORTHWHILE = 0.18;
 
+    /** A square that holds a lap round a pole at the wanted distance is wider than it by this, metres. */
+    private static final double LAP_MARGIN = 0.4;
+
     private static final double ASIDE = StrictMath.toRadians(35);
     private static final double STEERING = 2.5;
     private static final double QUARTER = StrictMath.PI / 2;
@@ -46,7 +49,9 @@ public final class MapFollower {
     private double wantedDistance;
     private final LocalMap map = new LocalMap();
     private final Heading heading = new Heading(map);
+    private final ProgressMonitor progress = new ProgressMonitor();
     private RobotSpec robot;
+    private boolean stuck;
     private FollowerState state = FollowerState.FOLLOW;
     private double wall;
     private double direction;
@@ -76,6 +81,8 @@ public final class MapFollower {
         sinceWall = atWall ? LOST / 2 : LOST + 1;
         untilPlan = 0;
         scanning = false;
+        stuck = false;
+        progress.reset();
     }
 
     /**
@@ -86,6 +93,8 @@ public final class MapFollower {
      */
     public void decide(RobotSpec now, double dt) {
         robot = now;
+        double lap = 2 * (wantedDistance + robot.width()) + LAP_MARGIN;
+        stuck |= progress.isStuck(at(), lap, robot.speed(), dt);
         untilPlan -= dt;
         sinceWall += Math.abs(at().rolled());
         if (untilPlan <= 0) {
@@ -218,6 +227,11 @@ public final class MapFollower {
         }
         double far = known + radius();
         diagnosis.doubt(at().x() + far * StrictMath.cos(direction), at().y() + far * StrictMath.sin(direction));
+    }
+
+    /** Returns whether the robot has made no progress since it took over, or for so long that it is no use to go on. */
+    public boolean isStuck() {
+        return stuck;
     }
 
     /**

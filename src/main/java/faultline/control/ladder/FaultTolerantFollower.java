@@ -6,6 +6,7 @@ import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
+import faultline.control.SensorHealth;
 import faultline.control.Telemetry;
 import faultline.control.WallSide;
 import faultline.control.diagnosis.SensorDiagnosis;
@@ -14,6 +15,7 @@ import faultline.control.wallfollower.WallFollower;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
+import java.util.List;
 
 /**
  * The wall follower that carries on: a diagnosis watches all sensors, and the highest {@link Rung} of the ladder whose
@@ -33,6 +35,13 @@ public final class FaultTolerantFollower implements Controller {
     private long lastTick;
     private int earlierTransitions;
     private long sinceTick;
+    /** The trusted sensors with which the map follower got nowhere; it is not tried again with the same ones. */
+    private int stuckWith;
+
+    private StopReason stopReason = StopReason.NO_SENSOR;
+    private Rung shownRung;
+    private List<SensorHealth> shownHealth = List.of();
+    private Telemetry.Diagnosis shownVerdict = Telemetry.Diagnosis.NONE;
 
     /**
      * Creates a follower that trusts all sensors.
@@ -80,7 +89,13 @@ public final class FaultTolerantFollower implements Controller {
 
     private void switchRung() {
         Rung.Strategy before = rung.strategy();
+        if (before == Rung.Strategy.MAP && mapFollower.isStuck()) {
+            stuckWith = diagnosis.trusted();
+        }
         rung = Rung.of(diagnosis);
+        boolean stuck = rung.strategy() == Rung.Strategy.MAP && stuckWith == diagnosis.trusted();
+        stopReason = stuck ? StopReason.NO_PROGRESS : StopReason.NO_SENSOR;
+        rung = stuck ? Rung.STOP : rung;
         if (rung.strategy() != before) {
             if (rung.strategy() == Rung.Strategy.MAP) {
                 mapFollower.begin(last.telemetry().state() != FollowerState.SEARCH);
@@ -116,13 +131,23 @@ public final class FaultTolerantFollower implements Controller {
         sinceTick = transitions == before.transitions() ? sinceTick : lastTick;
         Telemetry telemetry = new Telemetry(
                 now.state(),
-                now.condition(),
+                rung == Rung.STOP ? stopReason.condition() : now.condition(),
                 sinceTick,
                 transitions,
                 now.wall(),
                 now.edges(),
-                new Telemetry.Diagnosis(rung.name(), diagnosis.health()));
+                verdict());
         return new Decision(decision.leftVolts(), decision.rightVolts(), telemetry);
+    }
+
+    /** Returns what the diagnosis found, the same instance as long as nothing has changed. */
+    private Telemetry.Diagnosis verdict() {
+        if (shownRung != rung || shownHealth != diagnosis.health()) {
+            shownRung = rung;
+            shownHealth = diagnosis.health();
+            shownVerdict = new Telemetry.Diagnosis(rung.name(), shownHealth);
+        }
+        return shownVerdict;
     }
 
     /** Returns the observation in which sensors that are not trusted are off. */

@@ -22,6 +22,10 @@ public final class StateText {
     /** Returns the condition of a transition in the user's language, or the controller's own text if there is none. */
     public static String condition(ControllerState from, ControllerState to, String condition) {
         String key = "arrow." + from + "." + to;
-        return Messages.contains(key) ? Messages.get(key) : condition;
+        if (Messages.contains(key)) {
+            return Messages.get(key);
+        }
+        String named = "condition." + condition.replace(' ', '.');
+        return Messages.contains(named) ? Messages.get(named) : condition;
     }
 }

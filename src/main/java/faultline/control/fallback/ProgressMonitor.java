@@ -1,0 +1,58 @@
+package faultline.control.fallback;
+
+import faultline.control.diagnosis.DeadReckoning;
+
+/**
+ * Notices by dead reckoning that a robot gets nowhere: within the time that it takes to drive many times across a
+ * square it has not left that square. This covers spinning on the spot, being shut in, and small laps, round a pole or
+ * round nothing.
+ */
+final class ProgressMonitor {
+
+    /** The time that counts, in times across the square. */
+    private static final int CROSSINGS = 15;
+
+    /** Positions that are kept of that time. */
+    private static final int SAMPLES = 60;
+
+    private final double[] xs = new double[SAMPLES];
+    private final double[] ys = new double[SAMPLES];
+    private int count;
+    private double untilSample;
+
+    /** Forgets all positions. */
+    void reset() {
+        count = 0;
+        untilSample = 0;
+    }
+
+    /**
+     * Takes the position and returns whether the robot gets nowhere.
+     *
+     * @param at where it is
+     * @param side of the square, metres
+     * @param speed that it drives at, metres per second
+     * @param dt since the last call, seconds
+     */
+    boolean isStuck(DeadReckoning at, double side, double speed, double dt) {
+        untilSample -= dt;
+        if (untilSample > 0) {
+            return false;
+        }
+        untilSample += CROSSINGS * side / speed / SAMPLES;
+        xs[count % SAMPLES] = at.x();
+        ys[count % SAMPLES] = at.y();
+        count++;
+        return count >= SAMPLES && extent(xs) < side && extent(ys) < side;
+    }
+
+    private static double extent(double[] values) {
+        double least = values[0];
+        double most = values[0];
+        for (double value : values) {
+            least = Math.min(least, value);
+            most = Math.max(most, value);
+        }
+        return most - least;
+    }
+}

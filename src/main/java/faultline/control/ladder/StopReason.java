@@ -1,0 +1,20 @@
+package faultline.control.ladder;
+
+/** Why the robot has stopped for good, or until it can trust other sensors. */
+enum StopReason {
+    /** No sensor that looks to the wall's side is trusted. */
+    NO_SENSOR("no trusted sensor on the side of the wall"),
+    /** The strategy for a few sensors gets nowhere. */
+    NO_PROGRESS("no progress for a minute");
+
+    private final String condition;
+
+    StopReason(String condition) {
+        this.condition = condition;
+    }
+
+    /** Returns the condition as telemetry shows it. */
+    String condition() {
+        return condition;
+    }
+}

@@ -1,0 +1,112 @@
+package faultline.control.ladder;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.control.Telemetry;
+import faultline.control.TimingRule;
+import faultline.control.WallSide;
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.geometry.Pose;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import faultline.world.Command;
+import faultline.world.Obstacle;
+import faultline.world.ObstacleShape;
+import faultline.world.WorldSpec;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** A robot that cannot go on stops and gives the reason. */
+class StopTest {
+
+    private static RobotSpec robotWithOnly(Set<String> on) {
+        List<SensorSpec> sensors = RobotSpec.DEFAULT.sensors().stream()
+                .map(sensor -> sensor.withOn(on.contains(sensor.id())))
+                .toList();
+        return RobotSpec.DEFAULT.withSensors(sensors);
+    }
+
+    private static SimulationSetup setup(
+            WorldSpec world, Pose start, RobotSpec robot, WallSide side, List<TimedCommand> timeline) {
+        return new SimulationSetup(
+                world,
+                robot,
+                start,
+                new ControllerSpec.WallFollowing(0.25, side, 0, TimingRule.EQUAL_READINGS),
+                timeline,
+                0.01,
+                1,
+                300);
+    }
+
+    private static Simulation run(SimulationSetup setup, double time) {
+        Simulation simulation = new Simulation(setup, ControllerMode.DIRECT);
+        while (simulation.time() < time) {
+            simulation.tick();
+        }
+        return simulation;
+    }
+
+    private static Simulation runUntilStop(SimulationSetup setup) {
+        Simulation simulation = new Simulation(setup, ControllerMode.DIRECT);
+        while (simulation.time() < setup.duration() && simulation.telemetry().state() != FaultTolerantFollower.STOP) {
+            simulation.tick();
+        }
+        return simulation;
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void withoutASensorOnTheWallsSideItStopsWithinTenSeconds(WallSide side) {
+        Set<String> others = side == WallSide.LEFT
+                ? Set.of("front", "front-right", "right", "rear")
+                : Set.of("front", "front-left", "left", "rear");
+        SimulationSetup setup = setup(
+                new WorldSpec(5, 4, true, 3, List.of()), new Pose(2, 2, 0.4), robotWithOnly(others), side, List.of());
+        Telemetry telemetry = run(setup, 10).telemetry();
+        assertEquals(FaultTolerantFollower.STOP, telemetry.state());
+        assertEquals("no trusted sensor on the side of the wall", telemetry.condition());
+        Simulation later = run(setup, 20);
+        assertEquals(0, later.velocity().linear(), 1e-9);
+        assertTrue(later.collision().isEmpty());
+    }
+
+    @Test
+    void roundAPoleItStopsAfterAMinuteOfSmallLapsAndGoesOnWithAnotherSensor() {
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.05), new Pose(4, 4, 0));
+        SimulationSetup setup = setup(
+                new WorldSpec(8, 8, true, 3, List.of(pole)),
+                new Pose(3, 4, 0.05),
+                robotWithOnly(Set.of("front", "front-left", "left", "rear-left")),
+                WallSide.LEFT,
+                List.of(
+                        new TimedCommand(4, new Command.SwitchSensor("front", false)),
+                        new TimedCommand(200, new Command.SwitchSensor("left", false))));
+        Simulation simulation = runUntilStop(setup);
+        assertEquals("no progress for a minute", simulation.telemetry().condition());
+        assertEquals("STOP", simulation.telemetry().diagnosis().rung());
+        assertTrue(simulation.time() > 60 && simulation.time() < 110, "at " + simulation.time());
+        double stopped = simulation.time();
+        assertEquals(simulation.pose().x(), run(setup, 150).pose().x(), 0.02, "it stays where it stopped");
+        assertTrue(run(setup, 210).telemetry().state() != FaultTolerantFollower.STOP, "since " + stopped);
+    }
+
+    @Test
+    void alongAWallItDoesNotStop() {
+        SimulationSetup setup = setup(
+                new WorldSpec(4, 3, true, 3, List.of()),
+                new Pose(0.6, 0.6, 0.3),
+                robotWithOnly(Set.of("front-left", "left", "rear-left")),
+                WallSide.LEFT,
+                List.of());
+        assertEquals(300, runUntilStop(setup).time(), 0.02);
+    }
+}
