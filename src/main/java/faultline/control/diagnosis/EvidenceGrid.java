@@ -23,6 +23,26 @@ public final class EvidenceGrid {
     /** The distance between sources in the arrays: the same cell of all sources must not share one cache line's set. */
     private static final int PLANE = SIZE * SIZE + 5 * 16;
 
+    /** Which rows of a sector are marked: every second one takes half the time, and the next mark makes up for it. */
+    enum Rows {
+        ALL(1, 0),
+        EVEN(2, 0),
+        ODD(2, 1);
+
+        private final int step;
+        private final int parity;
+
+        Rows(int step, int parity) {
+            this.step = step;
+            this.parity = parity;
+        }
+
+        /** Returns the first row to mark at or after a row. */
+        private int first(int row) {
+            return row + (row + parity & step - 1);
+        }
+    }
+
     private final int[] free;
     private final int[] hit;
     /** The latest moment in each row of each source. */
@@ -149,9 +169,18 @@ public final class EvidenceGrid {
      * @param cone the sensor's
      * @param radius metres
      * @param moment now
+     * @param rows which rows are marked
      */
     void markSector(
-            int source, double x, double y, double axisCos, double axisSin, ConeTable cone, double radius, int moment) {
+            int source,
+            double x,
+            double y,
+            double axisCos,
+            double axisSin,
+            ConeTable cone,
+            double radius,
+            int moment,
+            Rows rows) {
         int edge = ConeTable.SAMPLES - 1;
         double leftSin = cone.sin(edge, axisCos, axisSin);
         double rightSin = cone.sin(0, axisCos, axisSin);
@@ -166,7 +195,7 @@ public final class EvidenceGrid {
         boolean rightEnds = rightSin > 0;
         double square = radius * radius;
         int last = cellOf(y + radius * top);
-        for (int row = cellOf(y + radius * bottom); row <= last; row++) {
+        for (int row = rows.first(cellOf(y + radius * bottom)); row <= last; row += rows.step) {
             double dy = (row + 0.5) * CELL - y;
             double reach = square - dy * dy;
             if (reach > 0) {

@@ -1,6 +1,7 @@
 package faultline.control.diagnosis;
 
 import faultline.control.SensorFinding;
+import faultline.control.diagnosis.EvidenceGrid.Rows;
 
 /** A sensor under diagnosis: how it is mounted, what it claimed of late, and what was found against it. */
 final class InspectedSensor {
@@ -10,8 +11,15 @@ final class InspectedSensor {
 
     private static final double MAX_PENANCE = 48;
 
-    /** A cone that looks along the way sees little new, but its marks grow old. */
-    private static final double MIN_SIDEWAYS = 0.4;
+    /** What sensors see that look ahead or beside the wall matters most; others are marked less often. */
+    private static final double AHEAD = StrictMath.toRadians(60);
+
+    private static final double BESIDE = StrictMath.toRadians(30);
+    private static final double BACK = StrictMath.toRadians(150);
+    private static final double AWAY = 0.35;
+
+    /** A cone that looks along the way sees little new. */
+    private static final double ALONG = 0.6;
 
     /** A turn moves a cone sideways at this distance from the robot, metres. */
     private static final double TURN_RADIUS = 0.24;
@@ -29,8 +37,10 @@ final class InspectedSensor {
     private int standoff;
     private double blindAt = -1;
     private double sideways;
+    private boolean looksAway;
     private double markedWay = Double.NEGATIVE_INFINITY;
     private double markedTurning;
+    private Rows rows = Rows.ODD;
     private int inspections;
     private int markedInspections;
 
@@ -45,13 +55,19 @@ final class InspectedSensor {
         if (!newCone.equals(cone)) {
             cone = newCone;
             table = new ConeTable(newCone);
-            sideways = Math.max(MIN_SIDEWAYS, Math.abs(StrictMath.sin(newCone.bearing())));
+            looksAway = Math.abs(newCone.bearing()) > AHEAD && newCone.bearing() < BESIDE || newCone.bearing() > BACK;
+            sideways = looksAway ? AWAY : Math.max(ALONG, Math.abs(StrictMath.sin(newCone.bearing())));
         }
     }
 
     /** Returns how far its cone has moved sideways since what it sees was marked in the map, metres. */
     double movedSinceMark(DeadReckoning reckoning) {
         return sideways * (reckoning.way() - markedWay) + TURN_RADIUS * (reckoning.turning() - markedTurning);
+    }
+
+    /** Returns whether it looks neither ahead nor to the wall's side. */
+    boolean looksAway() {
+        return looksAway;
     }
 
     /** Notes that what it sees is marked in the map, and returns how many inspections the mark stands for. */
@@ -65,6 +81,12 @@ final class InspectedSensor {
 
     void countInspection() {
         inspections++;
+    }
+
+    /** Returns the rows that the next mark of every second row takes. */
+    Rows nextRows() {
+        rows = rows == Rows.EVEN ? Rows.ODD : Rows.EVEN;
+        return rows;
     }
 
     /** Returns the number of inspections so far. */

@@ -3,6 +3,7 @@ package faultline.control.diagnosis;
 import faultline.control.Observation;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
+import faultline.control.diagnosis.EvidenceGrid.Rows;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import java.util.List;
@@ -25,13 +26,13 @@ public final class SensorDiagnosis {
     /**
      * As long as nothing is suspicious, what a sensor sees is marked after its cone moved sideways this much, metres.
      */
-    private static final double MARKING = Double.parseDouble(System.getProperty("mk", "0.06"));
+    private static final double MARKING = 0.05;
 
-    /** The same for a sensor that sees nothing, metres. */
-    private static final double OPEN_MARKING = Double.parseDouble(System.getProperty("om", "0.12"));
-
-    /** As long as nothing is suspicious, a sensor is inspected once in so many steps. */
-    private static final int CALM_STEPS = Integer.getInteger("cs", 2);
+    /**
+     * A sector of less than this radius takes little time to mark. As long as nothing is suspicious, what sensors that
+     * look away see free is marked up to this distance only, metres.
+     */
+    private static final double NEAR = 0.5;
 
     /** A contradiction is suspicious for this long, seconds. */
     private static final double SUSPICION = 1;
@@ -56,6 +57,7 @@ public final class SensorDiagnosis {
     private int next;
     private double untilInspection;
     private boolean alert;
+    private double bodyMarkedWay = Double.NEGATIVE_INFINITY;
 
     /**
      * A diagnosis of all sensors as healthy.
@@ -89,14 +91,15 @@ public final class SensorDiagnosis {
         untilInspection -= dt;
         while (untilInspection < STEP / 2 && sensors.length > 0) {
             inspectNext();
-            untilInspection += alert ? STEP : CALM_STEPS * STEP;
+            untilInspection += STEP;
         }
     }
 
     private void inspectNext() {
         inspect(sensors[next], lastReadings[next]);
         next = (next + 1) % sensors.length;
-        if (next == 0) {
+        if (next == 0 && (alert || reckoning.way() - bodyMarkedWay > MARKING)) {
+            bodyMarkedWay = reckoning.way();
             grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), robot.width() / 2, clock.moment());
         }
     }
@@ -140,10 +143,7 @@ public final class SensorDiagnosis {
             if (sees) {
                 test(sensor, 0, clock.moment() - MEMORY);
             }
-            sensor.countInspection();
-            if (alert || sensor.movedSinceMark(reckoning) > (sees ? MARKING : OPEN_MARKING)) {
-                mark(sensor, sees, reading);
-            }
+            mark(sensor, sees, reading);
             retest(sensor);
             if (sees && ApproachTest.applies(sensor.cone())) {
                 testApproach(sensor);
@@ -169,34 +169,41 @@ public final class SensorDiagnosis {
                         clock.ticks());
     }
 
-    /** Marks the last claim in the map. */
+    /** Marks the last claim in the map: at once where that takes little time, otherwise after some motion. */
     private void mark(InspectedSensor sensor, boolean sees, double reading) {
-        int now = clock.moment();
-        if (sees) {
-            int others = verdicts.trusted() & ~sensor.bit();
+        sensor.countInspection();
+        boolean due = alert || sensor.movedSinceMark(reckoning) > MARKING;
+        double radius = (sees ? reading : sensor.cone().range()) - FREE_MARGIN;
+        boolean small = radius < NEAR;
+        if (due) {
             int inspections = sensor.mark(reckoning);
-            if (claimTest.confirm(sensor, now, now - MEMORY, others)) {
+            if (sees && isConfirmed(sensor)) {
                 sensor.confirm(inspections);
             }
-        } else {
-            sensor.mark(reckoning);
         }
-        markFree(sensor, (sees ? reading : sensor.cone().range()) - FREE_MARGIN);
+        if (radius > 0 && (due || small)) {
+            boolean near = sensor.looksAway() && !alert;
+            markFree(sensor, near ? Math.min(radius, NEAR) : radius, alert || small ? Rows.ALL : sensor.nextRows());
+        }
     }
 
-    private void markFree(InspectedSensor sensor, double radius) {
+    private boolean isConfirmed(InspectedSensor sensor) {
+        int now = clock.moment();
+        return claimTest.confirm(sensor, now, now - MEMORY, verdicts.trusted() & ~sensor.bit());
+    }
+
+    private void markFree(InspectedSensor sensor, double radius, Rows rows) {
         ClaimRing ring = sensor.claims();
-        if (radius > 0) {
-            grid.markSector(
-                    sensor.index(),
-                    ring.x(0),
-                    ring.y(0),
-                    ring.axisCos(0),
-                    ring.axisSin(0),
-                    sensor.table(),
-                    radius,
-                    clock.moment());
-        }
+        grid.markSector(
+                sensor.index(),
+                ring.x(0),
+                ring.y(0),
+                ring.axisCos(0),
+                ring.axisSin(0),
+                sensor.table(),
+                radius,
+                clock.moment(),
+                rows);
     }
 
     private void retest(InspectedSensor sensor) {

@@ -22,6 +22,17 @@ final class SignalTest {
 
     private static final double SCATTER_MEMORY = 200;
 
+    /** A reading that differs by this from both its neighbours is a spike, metres. */
+    private static final double SPIKE = 0.04;
+
+    /** Neighbours that differ by less than this agree, metres. */
+    private static final double NO_SPIKE = 0.02;
+
+    /** How many spikes within three seconds or so a sensor may have. */
+    private static final double MAX_SPIKES = 2.5;
+
+    private static final double SPIKE_MEMORY = 300;
+
     /** Readings this near to the range may well come and go, metres. */
     private static final double NEAR_RANGE = 0.1;
 
@@ -29,6 +40,9 @@ final class SignalTest {
     private static final double MAX_FLIPS = 7;
 
     private static final double FLIP_MEMORY = 150;
+
+    /** So few flips are not worth counting down. */
+    private static final double QUIET = 1e-3;
 
     private final MountedCone cone;
     private final double axisCos;
@@ -39,6 +53,7 @@ final class SignalTest {
     private double way;
     private double scatter;
     private double flips;
+    private double spikes;
 
     SignalTest(MountedCone cone) {
         this.cone = cone;
@@ -51,17 +66,31 @@ final class SignalTest {
             before = Double.NaN;
             return SensorFinding.OFF;
         }
+        if (reading == Reading.NOTHING && before == Reading.NOTHING && isQuiet()) {
+            return SensorFinding.NONE;
+        }
         boolean stuck = isStuck(reading, rolled, turned);
+        learnSpikes(reading);
         learnScatter(reading);
         learnFlips(reading);
         before = reading;
         if (stuck) {
             return SensorFinding.STUCK;
         }
-        if (scatter > MAX_SCATTER) {
+        if (scatter > MAX_SCATTER || spikes > MAX_SPIKES) {
             return SensorFinding.NOISY;
         }
         return flips > MAX_FLIPS ? SensorFinding.INTERMITTENT : SensorFinding.NONE;
+    }
+
+    /** Returns whether another reading of nothing after one of nothing changes nothing. */
+    private boolean isQuiet() {
+        return flips < QUIET
+                && spikes < QUIET
+                && scatter <= MAX_SCATTER
+                && turn == 0
+                && way == 0
+                && Double.isNaN(second);
     }
 
     private boolean isStuck(double reading, double rolled, double turned) {
@@ -75,6 +104,12 @@ final class SignalTest {
         return Math.abs(turn) > STUCK_TURN
                 || Math.abs(way * axisCos) > STUCK_DISTANCE && Math.abs(cone.bearing()) < cone.half()
                 || reading < 0.001 && Math.abs(way) + Math.abs(turn) > STUCK_DISTANCE;
+    }
+
+    /** Counts a reading that stands out from the one before it and the one after it, which agree. */
+    private void learnSpikes(double reading) {
+        boolean spike = Math.abs(first) > SPIKE && Math.abs(first + (reading - before)) < NO_SPIKE;
+        spikes += (spike ? 1 : 0) - spikes / SPIKE_MEMORY;
     }
 
     private void learnScatter(double reading) {

@@ -9,7 +9,7 @@ import faultline.control.SensorFinding;
 final class Verdicts {
 
     private static final double THRESHOLD = 9;
-    private static final double SUSPICIOUS = Double.parseDouble(System.getProperty("su", "2.5"));
+    private static final double SUSPICIOUS = 0.3;
     private static final double FORGIVEN = 0.5;
     private static final int CONFIRMATIONS = 12;
     private static final int MAX_STANDOFF = 25;

@@ -57,6 +57,19 @@ class SignalTestTest {
         assertEquals(SensorFinding.NOISY, run(2, 200, 0.003, 0, i -> 0.3 + 0.05 * random.nextGaussian()));
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {0.03, 0.1})
+    void rareGhostsAreFoundWithinSeconds(double share) {
+        IntToDoubleFunction ghosts =
+                i -> Math.min(0.25 + 0.002 * random.nextGaussian(), random.nextDouble() < share ? 0.15 : 1);
+        assertEquals(SensorFinding.NOISY, run(2, 800, 0.003, 0, ghosts));
+    }
+
+    @Test
+    void anEdgeIsNoSpike() {
+        assertEquals(SensorFinding.NONE, run(2, 3000, 0.003, 0, i -> i / 20 % 2 == 0 ? 0.25 : 0.4));
+    }
+
     @Test
     void readingsThatComeAndGoAreFoundUnlessTheyAreNearTheRange() {
         assertEquals(SensorFinding.INTERMITTENT, run(2, 50, 0.003, 0, i -> i % 2 == 0 ? 0.3 : Reading.NOTHING));
