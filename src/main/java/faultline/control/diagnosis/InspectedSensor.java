@@ -18,9 +18,6 @@ final class InspectedSensor {
     private static final double BACK = StrictMath.toRadians(150);
     private static final double AWAY = 0.35;
 
-    /** A cone that looks along the way sees little new. */
-    private static final double ALONG = 0.6;
-
     /** A turn moves a cone sideways at this distance from the robot, metres. */
     private static final double TURN_RADIUS = 0.24;
 
@@ -56,13 +53,18 @@ final class InspectedSensor {
             cone = newCone;
             table = new ConeTable(newCone);
             looksAway = Math.abs(newCone.bearing()) > AHEAD && newCone.bearing() < BESIDE || newCone.bearing() > BACK;
-            sideways = looksAway ? AWAY : Math.max(ALONG, Math.abs(StrictMath.sin(newCone.bearing())));
+            sideways = looksAway ? AWAY : 1;
         }
     }
 
     /** Returns how far its cone has moved sideways since what it sees was marked in the map, metres. */
     double movedSinceMark(DeadReckoning reckoning) {
         return sideways * (reckoning.way() - markedWay) + TURN_RADIUS * (reckoning.turning() - markedTurning);
+    }
+
+    /** Returns whether its cone does not hold the way ahead. */
+    boolean looksAside() {
+        return Math.abs(cone.bearing()) > cone.half();
     }
 
     /** Returns whether it looks neither ahead nor to the wall's side. */

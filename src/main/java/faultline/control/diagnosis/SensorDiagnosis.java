@@ -183,7 +183,10 @@ public final class SensorDiagnosis {
         }
         if (radius > 0 && (due || small)) {
             boolean near = sensor.looksAway() && !alert;
-            markFree(sensor, near ? Math.min(radius, NEAR) : radius, alert || small ? Rows.ALL : sensor.nextRows());
+            markFree(
+                    sensor,
+                    near ? Math.min(radius, NEAR) : radius,
+                    alert || small || !sensor.looksAside() ? Rows.ALL : sensor.nextRows());
         }
     }
 

@@ -22,14 +22,14 @@ final class SignalTest {
 
     private static final double SCATTER_MEMORY = 200;
 
-    /** A reading that differs by this from both its neighbours is a spike, metres. */
+    /** A reading that is shorter by this than both its neighbours is a spike, metres. */
     private static final double SPIKE = 0.04;
 
     /** Neighbours that differ by less than this agree, metres. */
     private static final double NO_SPIKE = 0.02;
 
     /** How many spikes within three seconds or so a sensor may have. */
-    private static final double MAX_SPIKES = 2.5;
+    private static final double MAX_SPIKES = 2;
 
     private static final double SPIKE_MEMORY = 300;
 
@@ -52,6 +52,7 @@ final class SignalTest {
     private double turn;
     private double way;
     private double scatter;
+    private double lastSpike = Double.NaN;
     private double flips;
     private double spikes;
 
@@ -106,10 +107,15 @@ final class SignalTest {
                 || reading < 0.001 && Math.abs(way) + Math.abs(turn) > STUCK_DISTANCE;
     }
 
-    /** Counts a reading that stands out from the one before it and the one after it, which agree. */
+    /**
+     * Counts a reading that is shorter than the one before it and the one after it, which agree. When an edge grazes
+     * the cone, a healthy reading flickers between two distances; so each must also differ from the last short one.
+     */
     private void learnSpikes(double reading) {
-        boolean spike = Math.abs(first) > SPIKE && Math.abs(first + (reading - before)) < NO_SPIKE;
-        spikes += (spike ? 1 : 0) - spikes / SPIKE_MEMORY;
+        boolean spike = first < -SPIKE && Math.abs(first + (reading - before)) < NO_SPIKE;
+        boolean counts = spike && Math.abs(before - lastSpike) > NO_SPIKE;
+        lastSpike = spike ? before : lastSpike;
+        spikes += (counts ? 1 : 0) - spikes / SPIKE_MEMORY;
     }
 
     private void learnScatter(double reading) {

@@ -60,14 +60,15 @@ class SignalTestTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.03, 0.1})
     void rareGhostsAreFoundWithinSeconds(double share) {
-        IntToDoubleFunction ghosts =
-                i -> Math.min(0.25 + 0.002 * random.nextGaussian(), random.nextDouble() < share ? 0.15 : 1);
+        IntToDoubleFunction ghosts = i -> Math.min(
+                0.25 + 0.002 * random.nextGaussian(), random.nextDouble() < share ? 0.2 * random.nextDouble() : 1);
         assertEquals(SensorFinding.NOISY, run(2, 800, 0.003, 0, ghosts));
     }
 
     @Test
-    void anEdgeIsNoSpike() {
-        assertEquals(SensorFinding.NONE, run(2, 3000, 0.003, 0, i -> i / 20 % 2 == 0 ? 0.25 : 0.4));
+    void anEdgeThatFlickersIsNoGhost() {
+        // As the left sensor reads beside a corner: the nearer surface for a tick, the farther one for some.
+        assertEquals(SensorFinding.NONE, run(2, 3000, 0.003, 0, i -> i % 12 == 0 ? 0.2 + 0.001 * (i / 12 % 10) : 0.27));
     }
 
     @Test
