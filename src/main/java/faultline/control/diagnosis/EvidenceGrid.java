@@ -20,8 +20,7 @@ public final class EvidenceGrid {
     /** Makes all columns positive; a multiple of {@link #SIZE}. */
     private static final int OFFSET = 1 << 30;
 
-    /** The distance between sources in the arrays: the same cell of all sources must not share one cache line's set. */
-    private static final int PLANE = SIZE * SIZE + 5 * 16;
+    private static final int PLANE = SIZE * SIZE;
 
     /** Which rows of a sector are marked: every second one takes half the time, and the next mark makes up for it. */
     enum Rows {
