@@ -25,12 +25,13 @@ final class SensorArray {
     private static final double TRAVEL_PER_RANGE = 0.125;
 
     private static final double MIN_TRAVEL = 0.02;
-    private static final double MAX_TRAVEL = 0.5;
+    private static final double MAX_TRAVEL = 0.15;
     private static final double MAX_TURN = 0.25;
 
     private final double dt;
     private final List<MountedSensor> sensors = new ArrayList<>();
     private final CandidateBuffer candidates = new CandidateBuffer();
+    private final CandidateBuffer farCandidates = new CandidateBuffer();
     private final List<MovingObstacle> movingNear = new ArrayList<>();
     private final double[] truth;
     private final double[] reported;
@@ -42,6 +43,8 @@ final class SensorArray {
     private double regionX;
     private double regionY;
     private double regionHeading;
+    private double regionCos;
+    private double regionSin;
 
     SensorArray(RobotSpec robot, long seed, double dt) {
         this.dt = dt;
@@ -95,12 +98,12 @@ final class SensorArray {
         }
         collectMoving(obstacles, body);
         for (int i = 0; i < truth.length; i++) {
-            truth[i] = measure(sensors.get(i), sensors.get(i).soundCone(), body);
+            truth[i] = measure(sensors.get(i), sensors.get(i).soundCone(), obstacles, body);
         }
         for (int i = 0; i < truth.length; i++) {
             MountedSensor sensor = sensors.get(i);
             boolean sound = sensor.actualCone() == sensor.soundCone();
-            double seen = sound ? truth[i] : measure(sensor, sensor.actualCone(), body);
+            double seen = sound ? truth[i] : measure(sensor, sensor.actualCone(), obstacles, body);
             reported[i] = sensor.report(seen, truth[i + 1 < truth.length ? i + 1 : 0], tick);
         }
     }
@@ -116,15 +119,32 @@ final class SensorArray {
         regionX = body.x();
         regionY = body.y();
         regionHeading = body.heading();
-        candidates.clear();
-        obstacles.findStaticNear(regionX, regionY, sensingRadius + maxTravel, candidates);
+        regionCos = body.cos();
+        regionSin = body.sin();
+        double radius = 0;
         for (int i = 0; i < truth.length; i++) {
             MountedSensor sensor = sensors.get(i);
-            sensor.soundCone().collect(candidates, body);
+            sensor.soundCone().setHorizon(truth[i]);
+            sensor.actualCone().setHorizon(truth[i]);
+            radius = Math.max(
+                    radius,
+                    Math.max(
+                            sensor.soundCone().searchRadius(),
+                            sensor.actualCone().searchRadius()));
+        }
+        candidates.clear();
+        obstacles.findStaticNear(regionX, regionY, radius, candidates);
+        for (int i = 0; i < truth.length; i++) {
+            MountedSensor sensor = sensors.get(i);
+            collect(sensor.soundCone(), candidates);
             if (sensor.actualCone() != sensor.soundCone()) {
-                sensor.actualCone().collect(candidates, body);
+                collect(sensor.actualCone(), candidates);
             }
         }
+    }
+
+    private void collect(SensorCone cone, CandidateBuffer shapes) {
+        cone.collect(shapes, regionX, regionY, regionCos, regionSin);
     }
 
     private void collectMoving(ObstacleSet obstacles, RobotBody body) {
@@ -137,11 +157,19 @@ final class SensorArray {
         }
     }
 
-    private double measure(MountedSensor sensor, SensorCone cone, RobotBody body) {
+    private double measure(MountedSensor sensor, SensorCone cone, ObstacleSet obstacles, RobotBody body) {
         if (sensor.isOutsideBody() && isInsideSolid(new Vector2(cone.apexX(body), cone.apexY(body)))) {
             return 0;
         }
-        return cone.measure(body, movingNear);
+        double distance = cone.measure(body, movingNear);
+        while (!cone.isCertain(distance)) {
+            cone.widenHorizon();
+            farCandidates.clear();
+            obstacles.findStaticNear(regionX, regionY, cone.searchRadius(), farCandidates);
+            collect(cone, farCandidates);
+            distance = cone.measure(body, movingNear);
+        }
+        return distance;
     }
 
     /**

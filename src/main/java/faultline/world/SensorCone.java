@@ -20,6 +20,11 @@ final class SensorCone {
 
     private static final double MARGIN = 1e-9;
 
+    /** The horizon is never less than this unless the range is, metres. */
+    private static final double MIN_HORIZON = 1;
+
+    private static final double HORIZON_PER_DISTANCE = 1.4;
+
     private final NearShapes near = new NearShapes();
     private final double range;
     private final double cosHalf;
@@ -32,6 +37,8 @@ final class SensorCone {
     private final double travel;
     private final boolean narrow;
     private final double setback;
+    private final double mountDistance;
+    private double horizon;
     private final SectorDistance wedge;
 
     /**
@@ -50,7 +57,9 @@ final class SensorCone {
         specularTangent = ShapeOwner.tangent(specularAngle);
         mount = RigidMotion.of(new Pose(position.x(), position.y(), spec.bearing()));
         cone = new SectorDistance(sector(RigidMotion.IDENTITY));
-        travel = maxTravel + maxTurn * position.length() + MARGIN;
+        mountDistance = position.length();
+        travel = maxTravel + maxTurn * mountDistance + MARGIN;
+        horizon = Math.min(range, MIN_HORIZON);
         double half = spec.cone() / 2 + maxTurn + MARGIN;
         narrow = half < MAX_WEDGE;
         setback = narrow ? travel / StrictMath.sin(half) : 0;
@@ -70,20 +79,51 @@ final class SensorCone {
         return body.y() + body.sin() * mount.x() + body.cos() * mount.y();
     }
 
-    /** Collects the candidates that this sensor may see while the robot stays near its present pose. */
-    void collect(CandidateBuffer candidates, RobotBody body) {
+    /**
+     * Sets how far the next {@link #collect} looks, from a distance that was measured last: beyond a near wall there is
+     * much in the range that will not be measured soon.
+     */
+    void setHorizon(double lastDistance) {
+        horizon = Math.min(range, Math.max(MIN_HORIZON, HORIZON_PER_DISTANCE * lastDistance));
+    }
+
+    /** Doubles the horizon. */
+    void widenHorizon() {
+        horizon = Math.min(range, 2 * horizon);
+    }
+
+    /** Returns the radius around the robot's centre within which {@link #collect} needs all shapes, metres. */
+    double searchRadius() {
+        return (mountDistance + horizon + travel + MARGIN) * (1 + 1e-12);
+    }
+
+    /** Returns whether a measured distance is certain, because nothing beyond the horizon could be nearer. */
+    boolean isCertain(double distance) {
+        return distance <= horizon || horizon >= range;
+    }
+
+    /**
+     * Collects the candidates that this sensor may see, up to the horizon, while the robot stays near a pose.
+     *
+     * @param candidates all shapes within the search radius, and perhaps others
+     * @param robotX of the pose, metres
+     * @param robotY of the pose, metres
+     * @param cos of its heading
+     * @param sin of its heading
+     */
+    void collect(CandidateBuffer candidates, double robotX, double robotY, double cos, double sin) {
         near.clear();
-        double x = apexX(body);
-        double y = apexY(body);
+        double x = robotX + cos * mount.x() - sin * mount.y();
+        double y = robotY + sin * mount.x() + cos * mount.y();
         if (narrow) {
-            double ux = body.cos() * mount.cos() - body.sin() * mount.sin();
-            double uy = body.sin() * mount.cos() + body.cos() * mount.sin();
+            double ux = cos * mount.cos() - sin * mount.sin();
+            double uy = sin * mount.cos() + cos * mount.sin();
             wedge.moveTo(x - setback * ux, y - setback * uy, ux, uy);
         }
         for (int i = 0; i < candidates.size(); i++) {
             ConvexShape shape = candidates.shape(i);
             double distance = shape.distanceTo(x, y);
-            if (distance <= range + travel && (!narrow || wedge.nearest(shape) < Double.POSITIVE_INFINITY)) {
+            if (distance <= horizon + travel && (!narrow || wedge.nearest(shape) < Double.POSITIVE_INFINITY)) {
                 near.add(shape, tangent(candidates.owner(i)), distance - travel - MARGIN);
             }
         }
