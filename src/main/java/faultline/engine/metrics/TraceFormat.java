@@ -100,15 +100,17 @@ public enum TraceFormat {
     }
 
     private static void addReadings(List<TraceColumn> columns, String id, int sensor) {
-        columns.add(word(id + ".true", "", s -> readingOrOff(s.trueReading(sensor))));
-        columns.add(word(id + ".reading", "", s -> readingOrOff(s.reportedReading(sensor))));
+        // Both are the same number unless there is noise or a fault.
+        NumberText number = new NumberText();
+        columns.add(word(id + ".true", "", s -> readingOrOff(s.trueReading(sensor), number)));
+        columns.add(word(id + ".reading", "", s -> readingOrOff(s.reportedReading(sensor), number)));
     }
 
-    private static String readingOrOff(double reading) {
+    private static String readingOrOff(double reading, NumberText number) {
         if (Reading.isOff(reading)) {
             return "off";
         }
-        return reading == Reading.NOTHING ? "" : Double.toString(reading);
+        return reading == Reading.NOTHING ? "" : number.of(reading);
     }
 
     private static void addNumericReadings(List<TraceColumn> columns, String id, int sensor) {
@@ -173,10 +175,11 @@ public enum TraceFormat {
 
     /** A number is the shortest that reads back to the same bits; one that does not apply leaves the cell empty. */
     private static TraceColumn number(String name, String unit, String meaning, ToDoubleFunction<Simulation> value) {
+        NumberText text = new NumberText();
         return new TraceColumn(name, unit, meaning, (s, row) -> {
             double number = value.applyAsDouble(s);
             if (Double.isFinite(number)) {
-                row.append(number);
+                row.append(text.of(number));
             }
         });
     }

@@ -16,6 +16,7 @@ public final class TraceWriter implements TickObserver {
 
     private final Writer out;
     private final TraceFormat format;
+    private final StringBuilder row = new StringBuilder(512);
     private List<TraceColumn> columns = List.of();
 
     /**
@@ -36,7 +37,7 @@ public final class TraceWriter implements TickObserver {
      */
     @Override
     public void observe(Simulation simulation) {
-        StringBuilder row = new StringBuilder(256);
+        row.setLength(0);
         if (columns.isEmpty()) {
             columns = format.columns(simulation.robot());
             row.append(columns.stream().map(TraceColumn::name).collect(Collectors.joining(",", "", "\n")));
