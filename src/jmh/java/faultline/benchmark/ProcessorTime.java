@@ -1,0 +1,67 @@
+package faultline.benchmark;
+
+import com.sun.management.ThreadMXBean;
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.world.World;
+import java.lang.management.ManagementFactory;
+import java.util.Locale;
+
+/**
+ * Prints the processor time and the allocation of a tick, the least of some passes, all in one process. Unlike elapsed
+ * time, it says something on a machine that other work shares.
+ */
+public final class ProcessorTime {
+
+    private static final int PASSES = 4;
+    private static final int[] SEGMENTS = {4, 40, 400, 4000, 40_000};
+    private static final int INDEXED_SEGMENTS = 100_000;
+    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    private ProcessorTime() {}
+
+    /** Prints the table; the first pass only warms up. */
+    public static void main(String[] args) {
+        for (int segments : SEGMENTS) {
+            SimulationSetup setup = BenchmarkRooms.of(segments);
+            print(segments + " segments", new Simulation(setup, ControllerMode.DIRECT)::tick, 200_000);
+            print(segments + " segments, the world alone", worldAlone(setup), 200_000);
+        }
+        for (RoomVariant room : RoomVariant.values()) {
+            int ticks = room == RoomVariant.MOVERS_1000 ? 5000 : 50_000;
+            print(room.toString(), new Simulation(room.setup(), ControllerMode.DIRECT)::tick, ticks);
+        }
+        SimulationSetup large = BenchmarkRooms.of(INDEXED_SEGMENTS);
+        print(INDEXED_SEGMENTS + " segments, made", () -> makeWorld(large), 3);
+    }
+
+    private static World makeWorld(SimulationSetup setup) {
+        return new World(setup.world(), setup.robot(), setup.start(), setup.dt(), setup.seed());
+    }
+
+    private static Runnable worldAlone(SimulationSetup setup) {
+        World world = makeWorld(setup);
+        ControllerSpec.Drive circle = (ControllerSpec.Drive) setup.controller();
+        return () -> {
+            world.move(circle.leftVolts(), circle.rightVolts());
+            world.sense();
+        };
+    }
+
+    private static void print(String name, Runnable action, int count) {
+        double leastTime = Double.POSITIVE_INFINITY;
+        double leastBytes = Double.POSITIVE_INFINITY;
+        for (int pass = 0; pass < PASSES; pass++) {
+            long time = THREADS.getCurrentThreadCpuTime();
+            long bytes = THREADS.getCurrentThreadAllocatedBytes();
+            for (int i = 0; i < count; i++) {
+                action.run();
+            }
+            leastTime = Math.min(leastTime, (THREADS.getCurrentThreadCpuTime() - time) / 1e3 / count);
+            leastBytes = Math.min(leastBytes, (double) (THREADS.getCurrentThreadAllocatedBytes() - bytes) / count);
+        }
+        System.out.println(String.format(Locale.ROOT, "%-40s %10.3f us %8.1f B", name, leastTime, leastBytes));
+    }
+}
