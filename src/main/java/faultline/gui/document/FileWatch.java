@@ -32,7 +32,7 @@ public final class FileWatch implements AutoCloseable {
 
     private boolean polling;
 
-    /** A version of a file, as far as it can be told without reading the file. */
+    /** A version of a file, as far as it is known without reading the file. */
     private record FileVersion(Path file, FileTime modified, long size) {}
 
     /** The result of a poll: the scenario or the failure is null, or both are if the file was not read. */

@@ -5,7 +5,7 @@ import faultline.control.SensorHealth;
 import faultline.control.SensorTrust;
 import java.util.Locale;
 
-/** What a diagnosis thinks of sensors, and the rungs of the ladder, in the user's language. */
+/** The diagnosed health of sensors, and the rungs of the ladder, in the user's language. */
 public final class HealthText {
 
     private HealthText() {}

@@ -18,7 +18,7 @@ import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
- * Writes an animated GIF that repeats for ever. After the first picture only the area that has changed is written.
+ * Writes an animated GIF that repeats forever. After the first picture only the area that has changed is written.
  * Instances are confined to one thread.
  */
 public final class AnimatedGifWriter implements AutoCloseable {

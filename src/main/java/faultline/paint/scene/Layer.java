@@ -10,7 +10,7 @@ import java.util.Set;
 public enum Layer {
     /** The grid. */
     GRID,
-    /** The way-points of moving obstacles. */
+    /** The waypoints of moving obstacles. */
     ROUTES,
     /** The robot's path. */
     PATH,

@@ -16,8 +16,8 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 
 /**
- * Paints the route of a moving obstacle: a dashed line through dots at its way-points with an arrow on each leg, and
- * the speed beside the longest leg.
+ * Paints the route of a moving obstacle: a dashed line through dots at its waypoints with an arrow on each leg, and the
+ * speed beside the longest leg.
  */
 final class RoutePainter {
 
@@ -37,8 +37,7 @@ final class RoutePainter {
     static void paint(DrawContext context, WaypointPath motion) {
         Color colour = context.palette().movingOutline();
         List<Vector2> points = toScreen(context.camera(), motion);
-        // Back from the second point to the first the line is there already, and dashes laid over dashes would close
-        // it.
+        // Between two points the way back would fill the gaps between the dashes.
         context.draw(
                 Shapes.polyline(motion.waypoints().size() == 2 ? points.subList(0, 2) : points), colour, LINE_STROKE);
         for (Vector2 point : points) {
@@ -63,14 +62,14 @@ final class RoutePainter {
         if (leg.length() < 2 * box.getWidth()) {
             return;
         }
-        // On the left of the leg, off it by as much as keeps the text clear in any direction.
+        // To the left of the leg, at a distance at which the text does not touch it in any direction.
         Vector2 aside = new Vector2(leg.y(), -leg.x()).times(1 / leg.length());
         double clear = (Math.abs(aside.x()) * box.getWidth() + Math.abs(aside.y()) * box.getHeight()) / 2 + LABEL_GAP;
         Vector2 place = points.get(longest - 1).plus(leg.times(SPEED_POSITION)).plus(aside.times(clear));
         context.drawLabel(text, place.x(), place.y(), context.palette().text());
     }
 
-    /** Returns the way-points in the picture; those of a loop end at the first. */
+    /** Returns the waypoints in the picture; those of a loop end at the first. */
     private static List<Vector2> toScreen(Camera camera, WaypointPath motion) {
         List<Vector2> points = new ArrayList<>(
                 motion.waypoints().stream().map(camera::toScreen).toList());
@@ -86,7 +85,7 @@ final class RoutePainter {
             return;
         }
         Vector2 ahead = leg.times(ARROW_SIZE / leg.length());
-        // Beyond the middle, so that the arrows of a leg that is walked both ways do not cover each other.
+        // Beyond the middle, so that the arrows of a leg that is driven in both directions do not cover each other.
         Vector2 tip = from.plus(leg.times(0.6));
         Path2D arrow = Shapes.polyline(List.of(
                 tip.minus(ahead).plus(ahead.perpendicular().times(0.7)),

@@ -19,7 +19,7 @@ import java.util.stream.Stream;
  * @param obstacle fill of static obstacles
  * @param obstacleOutline outline of static obstacles, and walls
  * @param moving fill of moving obstacles
- * @param movingOutline outline and way-points of moving obstacles
+ * @param movingOutline outline and waypoints of moving obstacles
  * @param robot the robot's body
  * @param robotOutline the robot's outline, wheels and arrow
  * @param path the robot's path

@@ -202,7 +202,7 @@ class ComparisonControllerTest {
         assertFalse(callOnEdt(controller::isLoading));
         Await.until("the end of the reference run", () -> !isReferenceRunning());
         assertTrue(callOnEdt(() -> update().isEmpty()));
-        assertEquals(List.of(), failures, "to be given up is no failure");
+        assertEquals(List.of(), failures, "a cancellation is not a failure");
     }
 
     private static boolean isReferenceRunning() {

@@ -248,7 +248,7 @@ class CrashRecoveryTest {
         assertEquals(1, broken.size());
         assertEquals(1, broken.get(0).problems().get(0).location().line());
         assertEquals(List.of(), changedFiles);
-        assertTrue(callOnEdt(() -> workspace.scenario().isPresent()), "what is open stays");
+        assertTrue(callOnEdt(() -> workspace.scenario().isPresent()), "the scenario remains open");
         assertTrue(callOnEdt(workspace::isChanged), "no file holds it now");
         rewrite(whole);
         poll(watch, 4);

@@ -127,7 +127,7 @@ class RunNavigatorTest {
         edit(new Command.SetPlatform(0.2, 0.2, 0.4));
         assertEquals(List.of(2), forks);
         stepTo(30);
-        assertEquals(original, pole(), "it does not happen by itself any more");
+        assertEquals(original, pole(), "the edit is no longer executed");
         runOnEdt(edits::redo);
         waitForPole(FIRST);
         runOnEdt(edits::redo);

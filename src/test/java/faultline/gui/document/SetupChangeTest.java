@@ -28,7 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Changes of the setup while a run stands at tick 60: the run is simulated again. */
+/** Tests changes of the setup at tick 60 of a run, which is simulated again. */
 @ExtendWith(EdtChecker.class)
 class SetupChangeTest {
 

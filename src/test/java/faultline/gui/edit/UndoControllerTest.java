@@ -21,7 +21,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
-/** The undo controller with a world that executes commands at once. */
+/** Tests the undo controller with a world that executes commands immediately. */
 class UndoControllerTest {
 
     private static final Obstacle DESK = new Obstacle("desk", new ObstacleShape.Rectangle(0.5, 0.5), new Pose(4, 2, 0));

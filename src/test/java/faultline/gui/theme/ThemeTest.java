@@ -45,7 +45,7 @@ class ThemeTest {
         });
         BufferedImage switched = callOnEdt(() -> picture(panel));
         BufferedImage fresh = callOnEdt(() -> picture(everyControl()));
-        assertEquals(0, differing(switched, fresh), "a switched panel and a fresh one look alike");
+        assertEquals(0, differing(switched, fresh), "a switched panel looks like a new one");
         assertTrue(differing(light, switched) > light.getWidth() * light.getHeight() / 2);
         Color ground = ThemeColours.LIGHT.background();
         assertEquals(0, count(switched, ground.getRGB()), "light ground on dark");

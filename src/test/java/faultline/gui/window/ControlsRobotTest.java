@@ -103,7 +103,7 @@ class ControlsRobotTest {
                 "the cone is 35.5 deg",
                 frame -> frame.snapshot().robot().sensor("left").orElseThrow().cone() == Degrees.toRadians(35.5));
         assertEquals(1.25, robot().sensor("left").orElseThrow().range());
-        assertEquals(0, driver.frame().snapshot().tick(), "the point made no tick");
+        assertEquals(0, driver.frame().snapshot().tick(), "the key did not advance the run");
     }
 
     @Test

@@ -29,8 +29,8 @@ import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
 
 /**
- * Uses the window at random by mouse and keys; the same seed gives the same gestures. Closes what opens, and never
- * quits.
+ * Sends random mouse and key input to the window; the same seed gives the same input. It closes dialogs and menus that
+ * open, and never quits.
  */
 final class MonkeyTester {
 

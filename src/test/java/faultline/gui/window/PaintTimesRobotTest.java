@@ -24,9 +24,9 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * How long it takes to paint 500 shapes, eight cones and a path of 100 000 points on a canvas of 1200 x 800 pixels
- * while the run goes on, whatever the user does to them. What is held to the bounds is the event dispatch thread's own
- * processor time, because other programs on the machine do not lengthen it; the time by the clock is printed beside it.
+ * Measures how long it takes to paint 500 shapes, eight cones and a path of 100 000 points on a canvas of 1200 x 800
+ * pixels during a run and during drags. The limits apply to the processor time of the event dispatch thread, because
+ * other programs on the machine do not increase it; the elapsed time is printed as well.
  */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(

@@ -35,7 +35,7 @@ import javax.swing.MenuSelectionManager;
 /**
  * Writes pictures of the window, its instruments, menus and dialogs, light and dark, for the documentation;
  * {@code src/conf/screenshots} runs it for screens of one and of two pixels to a unit. Arguments: a scenario, a folder,
- * and how far the run is to have come in seconds. Needs a display.
+ * and the time at which the run is shown, seconds. Needs a display.
  */
 public final class Screenshots {
 

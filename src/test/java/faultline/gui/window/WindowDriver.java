@@ -48,7 +48,7 @@ final class WindowDriver implements AutoCloseable {
         window = callOnEdt(() -> {
             theme.install();
             MainWindow made = new MainWindow(memory);
-            // Where the window manager chooses the place, Java now and then never learns of it, and the mouse misses.
+            // If the window manager chose the location, Java might not be notified of it, and the mouse would miss.
             made.setLocation(60, 40);
             return made;
         });

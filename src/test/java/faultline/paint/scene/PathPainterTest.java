@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Test;
 class PathPainterTest {
 
     /**
-     * From above the middle of the world far away to the right, and back to below the middle; all stretches of points
-     * out there are left out at once.
+     * The path leads from above the centre of the world far to the right and back to below the centre. The points
+     * outside are skipped in blocks.
      */
     @Test
     void linesThatLeaveTheViewAreDrawnToItsEdge() {

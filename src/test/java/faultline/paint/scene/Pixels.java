@@ -41,7 +41,7 @@ public final class Pixels {
     }
 
     /**
-     * Whether a colour, or nearly that because fine lines blend with what is beneath, occurs within so many pixels of a
+     * Returns whether a colour, or a similar one because fine lines are blended, occurs within a number of pixels of a
      * point of the world.
      */
     boolean hasNear(Color colour, Vector2 world, int pixels) {
