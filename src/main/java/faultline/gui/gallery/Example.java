@@ -30,8 +30,8 @@ import java.util.Set;
  */
 record Example(String file, String title, String description, BufferedImage thumbnail) {
 
-    static final int WIDTH = 208;
-    static final int HEIGHT = 136;
+    static final int WIDTH = 264;
+    static final int HEIGHT = 172;
     static final int RESOLUTION_SCALE = 2;
 
     /** The simulated time of the thumbnail, seconds: late enough to show the point of the example. */

@@ -11,12 +11,14 @@ import java.awt.FlowLayout;
 import java.awt.Window;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
-import javax.swing.DefaultListModel;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
@@ -24,18 +26,22 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
+import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
 
 /** A non-modal dialog that shows the examples and opens the selected one. */
 public final class Gallery extends JDialog {
 
     private static final int COLUMNS = 3;
+    private static final int SEARCH_COLUMNS = 14;
     private static final int HEIGHT = 470;
 
-    private final DefaultListModel<Example> examples = new DefaultListModel<>();
-    private final JList<Example> list = new JList<>(examples);
+    private final transient ExampleFilter filter = new ExampleFilter();
+    private final JList<Example> list = new JList<>(filter.shown());
     private final JTextArea description = new JTextArea(2, 20);
     private final transient Consumer<String> onOpen;
     private final transient ExampleLoader loader;
@@ -63,11 +69,69 @@ public final class Gallery extends JDialog {
                         event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
         ScreenFit.pack(this);
         setLocationRelativeTo(owner);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent event) {
+                list.requestFocusInWindow();
+            }
+        });
         loader = new ExampleLoader(Theme.current().palette(), this::add, this::failed);
     }
 
-    private static JLabel heading() {
-        return new JLabel(Messages.get("gallery.heading"));
+    private JPanel heading() {
+        JComboBox<ExampleGroup> group = new JComboBox<>(ExampleGroup.values());
+        group.getAccessibleContext().setAccessibleName(Messages.get("gallery.group"));
+        group.addActionListener(event -> {
+            filter.setGroup((ExampleGroup) group.getSelectedItem());
+            selectFirst();
+        });
+        JTextField search = new JTextField(SEARCH_COLUMNS);
+        search.getAccessibleContext().setAccessibleName(Messages.get("gallery.search"));
+        search.getDocument().addDocumentListener(new SearchListener(search));
+        JLabel searchLabel = new JLabel(Messages.get("gallery.search"));
+        searchLabel.setLabelFor(search);
+        JPanel controls = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));
+        controls.add(searchLabel);
+        controls.add(search);
+        controls.add(group);
+        JPanel heading = new JPanel(new BorderLayout());
+        heading.add(new JLabel(Messages.get("gallery.heading")), BorderLayout.LINE_START);
+        heading.add(controls, BorderLayout.LINE_END);
+        return heading;
+    }
+
+    private void selectFirst() {
+        list.setSelectedIndex(filter.shown().isEmpty() ? -1 : 0);
+        list.ensureIndexIsVisible(0);
+    }
+
+    /** Filters the examples by a text while it is typed. */
+    private final class SearchListener implements DocumentListener {
+        private final JTextField field;
+
+        SearchListener(JTextField field) {
+            this.field = field;
+        }
+
+        private void update() {
+            filter.setText(field.getText());
+            selectFirst();
+        }
+
+        @Override
+        public void insertUpdate(DocumentEvent event) {
+            update();
+        }
+
+        @Override
+        public void removeUpdate(DocumentEvent event) {
+            update();
+        }
+
+        @Override
+        public void changedUpdate(DocumentEvent event) {
+            update();
+        }
     }
 
     private JScrollPane scroll() {
@@ -140,9 +204,9 @@ public final class Gallery extends JDialog {
     }
 
     private void add(Example example) {
-        examples.addElement(example);
-        if (examples.size() == 1) {
-            list.setSelectedIndex(0);
+        filter.add(example);
+        if (list.isSelectionEmpty()) {
+            selectFirst();
         }
     }
 

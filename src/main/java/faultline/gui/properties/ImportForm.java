@@ -51,7 +51,8 @@ final class ImportForm extends JPanel {
     private final NumberSpinner smoothing = new NumberSpinner("0.0#", 0, MAX_SMOOTHING, 0.5, value -> startReading());
     private final JLabel picture = new JLabel("", SwingConstants.CENTER);
     private final JLabel status = new JLabel(" ");
-    private transient Optional<Scenario> scenario = Optional.empty();
+    /** Null while the plan is read, or if it cannot be read. */
+    private transient Scenario scenario;
     /** Of readings; only the newest counts. */
     private int reading;
 
@@ -90,7 +91,7 @@ final class ImportForm extends JPanel {
         FloorPlan.Options options = new FloorPlan.Options(
                 unknownIsWall.isSelected(), (int) minCells.doubleValue(), smoothing.doubleValue());
         Palette palette = Theme.current().palette();
-        scenario = Optional.empty();
+        scenario = null;
         status.setText(Messages.get("import.reading"));
         BackgroundTasks.run(
                 () -> read(file, side, options, palette),
@@ -119,7 +120,7 @@ final class ImportForm extends JPanel {
 
     private void show(Preview preview) {
         FloorPlan plan = preview.read().plan();
-        scenario = Optional.of(preview.read().scenario());
+        scenario = preview.read().scenario();
         picture.setIcon(new ImageIcon(preview.picture()));
         status.setText(Messages.get(
                 "import.result",
@@ -136,7 +137,7 @@ final class ImportForm extends JPanel {
 
     /** Returns the scenario of the plan; empty while it is read, or if it cannot be read. */
     Optional<Scenario> scenario() {
-        return scenario;
+        return Optional.ofNullable(scenario);
     }
 
     /** Returns the line below the preview. */
