@@ -53,7 +53,7 @@ class SurvivalTest {
     @CsvSource({"11111111", "10111111", "11110001"})
     void withoutASensorOnTheWallsSideTheRobotStops(String off) {
         int mask = Integer.parseInt(off, 2) | 0b1110;
-        Outcome outcome = new SurvivalTrial(92_001, List.of(), List.of(), mask, Conditions.USUAL).run();
+        Outcome outcome = new SurvivalTrial(92_001, List.of(), List.of(), mask, Conditions.STANDARD).run();
         assertTrue(outcome.stopped(), outcome::note);
         assertFalse(outcome.contact(), outcome::note);
     }

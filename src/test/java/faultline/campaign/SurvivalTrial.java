@@ -47,7 +47,7 @@ record SurvivalTrial(long room, List<DrawnFault> faults, List<Integer> sensors, 
      * @param mismatch the most that wheels and track differ from what the controller believes, as a share
      */
     record Conditions(boolean diagnosis, WallSide side, double noise, double mismatch) {
-        static final Conditions USUAL = new Conditions(true, WallSide.LEFT, 0, 0);
+        static final Conditions STANDARD = new Conditions(true, WallSide.LEFT, 0, 0);
     }
 
     /** The result of a run. */

@@ -59,8 +59,8 @@ record AlignmentModel(
         return new AlignmentModel(rate, period, phase, newTau, mountPosition, range, cone, level, walls);
     }
 
-    AlignmentModel withMountPosition(Vector2 newSeat) {
-        return new AlignmentModel(rate, period, phase, tau, newSeat, range, cone, level, walls);
+    AlignmentModel withMountPosition(Vector2 newMountPosition) {
+        return new AlignmentModel(rate, period, phase, tau, newMountPosition, range, cone, level, walls);
     }
 
     AlignmentModel withWalls(List<ConvexShape> newWalls) {

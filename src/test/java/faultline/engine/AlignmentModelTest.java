@@ -26,7 +26,7 @@ class AlignmentModelTest {
     private static final AlignmentModel IDEAL = AlignmentModel.ideal(DISTANCE, RATE, RANGE, CONE);
 
     @Test
-    void theRuleIsExactWhateverTheDistanceRangeConeAndRate() {
+    void theRuleIsExactForAnyDistanceRangeConeAndRate() {
         SplittableRandom random = new SplittableRandom(71);
         for (int i = 0; i < 1000; i++) {
             double range = random.nextDouble(0.3, 2);
@@ -84,7 +84,8 @@ class AlignmentModelTest {
         double b = CONE / 2;
         double ahead = 0.02;
         double phi0 = edge(a, b);
-        // Seated s ahead, the apex rises by s sin(theta): to first order each edge moves by s sin(phi0) / (R sin(phi0 -
+        // Mounted s ahead, the apex rises by s sin(theta): to first order each edge moves by s sin(phi0) / (R sin(phi0
+        // -
         // b) + a sin(phi0)).
         double shift = ahead * Math.sin(phi0) / (RANGE * Math.sin(phi0 - b) + a * Math.sin(phi0));
         assertEquals(shift, IDEAL.withMountPosition(new Vector2(ahead, a)).headingError(), 0.02 * shift);
@@ -111,7 +112,7 @@ class AlignmentModelTest {
         double error = IDEAL.withWalls(endsAhead).headingError();
         assertTrue(error > Math.toRadians(5), "turned towards the longer end behind, to the left: " + error);
         assertEquals(-error, IDEAL.withWalls(endsBehind).headingError(), 2 * EXACT);
-        // Once both ends lie beyond range and seat, the wall is as good as endless.
+        // Once both ends lie beyond range and mounting position, the wall is effectively endless.
         assertEquals(
                 0,
                 IDEAL.withWalls(List.of(new Segment(-0.9, DISTANCE, 0.9, DISTANCE)))

@@ -97,16 +97,16 @@ class AlignmentTest {
         }
 
         private SimulationSetup setup() {
-            RobotSpec usual = RobotSpec.DEFAULT;
+            RobotSpec standard = RobotSpec.DEFAULT;
             RobotSpec robot = new RobotSpec(
-                    usual.length(),
-                    usual.width(),
-                    usual.track(),
-                    usual.speed(),
+                    standard.length(),
+                    standard.width(),
+                    standard.track(),
+                    standard.speed(),
                     rate,
                     new MotorSpec(tau, 0.1, 6),
-                    usual.sensors());
-            for (SensorSpec sensor : usual.sensors()) {
+                    standard.sensors());
+            for (SensorSpec sensor : standard.sensors()) {
                 robot = robot.withSensor(sensor.withRange(range).withCone(cone));
             }
             // The six states alone: cones of up to 60 degrees are beyond what the diagnosis was made for.
@@ -155,7 +155,7 @@ class AlignmentTest {
     }
 
     private static Approach straightApproach(double tau, TimingRule timing) {
-        Approach usual = Approach.ofDefaultRobot(0);
-        return new Approach(0, usual.distance, usual.range, usual.cone, usual.rate, 0, tau, WallSide.LEFT, timing);
+        Approach base = Approach.ofDefaultRobot(0);
+        return new Approach(0, base.distance, base.range, base.cone, base.rate, 0, tau, WallSide.LEFT, timing);
     }
 }

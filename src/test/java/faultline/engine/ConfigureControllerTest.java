@@ -20,10 +20,10 @@ import org.junit.jupiter.api.Test;
 /** Changes of the controller's settings during a run, in an empty room of 4.4 m by 3.1 m. */
 class ConfigureControllerTest {
 
-    private static final WallFollowing USUAL = WallFollowing.DEFAULT;
+    private static final WallFollowing INITIAL = WallFollowing.DEFAULT;
     private static final SimulationSetup SETUP = SimulationSetup.of(
                     new WorldSpec(4.4, 3.1, true, 3, List.of()), new Pose(2.1, 1.4, 0.3))
-            .withController(USUAL)
+            .withController(INITIAL)
             .withSeed(77)
             .withDuration(60);
     private static final long CHANGE = 2500;
@@ -58,17 +58,17 @@ class ConfigureControllerTest {
 
     @Test
     void theSameSettingsChangeNothing() {
-        assertEquals(unchangedHash(), hashWith(USUAL, ControllerMode.DIRECT));
+        assertEquals(unchangedHash(), hashWith(INITIAL, ControllerMode.DIRECT));
     }
 
     @Test
     void everyChangeGivesTheSameRunOnBothThreads() {
         for (ControllerSpec.BuiltIn change : List.of(
-                USUAL.withDistance(0.4),
-                USUAL.withSide(WallSide.RIGHT),
-                USUAL.withGainRule(new GainRule.Length(0.3)),
-                USUAL.withGainRule(new GainRule.Fixed(9, 5)),
-                USUAL.withDiagnosis(false),
+                INITIAL.withDistance(0.4),
+                INITIAL.withSide(WallSide.RIGHT),
+                INITIAL.withGainRule(new GainRule.Length(0.3)),
+                INITIAL.withGainRule(new GainRule.Fixed(9, 5)),
+                INITIAL.withDiagnosis(false),
                 new ControllerSpec.Drive(1, 1.2),
                 new ControllerSpec.None())) {
             assertEquals(
@@ -76,8 +76,9 @@ class ConfigureControllerTest {
                     hashWith(change, ControllerMode.OWN_THREAD),
                     change.toString());
         }
-        assertNotEquals(unchangedHash(), hashWith(USUAL.withDistance(0.4), ControllerMode.DIRECT));
-        assertNotEquals(unchangedHash(), hashWith(USUAL.withGainRule(new GainRule.Length(0.3)), ControllerMode.DIRECT));
+        assertNotEquals(unchangedHash(), hashWith(INITIAL.withDistance(0.4), ControllerMode.DIRECT));
+        assertNotEquals(
+                unchangedHash(), hashWith(INITIAL.withGainRule(new GainRule.Length(0.3)), ControllerMode.DIRECT));
     }
 
     @Test
@@ -87,7 +88,7 @@ class ConfigureControllerTest {
                 simulation.tick();
             }
             int transitions = simulation.telemetry().transitions();
-            simulation.execute(new Command.ConfigureController(USUAL.withDistance(0.28)));
+            simulation.execute(new Command.ConfigureController(INITIAL.withDistance(0.28)));
             advanceTo(simulation, simulation.ticks() + 120);
             assertEquals(transitions, simulation.telemetry().transitions(), "along the same wall");
             assertEquals(0.28, simulation.telemetry().wall().measuredDistance(), 0.005);
@@ -97,8 +98,8 @@ class ConfigureControllerTest {
 
     @Test
     void anotherHandStartsANewSearch() {
-        try (Simulation simulation = runWith(USUAL.withSide(WallSide.RIGHT), ControllerMode.DIRECT)) {
-            assertEquals(USUAL.withSide(WallSide.RIGHT), simulation.controllerSpec());
+        try (Simulation simulation = runWith(INITIAL.withSide(WallSide.RIGHT), ControllerMode.DIRECT)) {
+            assertEquals(INITIAL.withSide(WallSide.RIGHT), simulation.controllerSpec());
             assertTrue(simulation.collision().isEmpty());
         }
     }
@@ -115,8 +116,8 @@ class ConfigureControllerTest {
     void theInverseRestoresTheSettings() {
         try (Simulation simulation = new Simulation(SETUP, ControllerMode.DIRECT)) {
             CommandResult result =
-                    simulation.execute(new Command.ConfigureController(USUAL.withTimingRule(TimingRule.RANGE)));
-            assertEquals(List.of(new Command.ConfigureController(USUAL)), result.inverse());
+                    simulation.execute(new Command.ConfigureController(INITIAL.withTimingRule(TimingRule.RANGE)));
+            assertEquals(List.of(new Command.ConfigureController(INITIAL)), result.inverse());
             assertEquals(1, simulation.journal().entries().size());
         }
     }
@@ -124,7 +125,7 @@ class ConfigureControllerTest {
     /** A command of the timeline and one from outside at the same tick have the same effect. */
     @Test
     void theTimelineDoesTheSameAsACommandFromOutside() {
-        ControllerSpec.BuiltIn change = USUAL.withDistance(0.4);
+        ControllerSpec.BuiltIn change = INITIAL.withDistance(0.4);
         SimulationSetup timed = SETUP.withTimeline(List.of(
                 new SimulationSetup.TimedCommand(SETUP.timeOf(CHANGE + 1), new Command.ConfigureController(change))));
         try (Simulation simulation = new Simulation(timed, ControllerMode.DIRECT)) {

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The hand-over between world and controller: same contract, whatever the thread. */
+/** Both hosts exchange observations and decisions by the same contract. */
 @Timeout(value = 1, unit = TimeUnit.MINUTES)
 class ControllerHostTest {
 

@@ -87,7 +87,7 @@ class FaultyDriveTest {
     }
 
     @Test
-    void aDeadSideComesToRestWithTheMotorsTimeConstant() {
+    void aDeadSideStopsWithTheMotorsTimeConstant() {
         Simulation simulation = run(
                 RobotSpec.DEFAULT.withMotor(new MotorSpec(0.1, 0.1, 6)),
                 3,

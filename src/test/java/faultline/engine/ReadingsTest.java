@@ -85,17 +85,17 @@ class ReadingsTest {
     }
 
     /**
-     * The usual robot with sensors of any cone and range, some seated well outside its body, where an obstacle may
+     * The default robot with sensors of any cone and range, some mounted well outside its body, where an obstacle may
      * contain them.
      */
     private static RobotSpec randomRobot(SplittableRandom random) {
-        RobotSpec usual = RobotSpec.DEFAULT;
+        RobotSpec standard = RobotSpec.DEFAULT;
         List<SensorSpec> sensors = new ArrayList<>();
-        for (SensorSpec sensor : usual.sensors()) {
-            Vector2 seat = sensor.mountPosition().times(random.nextInt(4) == 0 ? 3 : 1);
+        for (SensorSpec sensor : standard.sensors()) {
+            Vector2 mountPosition = sensor.mountPosition().times(random.nextInt(4) == 0 ? 3 : 1);
             sensors.add(new SensorSpec(
                     sensor.id(),
-                    seat,
+                    mountPosition,
                     random.nextDouble(-7, 7),
                     random.nextDouble(0.1, 2),
                     Math.toRadians(random.nextDouble(1, 150)),
@@ -103,6 +103,12 @@ class ReadingsTest {
                     0));
         }
         return new RobotSpec(
-                usual.length(), usual.width(), usual.track(), usual.speed(), usual.turnRate(), usual.motor(), sensors);
+                standard.length(),
+                standard.width(),
+                standard.track(),
+                standard.speed(),
+                standard.turnRate(),
+                standard.motor(),
+                sensors);
     }
 }

@@ -72,7 +72,7 @@ class ExternalControllerTest {
     }
 
     @Test
-    void theChildIsAskedOnceATickAndIsToldTheEnd() throws Exception {
+    void theChildIsAskedOnceATickAndInformedOfTheEnd() throws Exception {
         String child = "read hello; echo '" + READY + "'; i=0; while [ $i -lt 50 ]; do read line; "
                 + "echo \"{\\\"type\\\":\\\"drive\\\",\\\"tick\\\":$i,\\\"v_m_s\\\":0.1,"
                 + "\\\"omega_rad_s\\\":0}\"; i=$((i+1)); done; "

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** Outlines give the cells back, whatever the bitmap. */
+/** Outlines give the cells back for any bitmap. */
 class OutlineTracerTest {
 
     @Test

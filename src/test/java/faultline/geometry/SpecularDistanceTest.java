@@ -85,7 +85,7 @@ class SpecularDistanceTest {
         assertAcross(5, intersections(90, 5));
     }
 
-    /** Two circles, so many degrees to the left and to the right. */
+    /** Two circles, at an angle to the left and to the right, degrees. */
     private static void assertAcross(double degrees, List<Vector2> hits) {
         assertEquals(2, hits.size());
         assertEquals(

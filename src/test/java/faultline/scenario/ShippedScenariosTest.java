@@ -40,7 +40,7 @@ class ShippedScenariosTest {
     void everyShippedScenarioHasAnExpectationAndADescription(Path file) throws ScenarioException {
         Scenario scenario = Scenario.load(file);
         assertTrue(!scenario.expectation().equals(Expectation.NONE), "expects nothing");
-        assertTrue(!scenario.name().isEmpty() && !scenario.description().isEmpty(), "tells nothing");
+        assertTrue(!scenario.name().isEmpty() && !scenario.description().isEmpty(), "has no description");
     }
 
     @ParameterizedTest

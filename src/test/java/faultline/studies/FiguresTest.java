@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The checked-in results are what the program makes today. Where they are not, make them anew: {@code java -jar
+ * The checked-in results are what the program makes today. If they are not, make them again: {@code java -jar
  * target/faultline.jar figures --out docs/results}.
  */
 class FiguresTest {
@@ -50,7 +50,7 @@ class FiguresTest {
     @Test
     void everyPictureAndTableIsTheCheckedInOneByteForByte() throws IOException {
         for (String name : names(fresh)) {
-            // Pixels of letters hang on the machine's fonts; all that is drawn as lines does not. The picture of pixels
+            // Letters as pixels depend on the machine's fonts; lines do not. The picture of pixels
             // has a test of its
             // own.
             if (!name.endsWith(".png")) {

@@ -36,28 +36,28 @@ class ResultsClaimsTest {
 
     /**
      * Another size, track, speed, spin rate, motor, range and cone; all sensors look away from the centre, as they do
-     * on the usual robot.
+     * on the default robot.
      */
     private RobotSpec robot() {
         double scale = between(0.6, 1.6);
         double range = between(0.5, 1.4);
         double cone = Degrees.toRadians(between(4, 40));
-        RobotSpec usual = AlignmentTrial.BASE.robot();
-        List<SensorSpec> sensors = usual.sensors().stream()
+        RobotSpec standard = AlignmentTrial.BASE.robot();
+        List<SensorSpec> sensors = standard.sensors().stream()
                 .map(sensor -> sensor.withMountPosition(sensor.mountPosition().times(scale))
                         .withRange(range)
                         .withCone(cone))
                 .toList();
         return new RobotSpec(
-                usual.length() * scale,
-                usual.width() * scale,
-                usual.track() * scale,
+                standard.length() * scale,
+                standard.width() * scale,
+                standard.track() * scale,
                 between(0.1, 0.4),
                 Degrees.toRadians(between(20, 90)),
                 new MotorSpec(
                         between(0, 0.12),
-                        usual.motor().speedConstant(),
-                        usual.motor().maxVoltage()),
+                        standard.motor().speedConstant(),
+                        standard.motor().maxVoltage()),
                 sensors);
     }
 
@@ -102,9 +102,9 @@ class ResultsClaimsTest {
     void noiseTurnsTheRobotByAFewTenthsOfADegreeAMillimetre() {
         for (int i = 0; i < TRIALS; i++) {
             double noise = between(0.001, 0.012);
-            AlignmentTrial usual = AlignmentTrial.standard(TimingRule.EQUAL_READINGS, i % 6);
+            AlignmentTrial base = AlignmentTrial.standard(TimingRule.EQUAL_READINGS, i % 6);
             AlignmentTrial trial =
-                    new AlignmentTrial(noisy(usual.setup(), noise).withSeed(random.nextInt(1_000_000)), 1);
+                    new AlignmentTrial(noisy(base.setup(), noise).withSeed(random.nextInt(1_000_000)), 1);
             double error = StrictMath.toDegrees(trial.run().orElseThrow().headingError());
             assertTrue(Math.abs(error) <= 0.1 + 300 * noise, () -> error + " degrees with noise of " + noise);
         }

@@ -16,7 +16,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** The grid finds whatever is within the distance, each figure once; brute force is the judge. */
+/** The grid finds every shape within the distance once; brute force is the reference. */
 class GridIndexTest {
 
     private static CandidateBuffer randomScene(SplittableRandom random, int size, double spread) {

@@ -39,7 +39,7 @@ class WorldCommandsTest {
     void aMovedObstacleIsSeenWhereItIs() {
         assertEquals(SUCCESS, refusal(new Command.MoveObstacle("desk", new Pose(2.875, 2, 0))));
         world.sense();
-        // The desk's near side is at 2.625, the front sensor's seat at 2.125.
+        // The desk's near side is at 2.625, the front sensor's mounting position at 2.125.
         assertEquals(0.5, world.trueReading(FRONT), 1e-12);
     }
 

@@ -45,18 +45,18 @@ class CampaignPlanTest {
         CampaignPlan plan = plan(
                 """
                 <set attribute="robot/@speed" value="0.1..0.3"/>
-                <variants><variant name="usual"/><variant name="far">
+                <variants><variant name="default"/><variant name="far">
                   <set attribute="controller/@distance" value="0.3"/></variant></variants>
                 """);
         assertEquals(6 * 2, plan.runCount());
         Set<Double> speeds = new HashSet<>();
         for (long run = 0; run < plan.runCount(); run += 2) {
-            SimulationSetup usual = plan.scenario(plan.run(run)).setup();
+            SimulationSetup original = plan.scenario(plan.run(run)).setup();
             SimulationSetup far = plan.scenario(plan.run(run + 1)).setup();
-            assertEquals(usual.robot(), far.robot());
-            assertEquals(usual.seed(), far.seed());
-            assertTrue(!usual.controller().equals(far.controller()));
-            speeds.add(usual.robot().speed());
+            assertEquals(original.robot(), far.robot());
+            assertEquals(original.seed(), far.seed());
+            assertTrue(!original.controller().equals(far.controller()));
+            speeds.add(original.robot().speed());
         }
         assertEquals(6, speeds.size());
     }

@@ -38,7 +38,7 @@ class AlignmentManoeuvreTest {
 
     @ParameterizedTest
     @CsvSource({"0, 90", "0.05, 90", "0.2, 90", "0.05, 40", "0.05, 60", "0.05, 120", "0.05, 140"})
-    void equalReadingsEndParallelWhateverTheMotorsAndTheApproach(double timeConstant, double headingDegrees) {
+    void equalReadingsEndParallelForAnyMotorsAndApproach(double timeConstant, double headingDegrees) {
         assertEquals(
                 0,
                 runToFollow(TimingRule.EQUAL_READINGS, timeConstant, headingDegrees)

@@ -68,7 +68,7 @@ class FrontWallEstimatorTest {
     }
 
     @Test
-    void withNothingToTellTheWallIsTakenAsSquare() {
+    void withoutFurtherReadingsTheWallIsTakenAsSquare() {
         SensorViews frontOnly =
                 new SensorViews(SensorView.NONE, view(0, 1.5), SensorView.NONE, SensorView.NONE, SensorView.NONE);
         assertEquals(1.5, distanceAfter(0, frontOnly, MAX_SLANT, MAX_SLANT), 0.002);

@@ -13,8 +13,8 @@ class SensorViewTest {
     private static final double EXACT = 1e-12;
     private static final double QUARTER_TURN = Math.PI / 2;
 
-    private static SensorView view(Vector2 seat, double bearing, double halfConeDegrees, double reading) {
-        return new SensorView(seat, bearing, Math.toRadians(halfConeDegrees), 0.8, reading, true);
+    private static SensorView view(Vector2 mountPosition, double bearing, double halfConeDegrees, double reading) {
+        return new SensorView(mountPosition, bearing, Math.toRadians(halfConeDegrees), 0.8, reading, true);
     }
 
     @Test

@@ -49,7 +49,7 @@ class SensorViewsTest {
     }
 
     @Test
-    void aSensorIsFoundByItsBearingWhateverItsName() {
+    void aSensorIsFoundByItsBearingWithAnyName() {
         RobotSpec robot = robot(sensor("left", 0), sensor("elephant", 90));
         SensorViews sight =
                 SensorViews.of(Observations.observation(0, robot, Map.of("left", 0.1, "elephant", 0.2)), WallSide.LEFT);

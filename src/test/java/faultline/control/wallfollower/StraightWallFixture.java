@@ -34,7 +34,7 @@ public final class StraightWallFixture {
     private long tick;
     private Telemetry telemetry = Telemetry.ofState(ControllerState.of(""));
 
-    /** Starts below the wall at a distance of the centre, heading so many degrees up from along it. */
+    /** Starts below the wall at a distance of the centre, heading towards it at an angle, degrees. */
     public StraightWallFixture(
             RobotSpec robot, ControllerSpec.WallFollowing spec, double distance, double headingDegrees) {
         this.robot = robot;

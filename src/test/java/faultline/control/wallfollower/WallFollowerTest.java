@@ -103,7 +103,7 @@ class WallFollowerTest {
     }
 
     @Test
-    void whereTheLeftSensorNeverComesToTheWallItSearchesOn() {
+    void ifTheLeftSensorNeverMeetsTheWallItSearchesAgain() {
         assertEquals(FollowerState.TURN, decide(WALL_AHEAD).state());
         assertEquals(FollowerState.TURN, decideFor(640, NOTHING), "after 384 degrees");
         assertEquals(FollowerState.SEARCH, decideFor(60, NOTHING), "after 420 degrees");

@@ -14,7 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** A run without a window: what it observes, and what it tells afterwards. */
+/** A run without a window: its observers, and its result. */
 class HeadlessRunTest {
 
     private static SimulationSetup setup(SimulationSetup.TimedCommand... timeline) {

@@ -71,33 +71,32 @@ class RandomRoomsTest {
     }
 
     private static Stream<Variant> variants() {
-        Conditions usual = Conditions.DEFAULT;
+        Conditions base = Conditions.DEFAULT;
         return Stream.of(
                 new Variant(
                         "wall on the right",
-                        usual.with(new WallFollowing(0.25, WallSide.RIGHT, 0, TimingRule.EQUAL_READINGS))),
-                new Variant("control period of 20 ms", usual.with(withPeriod(0.02))),
-                new Variant("control period of 50 ms", usual.with(withPeriod(0.05))),
-                new Variant("ticks of 5 ms", usual.withTick(0.005)),
-                new Variant("ticks of 20 ms", usual.withTick(0.02)),
+                        base.with(new WallFollowing(0.25, WallSide.RIGHT, 0, TimingRule.EQUAL_READINGS))),
+                new Variant("control period of 20 ms", base.with(withPeriod(0.02))),
+                new Variant("control period of 50 ms", base.with(withPeriod(0.05))),
+                new Variant("ticks of 5 ms", base.withTick(0.005)),
+                new Variant("ticks of 20 ms", base.withTick(0.02)),
                 new Variant(
                         "0.15 m/s",
-                        usual.with(robotDriven(0.15, Degrees.toRadians(60), MotorSpec.DEFAULT))
+                        base.with(robotDriven(0.15, Degrees.toRadians(60), MotorSpec.DEFAULT))
                                 .withDuration(480)),
-                new Variant("0.5 m/s", usual.with(robotDriven(0.5, Degrees.toRadians(90), MotorSpec.DEFAULT))),
+                new Variant("0.5 m/s", base.with(robotDriven(0.5, Degrees.toRadians(90), MotorSpec.DEFAULT))),
                 new Variant(
                         "motors without lag",
-                        usual.with(robotDriven(0.3, Degrees.toRadians(60), new MotorSpec(0, 0.1, 6)))),
+                        base.with(robotDriven(0.3, Degrees.toRadians(60), new MotorSpec(0, 0.1, 6)))),
                 new Variant(
                         "motors that lag by 0.15 s",
-                        usual.with(robotDriven(0.3, Degrees.toRadians(60), new MotorSpec(0.15, 0.1, 6)))),
+                        base.with(robotDriven(0.3, Degrees.toRadians(60), new MotorSpec(0.15, 0.1, 6)))),
                 new Variant(
-                        "cones of 8 degrees",
-                        usual.with(robotSensing(sensor -> sensor.withCone(Degrees.toRadians(8))))),
+                        "cones of 8 degrees", base.with(robotSensing(sensor -> sensor.withCone(Degrees.toRadians(8))))),
                 new Variant(
                         "cones of 40 degrees",
-                        usual.with(robotSensing(sensor -> sensor.withCone(Degrees.toRadians(40))))),
-                new Variant("range of 0.5 m", usual.with(robotSensing(sensor -> sensor.withRange(0.5)))));
+                        base.with(robotSensing(sensor -> sensor.withCone(Degrees.toRadians(40))))),
+                new Variant("range of 0.5 m", base.with(robotSensing(sensor -> sensor.withRange(0.5)))));
     }
 
     private static WallFollowing withPeriod(double seconds) {

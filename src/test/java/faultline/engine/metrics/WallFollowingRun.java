@@ -26,7 +26,7 @@ record WallFollowingRun(RunResult result, int searchCount, OptionalDouble lapTim
     private static final double MAX_RMS_ERROR = 0.005;
     private static final double LAP_FACTOR = 1.4;
 
-    /** How a robot walks: the usual way, but for what is changed. */
+    /** The conditions of a run. */
     record Conditions(RobotSpec robot, WallFollowing follower, double dt, double duration) {
 
         static final Conditions DEFAULT = new Conditions(RobotSpec.DEFAULT, WallFollowing.DEFAULT, 0.01, 240);

@@ -72,7 +72,7 @@ class SessionTest {
     void whilePausedACommandShowsAtOnceAndTimeStands() {
         session.send(new Command.MoveObstacle("pole", new Pose(1.525, 1, 0)));
         await(() -> session.frame().snapshot().obstacles().get(0).pose().x() == 1.525);
-        // Seat of the front sensor at 1.125, near side of the pole at 1.425.
+        // Mounting position of the front sensor at 1.125, near side of the pole at 1.425.
         assertEquals(0.3, session.frame().snapshot().sensors().get(0).truth().encoded(), 1e-12);
         assertEquals(0, tick());
     }
@@ -126,11 +126,11 @@ class SessionTest {
     @Test
     void inverseCommandsComeWithTheResultsAndAreJournaledLikeThem() throws Exception {
         Pose elsewhere = new Pose(4, 3, 0);
-        CompletableFuture<List<CommandResult>> told = new CompletableFuture<>();
+        CompletableFuture<List<CommandResult>> answer = new CompletableFuture<>();
         session.send(
                 List.of(new Command.MoveObstacle("pole", elsewhere), new Command.RemoveObstacle("sofa")),
-                told::complete);
-        List<CommandResult> outcomes = told.get();
+                answer::complete);
+        List<CommandResult> outcomes = answer.get();
         assertEquals(
                 List.of(new Command.MoveObstacle("pole", POLE.pose())),
                 outcomes.get(0).inverse());

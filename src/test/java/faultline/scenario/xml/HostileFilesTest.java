@@ -138,7 +138,7 @@ class HostileFilesTest {
     }
 
     @Test
-    void megabytesOfAttributesComeToOneLine() throws IOException {
+    void megabytesOfAttributesAreReportedInOneLine() throws IOException {
         String points = OPEN + "<world width=\"6\" height=\"4\"><wall id=\"w\" x=\"0\" y=\"0\" points=\""
                 + "1,1 ".repeat(3_000_000) + "\"/></world><robot x=\"1\" y=\"1\"/></scenario>";
         assertEquals(
@@ -161,7 +161,7 @@ class HostileFilesTest {
     }
 
     @Test
-    void hundredsOfThousandsOfElementsComeToOneLine() throws IOException {
+    void hundredsOfThousandsOfElementsAreReportedInOneLine() throws IOException {
         assertEquals(
                 "the file has too many elements, allowed is 300000",
                 problemIn(OPEN + "<world width=\"6\" height=\"4\">" + "<b/>".repeat(400_000))

@@ -29,7 +29,7 @@ import org.w3c.dom.Node;
 import org.w3c.dom.NodeList;
 import org.xml.sax.SAXException;
 
-/** The schema, the reader and the documents tell the same. */
+/** The schema, the reader and the documents agree. */
 class ScenarioSchemaTest {
 
     private static final Path SCHEMA = Path.of("src/main/resources/faultline/scenario/xml/scenario-1.xsd");
@@ -149,7 +149,7 @@ class ScenarioSchemaTest {
         return 1;
     }
 
-    /** Returns whether the reader does not find fault with a value by itself, whatever else it finds. */
+    /** Returns whether the reader accepts a value by itself; it may report other problems. */
     private static boolean isAccepted(String element, String name, BigDecimal value) {
         String text = value.toPlainString();
         String problem = name + " of <" + element + "> is \"" + text + "\", allowed is ";
@@ -225,7 +225,7 @@ class ScenarioSchemaTest {
         for (String text : mutations(values)) {
             boolean valid = isValid(text);
             List<String> problems = SampleScenario.problems(text);
-            assertFalse(!valid && problems.isEmpty(), "only the schema minds: " + text);
+            assertFalse(!valid && problems.isEmpty(), "only the schema refuses: " + text);
             assertFalse(problems.stream().anyMatch(line -> line.contains("not as the schema")), problems + "\n" + text);
             refused += valid ? 0 : 1;
         }
