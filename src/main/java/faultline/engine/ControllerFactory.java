@@ -59,7 +59,10 @@ public final class ControllerFactory {
         if (spec instanceof ControllerSpec.Recorded recorded) {
             return new RecordedController(recorded, FOREIGN_STATE);
         }
-        throw new RunFailedException("the scenario is driven by a controller from outside, and none was chosen", null);
+        return observation -> {
+            throw new RunFailedException(
+                    "the scenario is driven by a controller from outside, and none was chosen", null);
+        };
     }
 
     /** Returns a new controller of one kind in its initial state. */

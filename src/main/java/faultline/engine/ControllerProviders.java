@@ -40,13 +40,24 @@ public final class ControllerProviders {
      * @param settings for it
      * @throws RunFailedException if there is no such provider, or it fails
      */
-    public static Controller create(String name, Map<String, String> settings) {
-        ControllerProvider provider =
-                find(name).orElseThrow(() -> new RunFailedException("there is no controller \"" + name + "\"", null));
+    static Controller create(String name, Map<String, String> settings) {
+        return create(
+                find(name).orElseThrow(() -> new RunFailedException("there is no controller \"" + name + "\"", null)),
+                settings);
+    }
+
+    /**
+     * Makes a controller.
+     *
+     * @param provider makes it
+     * @param settings for it
+     * @throws RunFailedException if the provider fails
+     */
+    public static Controller create(ControllerProvider provider, Map<String, String> settings) {
         try {
             return new StateTracker(provider.create(settings));
         } catch (RuntimeException | Error e) {
-            throw new RunFailedException("the controller \"" + name + "\" cannot be created: " + e, e);
+            throw new RunFailedException("the controller \"" + provider.name() + "\" cannot be created: " + e, e);
         }
     }
 

@@ -1,5 +1,6 @@
 package faultline.external;
 
+import faultline.control.ControllerProvider;
 import faultline.control.ControllerSource;
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerProviders;
@@ -12,6 +13,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
 
 /** What a user may choose as a controller: a built-in one, the name of one in Java, or a command. */
 public final class ControllerChoice {
@@ -52,14 +55,15 @@ public final class ControllerChoice {
         if (choice.equals(NONE)) {
             return setup.withController(new ControllerSpec.None());
         }
-        if (isCommand(choice)) {
+        Optional<ControllerProvider> provider = ControllerProviders.find(choice);
+        if (provider.isEmpty()) {
             return setup.withController(new ControllerSpec.Chosen(original, commands));
         }
         Map<String, String> settings = original instanceof ControllerSpec.Provided given
                         && given.name().equals(choice)
                 ? given.settings()
                 : Map.of();
-        return setup.withController(new ControllerSpec.Chosen(original, new ProviderSource(choice, settings)));
+        return setup.withController(new ControllerSpec.Chosen(original, new ProviderSource(provider.get(), settings)));
     }
 
     /** Returns a hint for a command of one word that no program has, such as a misspelt name. */
@@ -76,12 +80,36 @@ public final class ControllerChoice {
      * @param jar a file
      */
     public static void addJar(Path jar) {
+        Thread.currentThread().setContextClassLoader(loader(List.of(jar)));
+    }
+
+    private static ClassLoader loader(List<Path> jars) {
+        URL[] files = jars.stream().map(ControllerChoice::url).toArray(URL[]::new);
+        return new URLClassLoader(files, ControllerChoice.class.getClassLoader());
+    }
+
+    private static URL url(Path jar) {
         try {
-            URL[] files = {jar.toUri().toURL()};
-            Thread thread = Thread.currentThread();
-            thread.setContextClassLoader(new URLClassLoader(files, ControllerChoice.class.getClassLoader()));
+            return jar.toUri().toURL();
         } catch (MalformedURLException e) {
             throw new IllegalArgumentException("no path of a file: " + jar, e);
+        }
+    }
+
+    /**
+     * Calls something that can find the controllers of some jars, as the files are now.
+     *
+     * @param jars files
+     * @param action what to call, on the calling thread
+     */
+    public static <T> T withJars(List<Path> jars, Supplier<T> action) {
+        Thread thread = Thread.currentThread();
+        ClassLoader before = thread.getContextClassLoader();
+        thread.setContextClassLoader(loader(jars));
+        try {
+            return action.get();
+        } finally {
+            thread.setContextClassLoader(before);
         }
     }
 }

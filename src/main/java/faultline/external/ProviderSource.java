@@ -1,6 +1,7 @@
 package faultline.external;
 
 import faultline.control.Controller;
+import faultline.control.ControllerProvider;
 import faultline.control.ControllerSource;
 import faultline.engine.ControllerProviders;
 import java.util.Map;
@@ -8,14 +9,19 @@ import java.util.Map;
 /**
  * Makes controllers in Java.
  *
- * @param name of their provider
+ * @param provider makes them
  * @param settings for the provider
  */
-record ProviderSource(String name, Map<String, String> settings) implements ControllerSource {
+record ProviderSource(ControllerProvider provider, Map<String, String> settings) implements ControllerSource {
+
+    @Override
+    public String name() {
+        return provider.name();
+    }
 
     @Override
     public Controller start(Run run) {
-        return ControllerProviders.create(name, settings);
+        return ControllerProviders.create(provider, settings);
     }
 
     @Override

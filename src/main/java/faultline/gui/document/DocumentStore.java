@@ -64,7 +64,7 @@ public final class DocumentStore {
         workspace.start(task, () -> {
             ScenarioDocument document = loader.call();
             task.progress().throwIfCancelled();
-            return OpenDocument.start(document);
+            return OpenDocument.start(document, workspace);
         });
     }
 

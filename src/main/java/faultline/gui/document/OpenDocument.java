@@ -13,9 +13,11 @@ import java.util.concurrent.CompletableFuture;
  */
 record OpenDocument(ScenarioDocument document, Session session) {
 
-    /** Starts a session of a document. */
-    static OpenDocument start(ScenarioDocument document) {
-        return new OpenDocument(document, Session.start(document.initial().setup()));
+    /** Starts a session of a document, with the controller that is chosen in its workspace. */
+    static OpenDocument start(ScenarioDocument document, Workspace workspace) {
+        return new OpenDocument(
+                document,
+                Session.start(workspace.withChosenController(document.initial().setup())));
     }
 
     /**

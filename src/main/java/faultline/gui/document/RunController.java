@@ -90,7 +90,7 @@ public final class RunController implements WorkspaceListener {
             workspace.start(new WorkspaceTask(TaskKind.RESTART, now.document().displayPath()), () -> {
                 Scenario scenario = change.apply(edited.join());
                 // The workspace sets the file when the session has started.
-                return OpenDocument.start(new ScenarioDocument(null, null, scenario));
+                return OpenDocument.start(new ScenarioDocument(null, null, scenario), workspace);
             });
         });
     }

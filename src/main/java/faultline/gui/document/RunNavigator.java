@@ -57,11 +57,15 @@ public final class RunNavigator implements WorkspaceListener {
         workspace.start(task, () -> {
             Journal journal = whole.join();
             long tick = end.applyAsLong(past.join());
-            return new OpenDocument(now.document(), Session.replay(journal, tick, reached -> {
+            return new OpenDocument(now.document(), Session.replay(withChosenController(journal), tick, reached -> {
                 task.progress().setFraction((double) reached / tick);
                 return true;
             }));
         });
+    }
+
+    private Journal withChosenController(Journal journal) {
+        return new Journal(workspace.withChosenController(journal.setup()), journal.entries(), journal.ticks());
     }
 
     /** Returns the journal of a session with the edited setup of its document. */

@@ -1,5 +1,6 @@
 package faultline.gui.document;
 
+import faultline.engine.SimulationSetup;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
@@ -10,6 +11,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 
 /**
  * Holds the open scenario and its run. Opening a file, restarting the run and moving it to another tick start a new
@@ -20,6 +22,7 @@ public final class Workspace implements AutoCloseable {
 
     private final List<WorkspaceListener> listeners = new ArrayList<>();
     private OpenDocument open;
+    private volatile UnaryOperator<SimulationSetup> controllerChoice = UnaryOperator.identity();
     private WorkspaceTask task;
 
     /** Adds a listener; listeners are called in the order in which they were added. */
@@ -45,6 +48,19 @@ public final class Workspace implements AutoCloseable {
     public Optional<WorkspaceTask> task() {
         assert EventQueue.isDispatchThread();
         return Optional.ofNullable(task);
+    }
+
+    /**
+     * Sets what puts another controller in the place of the scenario's in all runs from the next session on. The
+     * scenario itself stays as it is.
+     */
+    public void setControllerChoice(UnaryOperator<SimulationSetup> choice) {
+        controllerChoice = choice;
+    }
+
+    /** Returns a setup with the chosen controller. Any thread may call it. */
+    SimulationSetup withChosenController(SimulationSetup setup) {
+        return controllerChoice.apply(setup);
     }
 
     /** Starts a task that makes a document in place of the open one. It cancels the active task. */

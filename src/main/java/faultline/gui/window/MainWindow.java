@@ -16,6 +16,7 @@ import faultline.gui.action.ViewActions;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.canvas.tool.MenuTarget;
 import faultline.gui.dialog.AppIcon;
+import faultline.gui.dialog.ControllerChooser;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.dialog.FileController;
 import faultline.gui.dialog.ProgressDialogs;
@@ -154,6 +155,7 @@ public final class MainWindow extends JFrame {
         actionRegistry.add(UiAction.of("previousArea", () -> mainPanel.focusArea(-1))
                 .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_F6, InputEvent.SHIFT_DOWN_MASK)));
         runActions.addTo(actionRegistry);
+        new ControllerChooser(this, workspace, runController, this::showNote).addTo(actionRegistry);
         dialogs.addTo(actionRegistry);
         new PreferenceActions(this, preferences).addTo(actionRegistry);
         actionRegistry.add(new ThemeAction(this, canvas, preferences).action());

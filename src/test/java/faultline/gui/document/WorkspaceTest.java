@@ -240,7 +240,7 @@ class WorkspaceTest {
             OpenDocument now = workspace.openDocument().orElseThrow();
             workspace.start(new WorkspaceTask(TaskKind.RESTART, file), made::get);
             documentStore.markSaved(now.document(), other, now.document().edited());
-            made.complete(OpenDocument.start(now.document()));
+            made.complete(OpenDocument.start(now.document(), workspace));
         });
         waitFor("the second session", () -> sessionCount == 2);
         assertEquals(Optional.of(other), callOnEdt(workspace::file));
@@ -253,7 +253,7 @@ class WorkspaceTest {
         runOnEdt(() -> {
             ScenarioDocument document = workspace.openDocument().orElseThrow().document();
             workspace.start(new WorkspaceTask(TaskKind.OPEN, file), () -> {
-                made.complete(OpenDocument.start(document));
+                made.complete(OpenDocument.start(document, workspace));
                 return made.join();
             });
             workspace.close();

@@ -1,0 +1,145 @@
+package faultline.gui.dialog;
+
+import faultline.engine.SimulationSetup;
+import faultline.external.ChildSource;
+import faultline.external.ControllerChoice;
+import faultline.external.ExternalController;
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.UiAction;
+import faultline.gui.document.BackgroundTasks;
+import faultline.gui.document.RunController;
+import faultline.gui.document.Workspace;
+import faultline.gui.document.WorkspaceListener;
+import faultline.gui.text.Messages;
+import java.awt.EventQueue;
+import java.awt.Window;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import javax.swing.Timer;
+
+/**
+ * Lets the user choose a controller for the runs of the window: the scenario's own, one in Java, or a command. Each
+ * restart loads it again, and a note says when one of its files has changed.
+ */
+public final class ControllerChooser implements WorkspaceListener {
+
+    private static final int WATCH_MILLIS = 1000;
+
+    private final Window owner;
+    private final Workspace workspace;
+    private final RunController runController;
+    private final Consumer<String> note;
+    /** The newest line of a child's standard error that is not shown yet. */
+    private final AtomicReference<String> unshownLine = new AtomicReference<>();
+
+    private final Timer watch = new Timer(WATCH_MILLIS, event -> checkFiles());
+    private ControllerDialog.Choice choice = ControllerDialog.Choice.SCENARIO;
+    private Map<Path, FileTime> files = Map.of();
+    /** Read by the threads that start runs. */
+    private volatile String scenarioName = "";
+
+    /**
+     * Creates a chooser.
+     *
+     * @param owner the window
+     * @param workspace whose runs get the controller
+     * @param runController restarts the run
+     * @param note shows a sentence to the user
+     */
+    public ControllerChooser(Window owner, Workspace workspace, RunController runController, Consumer<String> note) {
+        this.owner = owner;
+        this.workspace = workspace;
+        this.runController = runController;
+        this.note = note;
+        workspace.addListener(this);
+    }
+
+    /** Adds the action that opens the dialog. */
+    public void addTo(ActionRegistry actions) {
+        actions.add(UiAction.of(
+                "chooseController",
+                () -> new ControllerDialog(choice).showDialog(owner).ifPresent(this::choose)));
+    }
+
+    private void choose(ControllerDialog.Choice chosen) {
+        choice = chosen;
+        workspace.setControllerChoice(setup -> apply(chosen, setup));
+        runController.restart();
+    }
+
+    private SimulationSetup apply(ControllerDialog.Choice chosen, SimulationSetup setup) {
+        if (chosen.isScenarios()) {
+            return setup;
+        }
+        ChildSource.Terms terms = new ChildSource.Terms(
+                "faultline", scenarioName, ExternalController.Timeouts.DEFAULT, false, this::showErrorLine);
+        return ControllerChoice.withJars(
+                chosen.jars(),
+                () -> ControllerChoice.apply(chosen.text(), setup, new ChildSource(chosen.text(), terms)));
+    }
+
+    /** Shows the newest line of those that come faster than they can be shown. */
+    private void showErrorLine(String line) {
+        if (unshownLine.getAndSet(line) == null) {
+            EventQueue.invokeLater(() -> note.accept(unshownLine.getAndSet(null)));
+        }
+    }
+
+    @Override
+    public void scenarioOpened() {
+        workspace.scenario().ifPresent(open -> scenarioName = open.name());
+    }
+
+    @Override
+    public void sessionStarted() {
+        watch.stop();
+        ControllerDialog.Choice chosen = choice;
+        if (!chosen.isScenarios()) {
+            BackgroundTasks.run(
+                    () -> times(chosen.files()),
+                    found -> {
+                        files = found;
+                        watch.start();
+                    },
+                    failure -> {});
+        }
+    }
+
+    private void checkFiles() {
+        if (owner.isDisplayable()) {
+            ControllerDialog.Choice chosen = choice;
+            BackgroundTasks.run(() -> times(chosen.files()), this::compare, failure -> {});
+        } else {
+            watch.stop();
+        }
+    }
+
+    private void compare(Map<Path, FileTime> now) {
+        now.forEach((file, time) -> {
+            if (files.containsKey(file) && !time.equals(files.get(file))) {
+                note.accept(Messages.get(
+                        "chooseController.changed", file.getFileName().toString()));
+            }
+        });
+        files = now;
+    }
+
+    private static Map<Path, FileTime> times(List<Path> files) {
+        Map<Path, FileTime> times = new TreeMap<>();
+        for (Path file : files) {
+            try {
+                times.put(file, Files.getLastModifiedTime(file));
+            } catch (IOException notThere) {
+                // It is being written.
+            }
+        }
+        return times;
+    }
+}

@@ -1,0 +1,169 @@
+package faultline.gui.document;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerMode;
+import faultline.engine.RunFailedException;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.engine.metrics.RunResult;
+import faultline.external.ChildSource;
+import faultline.external.ControllerChoice;
+import faultline.external.ExternalController;
+import faultline.gui.Await;
+import faultline.scenario.Scenario;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Another program drives the robot of an open scenario, which stays as it is. */
+@DisabledOnOs(value = OS.WINDOWS, disabledReason = "the child is a shell script")
+class ControllerChoiceTest {
+
+    private static final String FOLLOWER =
+            """
+            read hello
+            echo '{"type":"ready","protocol":1,"name":"circle"}'
+            i=0
+            while read line; do
+              case $line in *observe*) echo "{\\"type\\":\\"drive\\",\\"tick\\":$i,\\"v_m_s\\":0.1,\\"omega_rad_s\\":1,\\"state\\":\\"STATE\\"}";; esac
+              i=$((i+1))
+            done
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private final List<Throwable> failures = new ArrayList<>();
+    private final List<Path> journals = new ArrayList<>();
+    private int sessionCount;
+    private Workspace workspace;
+    private RunController run;
+    private DocumentStore documentStore;
+
+    @BeforeEach
+    void open() throws IOException {
+        Path file = Files.copy(Path.of("scenarios/yard.xml"), folder.resolve("room.xml"));
+        workspace = callOnEdt(Workspace::new);
+        runOnEdt(() -> {
+            workspace.addListener(new WorkspaceListener() {
+                @Override
+                public void sessionStarted() {
+                    sessionCount++;
+                }
+
+                @Override
+                public void journalSaved(Path where) {
+                    journals.add(where);
+                }
+
+                @Override
+                public void taskFailed(TaskKind task, Path taskFile, Throwable failure) {
+                    failures.add(failure);
+                }
+            });
+            run = new RunController(workspace);
+            documentStore = new DocumentStore(workspace);
+            documentStore.open(file);
+        });
+        waitFor("the first session", () -> sessionCount == 1);
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    private static void waitFor(String what, Callable<Boolean> condition) {
+        Await.until(what, condition);
+    }
+
+    private void choose(String command) {
+        ChildSource.Terms terms =
+                new ChildSource.Terms("test", "Yard", ExternalController.Timeouts.DEFAULT, false, line -> {});
+        runOnEdt(() -> {
+            workspace.setControllerChoice(
+                    setup -> ControllerChoice.apply(command, setup, new ChildSource(command, terms)));
+            run.restart();
+        });
+    }
+
+    private Path script(String state) throws IOException {
+        return Files.writeString(folder.resolve("follower.sh"), FOLLOWER.replace("STATE", state));
+    }
+
+    private String state() {
+        return run.frame().orElseThrow().frame().telemetry().state().name();
+    }
+
+    private long tick() {
+        return callOnEdt(() -> run.frame().orElseThrow().snapshot().tick());
+    }
+
+    @Test
+    void anotherProgramDrivesAndItsStateIsShown() throws Exception {
+        choose("sh " + script("CIRCLE"));
+        waitFor("the second session", () -> sessionCount == 2);
+        runOnEdt(run::step);
+        Await.until("its state", () -> state().equals("CIRCLE"));
+        assertFalse(callOnEdt(workspace::isChanged), "the scenario is as it was");
+        assertInstanceOf(
+                ControllerSpec.WallFollowing.class,
+                callOnEdt(() -> workspace.scenario().orElseThrow().setup().controller()));
+    }
+
+    @Test
+    void aRestartLoadsAChangedProgram() throws Exception {
+        choose("sh " + script("OLD"));
+        waitFor("the second session", () -> sessionCount == 2);
+        script("NEW");
+        runOnEdt(run::restart);
+        waitFor("the third session", () -> sessionCount == 3);
+        runOnEdt(run::step);
+        Await.until("its state", () -> state().equals("NEW"));
+    }
+
+    @Test
+    void aStepBackAndASavedJournalGiveTheSameRun() throws Exception {
+        choose("sh " + script("CIRCLE"));
+        waitFor("the second session", () -> sessionCount == 2);
+        runOnEdt(() -> run.navigator().seek(150));
+        waitFor("the third session", () -> sessionCount == 3);
+        assertEquals(150, tick());
+        long hash = callOnEdt(() -> run.frame().orElseThrow().frame().trajectoryHash());
+        runOnEdt(() -> run.navigator().seek(100));
+        waitFor("the fourth session", () -> sessionCount == 4);
+        runOnEdt(() -> run.navigator().seek(150));
+        waitFor("the fifth session", () -> sessionCount == 5);
+        assertEquals(hash, callOnEdt(() -> run.frame().orElseThrow().frame().trajectoryHash()));
+        Path journal = folder.resolve("journal.xml");
+        runOnEdt(() -> documentStore.saveJournal(journal));
+        waitFor("the journal", () -> journals.equals(List.of(journal)));
+        RunResult replayed = HeadlessRun.run(Scenario.load(journal).setup(), ControllerMode.DIRECT, List.of());
+        assertEquals(150, replayed.ticks());
+        assertEquals(hash, replayed.trajectoryHash());
+    }
+
+    @Test
+    void aProgramThatIsNotThereLeavesTheRunAsItIs() {
+        choose("no-such-program");
+        waitFor("the failure", () -> !failures.isEmpty());
+        assertInstanceOf(RunFailedException.class, failures.get(0));
+        assertTrue(failures.get(0).getMessage().contains("no-such-program"), failures.get(0)::getMessage);
+        assertEquals(1, callOnEdt(() -> sessionCount));
+    }
+}
