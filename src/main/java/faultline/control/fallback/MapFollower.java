@@ -41,6 +41,10 @@ public final class MapFollower {
     private static final double LAP_MARGIN = 0.4;
 
     private static final double ASIDE = StrictMath.toRadians(35);
+
+    /** The robot slows down when it is off its direction by more than this less 1, as a share of {@link #ASIDE}. */
+    private static final double FULL_SPEED = 1.3;
+
     private static final double STEERING = 2.5;
     private static final double QUARTER = StrictMath.PI / 2;
     private static final double OVERSHOOT = StrictMath.toRadians(30);
@@ -217,7 +221,7 @@ public final class MapFollower {
         }
         double off = Angles.difference(at().heading(), direction);
         omega = Math.max(-rate, Math.min(rate, STEERING * off));
-        v = Math.abs(off) > ASIDE ? 0 : robot.speed() * Math.max(0.3, 1 - Math.abs(off) / ASIDE);
+        v = Math.abs(off) > ASIDE ? 0 : robot.speed() * Math.max(0.3, Math.min(1, FULL_SPEED - Math.abs(off) / ASIDE));
     }
 
     private void giveUp() {
