@@ -54,13 +54,8 @@ public final class ObstacleActions {
     private final UiAction snapAngle;
 
     /**
-     * Creates the actions.
-     *
-     * @param tools the tools of the canvas
-     * @param editor sends commands
-     * @param notifier shows a note to the user
-     * @param askSpeed asks for a speed, metres per second, given the present one; empty if cancelled
-     * @param preferences keeps the snap settings
+     * Creates the actions. {@code notifier} shows a note to the user; {@code askSpeed} asks for a speed, metres per
+     * second, given the present one, and returns empty if cancelled.
      */
     public ObstacleActions(
             CanvasTools tools,

@@ -10,11 +10,8 @@ public final class BackgroundTasks {
     private BackgroundTasks() {}
 
     /**
-     * Starts work that ends with the program.
-     *
-     * @param work the work
-     * @param onDone receives the result, on the event dispatch thread
-     * @param onFailed receives what the work has thrown instead, on the event dispatch thread
+     * Starts work that ends with the program. Its result, or what it has thrown instead, is passed to one of the
+     * consumers on the event dispatch thread.
      */
     public static <T> void run(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {
         start(work, onDone, onFailed, true);

@@ -39,11 +39,8 @@ public final class FileWatch implements AutoCloseable {
     private record PollResult(FileVersion version, Scenario scenario, ScenarioException failure) {}
 
     /**
-     * Starts to watch the open file of a workspace.
-     *
-     * @param workspace the workspace
-     * @param onChanged called with the file if it holds another scenario, on the event dispatch thread
-     * @param onBroken called if the file can no longer be read, on the event dispatch thread
+     * Starts to watch the open file of a workspace. On the event dispatch thread, {@code onChanged} is called with the
+     * file if it holds another scenario, and {@code onBroken} if it can no longer be read.
      */
     public FileWatch(Workspace workspace, Consumer<Path> onChanged, Consumer<ScenarioException> onBroken) {
         assert EventQueue.isDispatchThread();

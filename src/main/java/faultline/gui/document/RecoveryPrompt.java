@@ -23,11 +23,8 @@ public final class RecoveryPrompt {
     private RecoveryPrompt() {}
 
     /**
-     * Offers the edits of a crashed process, asynchronously. Recovered edits are kept as those of this process.
-     *
-     * @param recovery the store to look in
-     * @param offer asks the user, on the event dispatch thread
-     * @param otherwise called on the event dispatch thread if there is nothing to recover
+     * Offers the edits of a crashed process, asynchronously, or calls {@code otherwise} if there are none. Both
+     * callbacks run on the event dispatch thread. Recovered edits are kept as those of this process.
      */
     public static void offerRecovery(
             RecoveryStore recovery, Function<RecoveredFile, Answer> offer, Runnable otherwise) {

@@ -96,11 +96,8 @@ public final class RunController implements WorkspaceListener {
     }
 
     /**
-     * Changes the edited scenario. If that changes its setup, the run is simulated again up to the present tick,
-     * asynchronously, with the commands that it was sent; a running one then resumes. If that changes the length of its
-     * tick, the run is restarted.
-     *
-     * @param change returns the new scenario
+     * Changes the edited scenario, but not the length of its tick. If that changes its setup, the run is simulated
+     * again up to the present tick, asynchronously, with the commands that it was sent; a running one then resumes.
      */
     public void change(UnaryOperator<Scenario> change) {
         workspace.openDocument().ifPresent(now -> {
@@ -129,10 +126,8 @@ public final class RunController implements WorkspaceListener {
     }
 
     /**
-     * Sends commands, which are executed at the start of the same tick.
-     *
-     * @param commands the commands, in order
-     * @param onExecuted receives the result of each command, on the event dispatch thread; not called without a run
+     * Sends commands, which are executed in order at the start of the same tick. {@code onExecuted} receives their
+     * results on the event dispatch thread; it is not called without a run.
      */
     public void send(List<Command> commands, Consumer<List<CommandResult>> onExecuted) {
         submit(open -> open.session()

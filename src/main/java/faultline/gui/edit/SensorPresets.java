@@ -20,11 +20,8 @@ public final class SensorPresets {
     private SensorPresets() {}
 
     /**
-     * Returns the commands that switch a number of sensors on and all others off; only those that change something.
-     *
-     * @param robot the robot
-     * @param wallOnLeft whether the wall is followed on the left
-     * @param count two, three, or more for all
+     * Returns the commands that switch two, three or, if {@code count} is greater, all sensors on and the others off;
+     * only those that change something.
      */
     public static List<Command> commands(RobotSpec robot, boolean wallOnLeft, int count) {
         Set<String> wanted = new HashSet<>();

@@ -135,12 +135,8 @@ public final class UndoController {
     }
 
     /**
-     * Records a change of the setup that has been made. Changes with equal targets in quick succession form one edit.
-     *
-     * @param name the name that menus show
-     * @param target what is changed
-     * @param undoAction restores the old setup
-     * @param redoAction sets the new setup again
+     * Records a change of the setup that has been made, with the name that menus show and the actions that undo and
+     * redo it. Changes with equal targets in quick succession form one edit.
      */
     public void addSetupEdit(String name, Object target, Runnable undoAction, Runnable redoAction) {
         assert EventQueue.isDispatchThread();

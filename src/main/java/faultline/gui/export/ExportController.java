@@ -55,14 +55,9 @@ public final class ExportController implements WorkspaceListener {
     private long recordingStart;
 
     /**
-     * Creates a controller.
-     *
-     * @param parent the parent of dialogs
-     * @param workspace the workspace whose run is exported
-     * @param canvas the canvas whose view is exported
-     * @param fileSelector asks for a file, given the key of the dialog's title and the extension with its dot; empty if
-     *     cancelled
-     * @param onWritten called with each file that has been written, on the event dispatch thread
+     * Creates a controller. {@code fileSelector} asks for a file, given the key of the dialog's title and the extension
+     * with its dot, and returns empty if cancelled; {@code onWritten} is called with each file that has been written,
+     * on the event dispatch thread.
      */
     public ExportController(
             Component parent,

@@ -1,9 +1,9 @@
 package faultline.gui.theme;
 
+import faultline.paint.surface.GraphicsSurface;
 import java.awt.BasicStroke;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.RoundRectangle2D;
@@ -21,9 +21,7 @@ public final class Antialiasing {
     public static void paint(Graphics graphics, Consumer<Graphics2D> painting) {
         Graphics2D own = (Graphics2D) graphics.create();
         try {
-            own.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            own.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-            own.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+            GraphicsSurface.enableAntialiasing(own);
             painting.accept(own);
         } finally {
             own.dispose();

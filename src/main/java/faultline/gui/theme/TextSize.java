@@ -43,12 +43,8 @@ public enum TextSize {
     }
 
     /**
-     * Returns the scale of an image with text: that of the text, but limited so that the image fits.
-     *
-     * @param width the available width, pixels
-     * @param height the available height, pixels
-     * @param minSize the size of the image at the normal text size
-     * @return at least 1
+     * Returns the scale, at least 1, of an image with text in an area, pixels: that of the text, but limited so that
+     * the image fits, given its size at the normal text size.
      */
     public static double imageScale(int width, int height, Dimension minSize) {
         double room = Math.min((double) width / minSize.width, (double) height / minSize.height);

@@ -65,15 +65,8 @@ final class MainPanel extends JPanel {
     private transient SessionFrame shownFrame;
 
     /**
-     * Creates a panel without a scenario.
-     *
-     * @param canvas the canvas
-     * @param editor receives the changes made in the control panel
-     * @param scenarioEditor receives changes that need a new simulation
-     * @param actions the actions of the window
-     * @param speed positions of {@link SpeedScale}
-     * @param jump receives the tick of an event to go to
-     * @param timelineEditor changes the scenario's timeline
+     * Creates a panel without a scenario; {@code speed} holds positions of {@link SpeedScale}, and {@code jump}
+     * receives the tick of an event to go to.
      */
     MainPanel(
             SimulationCanvas canvas,

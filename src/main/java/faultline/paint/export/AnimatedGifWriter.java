@@ -35,12 +35,8 @@ public final class AnimatedGifWriter implements AutoCloseable {
     private BufferedImage previousFrame;
 
     /**
-     * Creates a writer.
-     *
-     * @param out the target; not closed
-     * @param palette colours that must be exact
-     * @param delay of each picture, hundredths of a second, positive
-     * @throws IOException if the file cannot be written
+     * Creates a writer for a stream, which is not closed; the colours of the palette are exact, and each picture is
+     * shown for a delay, hundredths of a second, positive.
      */
     public AnimatedGifWriter(OutputStream out, Palette palette, int delay) throws IOException {
         this.palette = palette;
@@ -51,12 +47,8 @@ public final class AnimatedGifWriter implements AutoCloseable {
     }
 
     /**
-     * Returns whether a tick is shown in a film at real time: the first one, and the first of each interval between two
-     * pictures.
-     *
-     * @param ticks since the first tick that is shown
-     * @param dt the length of a tick, seconds
-     * @param delay of each picture, hundredths of a second
+     * Returns whether a tick, counted from the first that is shown, is shown in a film at real time with a delay
+     * between pictures, hundredths of a second: the first tick, and the first of each interval.
      */
     public static boolean isDue(long ticks, double dt, int delay) {
         return ticks == 0 || ticks > 0 && pictureIndex(ticks, dt, delay) > pictureIndex(ticks - 1, dt, delay);

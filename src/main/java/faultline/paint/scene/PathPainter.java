@@ -24,15 +24,8 @@ public final class PathPainter {
     private PathPainter() {}
 
     /**
-     * Paints a section of a path, as long as a budget of drawn points lasts; points that are left out cost less.
-     *
-     * @param context the target
-     * @param path the path
-     * @param style its style
-     * @param from the index of the first point
-     * @param most the approximate number of points that may be drawn
-     * @param clip the area to paint, pixels; lines outside are left out
-     * @return the painted section
+     * Paints a section of a path from a point on, until about {@code most} points are drawn; points that are left out
+     * cost less. Lines outside the clip, pixels, are left out.
      */
     public static PaintedSection paint(
             DrawContext context, RobotPath path, PathStyle style, int from, int most, Rectangle clip) {

@@ -122,11 +122,8 @@ public final class PlanView {
     }
 
     /**
-     * Draws a scale bar with its length above.
-     *
-     * @param metres its length, a round one
-     * @param right from the left edge of the area to its right end, pixels
-     * @param bottom from the upper edge of the area down to it, pixels
+     * Draws a scale bar of a nice length, metres, with the length above. Its right end is at a distance from the left
+     * and the upper edge of the area, pixels.
      */
     public void drawScaleBar(double metres, double right, double bottom) {
         double length = metres * context.camera().scale();

@@ -75,13 +75,8 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
     }
 
     /**
-     * Paints what changes from frame to frame.
-     *
-     * @param context the target
-     * @param frame the frame
-     * @param obstacles those that are not part of the background
-     * @param pathFrom the index of the first point of the path that is not painted yet, or of the last that is; in [0,
-     *     size - 1]
+     * Paints what changes from frame to frame, with the obstacles that are not part of the background. {@code pathFrom}
+     * is the index of the last point of the path that is already painted, or 0.
      */
     public void paintDynamic(DrawContext context, Frame frame, List<Obstacle> obstacles, int pathFrom) {
         Snapshot world = frame.snapshot();

@@ -22,9 +22,13 @@ public record GraphicsSurface(Graphics2D graphics) implements Surface {
 
     /** Sets the rendering hints. */
     public GraphicsSurface {
+        enableAntialiasing(graphics);
+    }
+
+    /** Sets the rendering hints of all pictures: antialiasing, and pure strokes, which do not jump while they move. */
+    public static void enableAntialiasing(Graphics2D graphics) {
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        // Pure strokes: normalised ones jump by half a pixel while they move.
         graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     }
 
