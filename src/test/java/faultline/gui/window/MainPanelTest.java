@@ -120,7 +120,7 @@ class MainPanelTest {
             new RunActions(run, speed).addTo(actions);
             new Dialogs(null).addTo(actions);
             Stream.of("instruments", "timeline").forEach(key -> actions.add(UiAction.toggle(key, true, shown -> {})));
-            Stream.of("nextArea", "previousArea", "new", "properties")
+            Stream.of("nextArea", "previousArea", "new", "properties", "chooseController")
                     .forEach(key -> actions.add(UiAction.of(key, () -> {})));
             new PreferenceActions(null, WindowPreferences.nonPersistent()).addTo(actions);
             mainPanel = createMainPanel(run, edits, speed, bench);
