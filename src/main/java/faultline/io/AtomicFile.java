@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
 
 /**
@@ -52,7 +51,7 @@ public final class AtomicFile implements AutoCloseable {
                 throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.READ_ONLY.with(), null);
             }
             TemporaryFile temporary = TemporaryFile.create(target);
-            FileChannel channel = FileChannel.open(temporary.path(), StandardOpenOption.WRITE);
+            FileChannel channel = temporary.open();
             OutputStream stream = new BufferedOutputStream(Channels.newOutputStream(channel));
             return new AtomicFile(target, temporary, new FailureReportingStream(file, stream));
         } catch (FileSystemException e) {

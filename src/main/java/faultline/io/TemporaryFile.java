@@ -2,6 +2,10 @@ package faultline.io;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -12,7 +16,8 @@ import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * A new file with a random name, which becomes another file or is deleted, at the latest when the process ends. Until
- * then only its owner may read it.
+ * then only its owner may read it. What a killed process has left is deleted by the next one that writes to the folder;
+ * a lock tells which files are still being written.
  */
 final class TemporaryFile {
 
@@ -40,6 +45,11 @@ final class TemporaryFile {
             }
         }
     }
+
+    private static final int MAX_MILLIS_WITHOUT_LOCK = 10_000;
+
+    /** The folders that this process has already freed from abandoned files. */
+    private static final Set<Path> SEARCHED_FOLDERS = ConcurrentHashMap.newKeySet();
 
     private final Path path;
     private final Set<PosixFilePermission> permissions;
@@ -69,13 +79,55 @@ final class TemporaryFile {
         return created;
     }
 
-    private static TemporaryFile register(TemporaryFile file) {
+    /** Deletes the files of processes that were killed, as far as that is possible. */
+    private static void deleteAbandoned(Path folder, long now) {
+        if (!SEARCHED_FOLDERS.add(folder)) {
+            return;
+        }
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, PREFIX + "*" + SUFFIX)) {
+            for (Path file : files) {
+                if (!Unfinished.FILES.contains(file) && isAbandoned(file, now)) {
+                    Files.deleteIfExists(file);
+                }
+            }
+        } catch (IOException | DirectoryIteratorException e) {
+            // The files can stay; they are in nobody's way.
+        }
+    }
+
+    /** Returns whether no process has locked a file, except for one that has just been created. */
+    private static boolean isAbandoned(Path file, long now) throws IOException {
+        if (Files.getLastModifiedTime(file).toMillis() > now - MAX_MILLIS_WITHOUT_LOCK) {
+            return false;
+        }
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE);
+                FileLock free = channel.tryLock()) {
+            return free != null;
+        } catch (OverlappingFileLockException e) {
+            return false;
+        }
+    }
+
+    private static TemporaryFile register(TemporaryFile file) throws IOException {
         Unfinished.FILES.add(file.path);
+        deleteAbandoned(
+                file.path.getParent(), Files.getLastModifiedTime(file.path).toMillis());
         return file;
     }
 
     Path path() {
         return path;
+    }
+
+    /** Opens the file, and locks it where the system can do that. */
+    FileChannel open() throws IOException {
+        FileChannel channel = FileChannel.open(path, StandardOpenOption.WRITE);
+        try {
+            channel.tryLock();
+        } catch (IOException e) {
+            // Without a lock, another process may take the file for abandoned after a while without writing.
+        }
+        return channel;
     }
 
     /** Gives the file the permissions of the target, or those of any new file if there is no target. */

@@ -6,10 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -191,5 +195,22 @@ class AtomicFileTest {
         Files.createLink(folder.resolve("hard.txt"), file);
         Files.createSymbolicLink(folder.resolve("linked"), folder);
         Files.createSymbolicLink(folder.resolve("dangling.txt"), Path.of("new.txt"));
+    }
+
+    @Test
+    void whatAKilledProcessHasLeftIsDeletedUnlessItIsStillWritten() throws IOException {
+        Path killed = Files.createFile(folder.resolve(".faultline-1.tmp"));
+        Path young = Files.createFile(folder.resolve(".faultline-2.tmp"));
+        Path other = Files.createFile(folder.resolve(".other.tmp"));
+        Path written = Files.createFile(folder.resolve(".faultline-3.tmp"));
+        FileTime old = FileTime.from(Instant.now().minusSeconds(60));
+        for (Path file : List.of(killed, other, written)) {
+            Files.setLastModifiedTime(file, old);
+        }
+        try (FileChannel channel = FileChannel.open(written, StandardOpenOption.WRITE)) {
+            channel.lock();
+            write(folder.resolve("a.txt"), "new", true);
+        }
+        assertEquals(List.of(young, written, other, folder.resolve("a.txt")), files());
     }
 }
