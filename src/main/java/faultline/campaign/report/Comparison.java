@@ -14,6 +14,9 @@ import java.util.function.Function;
 /** Compares the levels of one factor on the same worlds, seeds, draws and levels of all other factors. */
 final class Comparison {
 
+    /** More faults on sensors than this are grouped by fault, and by sensor. */
+    private static final int MAX_GROUPS = 40;
+
     private final RunData data;
     private final String column;
     private final List<Integer> otherColumns;
@@ -126,7 +129,10 @@ final class Comparison {
         Map<String, List<RunRow>> groups = new LinkedHashMap<>();
         groups.put("all runs", data.rows());
         Map<String, List<RunRow>> faults = RunData.group(data.rows(), data::faultName);
-        if (faults.size() > 1) {
+        if (faults.size() > MAX_GROUPS) {
+            groups.putAll(RunData.group(data.rows(), data::faultKind));
+            groups.putAll(RunData.group(data.rows(), data::failingPart));
+        } else if (faults.size() > 1) {
             groups.putAll(faults);
         }
         return groups;

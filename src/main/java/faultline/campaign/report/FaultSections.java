@@ -74,31 +74,54 @@ final class FaultSections {
         return line;
     }
 
-    /** Returns the delays of detection by fault, empty if the runs have none. */
+    /** Returns the delays of detection by fault and part, empty if the runs have none. */
     String delays() {
-        if (!data.has(DELAY)) {
+        Optional<FactorSummary> faults = data.factor(FactorKind.FAULTS);
+        if (faults.isEmpty() || !data.has(DELAY)) {
             return "";
         }
+        List<RunRow> diagnosed = data.rows().stream()
+                .filter(row -> !row.text("final_rung").isEmpty())
+                .filter(row -> !RunData.failingPart(row, faults.get()).isEmpty())
+                .toList();
+        Set<String> parts = RunData.group(diagnosed, row -> RunData.failingPart(row, faults.get()))
+                .keySet();
         List<List<String>> rows = new ArrayList<>();
-        RunData.group(data.rows(), data::faultName).forEach((fault, group) -> {
-            double[] delays = delays(group);
-            if (!fault.equals("healthy") && !fault.isEmpty()) {
-                rows.add(List.of(
-                        Html.escape(fault),
-                        Html.percent((double) delays.length / group.size()),
-                        quantileCell(delays, 0.5),
-                        quantileCell(delays, 0.9),
-                        quantileCell(delays, 1),
-                        String.valueOf(group.size())));
-            }
-        });
-        String histogram = Svg.histogram("detection delay (s)", delays(data.rows()), 24);
+        RunData.group(diagnosed, row -> row.text(RunData.faultColumn(faults.get())))
+                .forEach((fault, group) -> rows.add(delayLine(Html.escape(fault), faults.get(), parts, group)));
+        rows.add(delayLine("all faults", faults.get(), parts, diagnosed));
+        List<String> header = new ArrayList<>(List.of("fault"));
+        parts.forEach(part -> header.add(Html.escape(part)));
+        header.add("all");
         return Html.section(
                 "Detection delays",
-                Html.paragraph("Seconds from a fault until the controller distrusts the sensor, of"
-                                + " the runs in which it does.")
-                        + Html.table("numbers", List.of("fault", "detected", "median", "90 %", "longest", "n"), rows)
-                        + histogram);
+                Html.paragraph(
+                                "Seconds from a fault until the controller distrusts the sensor: the median, the 90 % quantile,"
+                                        + " and the share of runs in which it does, of those with a diagnosis. A fault that disturbs"
+                                        + " little need not be detected.")
+                        + Html.table("matrix", header, rows)
+                        + Svg.histogram("detection delay (s)", delays(diagnosed), 24));
+    }
+
+    private static List<String> delayLine(String name, FactorSummary faults, Set<String> parts, List<RunRow> rows) {
+        Map<String, List<RunRow>> cells = RunData.group(rows, row -> RunData.failingPart(row, faults));
+        List<String> line = new ArrayList<>(List.of(name));
+        parts.forEach(part -> line.add(delayCell(cells.getOrDefault(part, List.of()))));
+        line.add(delayCell(rows));
+        return line;
+    }
+
+    private static String delayCell(List<RunRow> rows) {
+        double[] delays = delays(rows);
+        if (delays.length == 0) {
+            return "&ndash;";
+        }
+        return "<b>" + seconds(quantile(delays, 0.5)) + "</b><small>" + seconds(quantile(delays, 0.9))
+                + "</small><small>" + Html.percent((double) delays.length / rows.size()) + "</small>";
+    }
+
+    private static String seconds(double value) {
+        return Html.format(value < 10 ? "%.2f" : "%.0f", value);
     }
 
     private static double[] delays(List<RunRow> rows) {
@@ -108,10 +131,6 @@ final class FaultSections {
                 .mapToDouble(java.util.OptionalDouble::getAsDouble)
                 .sorted()
                 .toArray();
-    }
-
-    private static String quantileCell(double[] sorted, double share) {
-        return sorted.length == 0 ? "&ndash;" : Html.number(quantile(sorted, share));
     }
 
     /** Returns the least of some sorted numbers that no more than the rest of a share exceed. */

@@ -7,15 +7,19 @@ final class ForestChart {
 
     private static final int ROW = 20;
     private static final int TOP = 10;
-    private static final int LEFT = 190;
-    private static final int WIDTH = 620;
-    private static final double MIDDLE = LEFT + (WIDTH - LEFT - 20) / 2.0;
+    private static final int PLOT_WIDTH = 430;
+
+    /** About the width of a letter of a name. */
+    private static final double LETTER = 6.6;
 
     private final String title;
     private final List<String> names;
     private final List<Comparison.Difference> differences;
     private final double most;
     private final int bottom;
+    private final int left;
+    private final int width;
+    private final double middle;
 
     /**
      * Creates a chart.
@@ -30,6 +34,10 @@ final class ForestChart {
         this.differences = differences;
         this.most = extent(differences);
         this.bottom = TOP + names.size() * ROW;
+        this.left = 20
+                + (int) (LETTER * names.stream().mapToInt(String::length).max().orElse(0));
+        this.width = left + PLOT_WIDTH;
+        this.middle = left + (PLOT_WIDTH - 20) / 2.0;
     }
 
     /** The end of the axis: the next full ten percentage points. */
@@ -43,12 +51,12 @@ final class ForestChart {
     }
 
     private double x(double difference) {
-        return MIDDLE + Math.max(-most, Math.min(most, difference)) * (WIDTH - MIDDLE - 20) / most;
+        return middle + Math.max(-most, Math.min(most, difference)) * (width - middle - 20) / most;
     }
 
     /** Returns the chart. */
     String svg() {
-        StringBuilder out = new StringBuilder(Svg.open(WIDTH, bottom + 34, title));
+        StringBuilder out = new StringBuilder(Svg.open(width, bottom + 34, title));
         for (double part : new double[] {-1, -0.5, 0, 0.5, 1}) {
             double x = x(part * most);
             String label = part == 0 ? "0" : Html.format("%+.0f", 100 * part * most);
@@ -58,11 +66,11 @@ final class ForestChart {
         for (int i = 0; i < names.size(); i++) {
             Interval interval = differences.get(i).interval();
             double y = TOP + (i + 0.5) * ROW;
-            out.append(Svg.text("row", "end", LEFT - 8, y + 4, names.get(i)));
+            out.append(Svg.text("row", "end", left - 8, y + 4, names.get(i)));
             out.append(Svg.path("range", Html.format("M%.1f %.1fH%.1f", x(interval.low()), y, x(interval.high()))));
             out.append(Svg.dot(x(differences.get(i).value()), y, 3.5));
         }
-        return out.append(Svg.text("label", "middle", MIDDLE, bottom + 30, title))
+        return out.append(Svg.text("label", "middle", middle, bottom + 30, title))
                 .append("</svg>\n")
                 .toString();
     }

@@ -118,6 +118,21 @@ final class RunData {
                 .orElse("");
     }
 
+    /** Returns the kind of a run's fault, or its label, whichever sensor has it. */
+    String faultKind(RunRow row) {
+        return factor(FactorKind.FAULTS)
+                .map(factor -> failingPart(row, factor).isEmpty() ? "healthy" : row.text(faultColumn(factor)))
+                .orElse("");
+    }
+
+    /** Returns what fails in a run. */
+    String failingPart(RunRow row) {
+        String part = factor(FactorKind.FAULTS)
+                .map(factor -> failingPart(row, factor))
+                .orElse("");
+        return part.isEmpty() ? "healthy" : part;
+    }
+
     /** Returns the column that names the faults of a factor: their labels if the plan has any, their kinds if not. */
     static String faultColumn(FactorSummary faults) {
         return faults.columns().stream()

@@ -18,7 +18,6 @@ final class VariantSections {
             List.of("coverage", "distance_rms_m", "follow_rms_m", "wall_share", "laps", "detection_delay_s");
 
     private static final int BINS = 10;
-    private static final int MAX_GROUPS = 40;
 
     private final RunData data;
 
@@ -61,9 +60,7 @@ final class VariantSections {
         }
         List<List<String>> rows = new ArrayList<>();
         comparison.faultGroups().forEach((name, group) -> {
-            if (rows.size() < MAX_GROUPS) {
-                rows.add(survivalRow(comparison, levels, name, group));
-            }
+            rows.add(survivalRow(comparison, levels, name, group));
         });
         return Html.table("matrix", header, rows);
     }
@@ -108,7 +105,7 @@ final class VariantSections {
                 Map<String, List<RunRow>> byLevel = comparison.levels(group);
                 Optional<Comparison.Difference> difference = comparison.survival(
                         byLevel.getOrDefault(levels.get(0), List.of()), byLevel.getOrDefault(level, List.of()));
-                if (difference.isPresent() && names.size() < MAX_GROUPS) {
+                if (difference.isPresent()) {
                     names.add(name);
                     differences.add(difference.get());
                 }
