@@ -14,6 +14,11 @@ import java.util.Set;
 /** The sections on faults: the survival matrix, and how soon faults are detected. */
 final class FaultSections {
 
+    private static final String DELAYS_EXPLAINED =
+            "Seconds from a fault until the controller distrusts the sensor: the median, the 90 % quantile, and the share"
+                    + " of runs in which it does, of those with a diagnosis. A fault that disturbs little need not be"
+                    + " detected.";
+
     private static final String DELAY = "detection_delay_s";
 
     /** With a sufficient set of sensors, the robot carries on in at least this share of the runs. */
@@ -95,10 +100,7 @@ final class FaultSections {
         header.add("all");
         return Html.section(
                 "Detection delays",
-                Html.paragraph(
-                                "Seconds from a fault until the controller distrusts the sensor: the median, the 90 % quantile,"
-                                        + " and the share of runs in which it does, of those with a diagnosis. A fault that disturbs"
-                                        + " little need not be detected.")
+                Html.paragraph(DELAYS_EXPLAINED)
                         + Html.table("matrix", header, rows)
                         + Svg.histogram("detection delay (s)", delays(diagnosed), 24));
     }
