@@ -15,9 +15,9 @@ import java.util.Set;
 final class FaultSections {
 
     private static final String DELAYS_EXPLAINED =
-            "Seconds from a fault until the controller distrusts the sensor: the median, the 90 % quantile, and the share"
-                    + " of runs in which it does, of those with a diagnosis. A fault that disturbs little need not be"
-                    + " detected.";
+            "Seconds from a fault until the controller distrusts the sensor: the median, the 90 % quantile, and the"
+                    + " share of runs in which it does, of those with a diagnosis. A fault that disturbs little need"
+                    + " not be detected.";
 
     private static final String DELAY = "detection_delay_s";
 
