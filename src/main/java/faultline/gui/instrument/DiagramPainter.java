@@ -1,6 +1,7 @@
 package faultline.gui.instrument;
 
 import faultline.control.FollowerState;
+import faultline.control.ladder.Rung;
 import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.engine.recording.EventLog;
@@ -8,6 +9,7 @@ import faultline.engine.recording.RunEvent;
 import faultline.engine.recording.StateTally;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
+import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Antialiasing;
@@ -65,13 +67,22 @@ final class DiagramPainter {
             paintState(state);
         }
         Font bold = SMALL_FONT.deriveFont(Font.BOLD);
+        String strategy = strategyText(frame);
+        double room = width - TEXT_MARGIN - g.getFontMetrics(bold).stringWidth(strategy);
         drawFitted(
-                last.map(transition -> transitionText(transition, width - TEXT_MARGIN, bold))
-                        .orElseGet(() -> Messages.get("diagram.none")),
+                strategy
+                        + last.map(transition -> transitionText(transition, room, bold))
+                                .orElseGet(() -> Messages.get("diagram.none")),
                 new Vector2(width / 2, height - 9),
                 width - TEXT_MARGIN,
                 bold,
                 last.isPresent() ? colours.accent() : colours.muted());
+    }
+
+    /** Returns which strategy of the ladder drives, if it is not the first one, before the last transition. */
+    static String strategyText(SessionFrame frame) {
+        String rung = frame.telemetry().diagnosis().rung();
+        return rung.isEmpty() || rung.equals(Rung.ALL.name()) ? "" : HealthText.rungPosition(rung) + " · ";
     }
 
     /** Returns the description of the last transition, or its condition alone if the full text does not fit. */

@@ -43,7 +43,6 @@ final class ToolBar extends JToolBar {
         add(slider.numberLabel());
         add(Box.createHorizontalStrut(GROUP_GAP));
         addGroup("fit", "path", "follow");
-        add(Box.createHorizontalGlue());
         add(createButton(actions.get("dark")));
     }
 

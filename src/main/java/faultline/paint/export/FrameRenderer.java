@@ -14,7 +14,7 @@ import java.awt.image.BufferedImage;
 public final class FrameRenderer {
 
     /** The margin around the world, pixels: for the band, the scale bar below and the badge above. */
-    private static final double MARGIN = 40;
+    private static final double MARGIN = 20;
 
     private static final double MIN_ASPECT = 0.25;
     private static final double MAX_ASPECT = 2;

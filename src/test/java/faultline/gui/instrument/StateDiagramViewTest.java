@@ -11,6 +11,8 @@ import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
 import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
+import faultline.control.Telemetry;
+import faultline.engine.Frame;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
 import faultline.gui.text.StateText;
@@ -21,6 +23,7 @@ import java.awt.Color;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** The state diagram without a display: the current state, the last transition, and their descriptions. */
@@ -127,5 +130,32 @@ class StateDiagramViewTest {
     void framesAreShownOnTheEventDispatchThreadOnly() {
         assertThrows(AssertionError.class, () -> view.setFrame(FRAME));
         runOnEdt(() -> view.setFrame(FRAME));
+    }
+
+    @Test
+    void theStrategyIsNamedUnlessAllSensorsAreTrusted() {
+        assertEquals("", strategy("ALL"));
+        assertEquals("", strategy(""), "a controller without a diagnosis");
+        assertEquals("4 of 6: two sensors, local map · ", strategy("TWO"));
+    }
+
+    private static String strategy(String rung) {
+        Frame old = FRAME.frame();
+        Telemetry telemetry = old.telemetry();
+        Frame frame = new Frame(
+                old.snapshot(),
+                new Telemetry(
+                        telemetry.state(),
+                        telemetry.condition(),
+                        telemetry.sinceTick(),
+                        telemetry.transitions(),
+                        telemetry.wall(),
+                        telemetry.edges(),
+                        new Telemetry.Diagnosis(rung, List.of())),
+                old.leftVolts(),
+                old.rightVolts(),
+                old.path(),
+                old.trajectoryHash());
+        return DiagramPainter.strategyText(new SessionFrame(frame, FRAME.recording()));
     }
 }
