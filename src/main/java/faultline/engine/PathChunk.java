@@ -14,10 +14,12 @@ final class PathChunk {
     private static final int BOX_SIDES = 4;
 
     private final double[] xy = new double[2 * CAPACITY];
+    private final byte[] tags = new byte[CAPACITY];
     private final double[] boxes = new double[CAPACITY / BLOCK_SIZE * BOX_SIDES];
 
     /** Writes the next point. */
-    void set(int index, double x, double y) {
+    void set(int index, double x, double y, int tag) {
+        tags[index] = (byte) tag;
         xy[2 * index] = x;
         xy[2 * index + 1] = y;
         int box = index / BLOCK_SIZE * BOX_SIDES;
@@ -26,6 +28,10 @@ final class PathChunk {
         boxes[box + 1] = first ? y : Math.min(boxes[box + 1], y);
         boxes[box + 2] = first ? x : Math.max(boxes[box + 2], x);
         boxes[box + 3] = first ? y : Math.max(boxes[box + 3], y);
+    }
+
+    int tag(int index) {
+        return tags[index];
     }
 
     double x(int index) {

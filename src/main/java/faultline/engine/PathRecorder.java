@@ -12,6 +12,12 @@ final class PathRecorder {
     /** The spacing, metres: less than a pixel at any zoom that shows a room. */
     private static final double SPACING = 0.005;
 
+    /** The spacing of points at which the tag changes, metres. */
+    private static final double TAG_SPACING = 0.001;
+
+    /** The tolerance from which on changes of the tag no longer keep a point, so that thinning always ends, metres. */
+    private static final double MAX_TAGGED_TOLERANCE = 0.1;
+
     /** The initial tolerance of thinning, metres: less than a pixel at up to 1000 pixels per metre. */
     private static final double INITIAL_TOLERANCE = 0.001;
 
@@ -24,27 +30,30 @@ final class PathRecorder {
     private double tolerance = INITIAL_TOLERANCE;
     private double lastX;
     private double lastY;
+    private int lastTag;
 
     private static ChunkLog<PathChunk> newLog() {
         return new ChunkLog<>(PathChunk.CAPACITY, MAX_POINTS / PathChunk.CAPACITY, PathChunk::new);
     }
 
-    /** Records a point if it is far enough from the last one. */
-    void record(double x, double y) {
+    /** Records a point if it is far enough from the last one; see {@link PathTag}. */
+    void record(double x, double y, int tag) {
         double dx = x - lastX;
         double dy = y - lastY;
-        if (size > 0 && dx * dx + dy * dy < SPACING * SPACING) {
+        double spacing = tag == lastTag ? SPACING : TAG_SPACING;
+        if (size > 0 && dx * dx + dy * dy < spacing * spacing) {
             return;
         }
         if (size == MAX_POINTS) {
             thin();
         }
-        add(x, y);
+        add(x, y, tag);
     }
 
-    private void add(double x, double y) {
+    private void add(double x, double y, int tag) {
         int offset = log.append();
-        log.newest().set(offset, x, y);
+        log.newest().set(offset, x, y, tag);
+        lastTag = tag;
         size++;
         lastX = x;
         lastY = y;
@@ -53,18 +62,22 @@ final class PathRecorder {
     /** Thins what was recorded since the last time; if too much remains, everything with twice the tolerance. */
     private void thin() {
         RobotPath all = view();
-        List<Integer> kept = PathThinner.select(all, Math.max(0, thinned - 1), tolerance);
+        List<Integer> kept = select(all, Math.max(0, thinned - 1));
         int head = Math.max(0, thinned - 1);
         while (head + kept.size() > MAX_POINTS / 2) {
             tolerance *= 2;
             head = 0;
-            kept = PathThinner.select(all, 0, tolerance);
+            kept = select(all, 0);
         }
         log = newLog();
         size = 0;
         IntStream.concat(IntStream.range(0, head), kept.stream().mapToInt(i -> i))
-                .forEach(i -> add(all.x(i), all.y(i)));
+                .forEach(i -> add(all.x(i), all.y(i), all.tag(i)));
         thinned = size;
+    }
+
+    private List<Integer> select(RobotPath path, int from) {
+        return PathThinner.select(path, from, tolerance, tolerance <= MAX_TAGGED_TOLERANCE);
     }
 
     /** Returns the path so far. */

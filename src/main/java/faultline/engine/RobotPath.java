@@ -29,6 +29,11 @@ public final class RobotPath {
         return points.chunk(index).y(points.offset(index));
     }
 
+    /** Returns the {@link PathTag} of the line that leads to a point. */
+    public int tag(int index) {
+        return points.chunk(index).tag(points.offset(index));
+    }
+
     /**
      * Returns the number of points from an index on that can be skipped because they, and the lines between them, lie
      * outside a box.

@@ -136,7 +136,7 @@ public final class Simulation implements AutoCloseable {
 
     private void senseAndSubmit() {
         world.sense();
-        trajectoryRecorder.record(world);
+        trajectoryRecorder.record(world, activeDecision.telemetry().state());
         double[] swapped = previousReadings;
         previousReadings = readings;
         readings = swapped;

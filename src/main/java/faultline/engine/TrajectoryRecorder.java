@@ -1,5 +1,6 @@
 package faultline.engine;
 
+import faultline.control.ControllerState;
 import faultline.geometry.Pose;
 import faultline.robot.WheelSpeeds;
 import faultline.world.World;
@@ -11,7 +12,7 @@ final class TrajectoryRecorder {
     private final PathRecorder path = new PathRecorder();
 
     /** Records the end of a tick. */
-    void record(World world) {
+    void record(World world, ControllerState state) {
         Pose pose = world.pose();
         hash.add(pose.x());
         hash.add(pose.y());
@@ -23,7 +24,7 @@ final class TrajectoryRecorder {
         for (int i = 0; i < sensors; i++) {
             hash.add(world.reportedReading(i));
         }
-        path.record(pose.x(), pose.y());
+        path.record(pose.x(), pose.y(), PathTag.of(state, world));
     }
 
     long hash() {

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.geometry.Vector2;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import faultline.control.FollowerState;
 import org.junit.jupiter.api.Test;
 
 class PathRecorderTest {
@@ -17,15 +18,15 @@ class PathRecorderTest {
     /** Goes straight ahead; point i lies at i steps. */
     private void drive(int from, int to) {
         for (int i = from; i < to; i++) {
-            recorder.record(i * STEP, 1);
+            recorder.record(i * STEP, 1, PathTag.NONE);
         }
     }
 
     @Test
     void pointsNearerThanTheSpacingAreLeftOut() {
-        recorder.record(0, 0);
-        recorder.record(0.004, 0);
-        recorder.record(0.006, 0);
+        recorder.record(0, 0, PathTag.NONE);
+        recorder.record(0.004, 0, PathTag.NONE);
+        recorder.record(0.006, 0, PathTag.NONE);
         RobotPath path = recorder.view();
         assertEquals(2, path.size());
         assertEquals(0.006, path.x(1));
@@ -63,7 +64,7 @@ class PathRecorderTest {
         double metres = 14 * 3600 * 0.3;
         for (double s = 0; s < metres; s += STEP) {
             Vector2 at = roomLoop(s);
-            recorder.record(at.x(), at.y());
+            recorder.record(at.x(), at.y(), PathTag.NONE);
         }
         RobotPath path = recorder.view();
         int tail = 2000;
@@ -83,7 +84,7 @@ class PathRecorderTest {
     void aReversalAndASpinOnTheSpotAreKept() {
         drive(0, PathRecorder.MAX_POINTS / 2);
         for (int i = PathRecorder.MAX_POINTS / 2; i > 0; i--) {
-            recorder.record(i * STEP, 1);
+            recorder.record(i * STEP, 1, PathTag.NONE);
         }
         drive(0, 2);
         RobotPath path = recorder.view();
@@ -150,5 +151,39 @@ class PathRecorderTest {
         assertEquals(64, path.skippablePoints(0, above));
         assertEquals(0, path.skippablePoints(1, above), "not the start of a stretch");
         assertEquals(0, path.skippablePoints(64, above), "only 36 points of it are there");
+    }
+
+    /** The state changes every 0.2 m along a line of 3 km, which thinning would otherwise leave with two points. */
+    @Test
+    void thinningKeepsTheLinesOfEachTagApart() {
+        PathRecorder recorder = new PathRecorder();
+        int end = 500_000;
+        for (int i = 0; i <= end; i++) {
+            recorder.record(i * 0.006, 1, tagAt(i * 0.006));
+        }
+        RobotPath path = recorder.view();
+        assertTrue(path.size() < PathRecorder.MAX_POINTS);
+        for (int i = 1; i < path.size(); i++) {
+            double middle = (path.x(i - 1) + path.x(i)) / 2;
+            boolean border = path.x(i) - path.x(i - 1) < 0.013;
+            assertEquals(tagAt(path.x(i)), path.tag(i));
+            assertTrue(border || path.tag(i) == tagAt(middle), "at " + middle);
+        }
+    }
+
+    private static int tagAt(double x) {
+        return PathTag.of(FollowerState.values()[(int) (x / 0.2) % 6], (int) (x / 0.2) % 5 == 0);
+    }
+
+    @Test
+    void aChangeOfStateOnAShortWayIsKept() {
+        PathRecorder recorder = new PathRecorder();
+        recorder.record(0, 0, PathTag.NONE);
+        recorder.record(0.002, 0, PathTag.of(FollowerState.FOLLOW, true));
+        recorder.record(0.0025, 0, PathTag.NONE);
+        RobotPath path = recorder.view();
+        assertEquals(2, path.size());
+        assertTrue(PathTag.isFaulty(path.tag(1)));
+        assertEquals(FollowerState.FOLLOW.ordinal(), PathTag.stateIndex(path.tag(1)));
     }
 }

@@ -81,7 +81,7 @@ public final class SampleFrames {
     static PathRecorder pathRecorder(Vector2... points) {
         PathRecorder recorder = new PathRecorder();
         for (Vector2 point : points) {
-            recorder.record(point.x(), point.y());
+            recorder.record(point.x(), point.y(), PathTag.NONE);
         }
         return recorder;
     }
@@ -90,7 +90,7 @@ public final class SampleFrames {
     public static List<RobotPath> growingPathViews(List<Vector2> before, List<Vector2> after) {
         PathRecorder recorder = pathRecorder(before.toArray(Vector2[]::new));
         RobotPath first = recorder.view();
-        after.forEach(point -> recorder.record(point.x(), point.y()));
+        after.forEach(point -> recorder.record(point.x(), point.y(), PathTag.NONE));
         return List.of(first, recorder.view());
     }
 

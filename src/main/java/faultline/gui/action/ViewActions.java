@@ -6,9 +6,12 @@ import static faultline.gui.action.Keystrokes.menuShortcut;
 import static faultline.gui.action.Keystrokes.unmodified;
 
 import faultline.gui.canvas.SimulationCanvas;
+import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Glyph;
 import faultline.paint.scene.Layer;
+import faultline.paint.scene.PathStyle;
 import java.awt.event.KeyEvent;
+import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
@@ -56,6 +59,31 @@ public final class ViewActions {
             root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, action.key());
         }
         root.getActionMap().put(action.key(), action);
+    }
+
+    /** Adds the actions that choose what colours the path; the choice is remembered. */
+    public static void addPathColours(ActionRegistry actions, SimulationCanvas canvas, WindowPreferences preferences) {
+        addPathColour(actions, canvas, preferences, "pathStates", Layer.PATH_STATES, PathStyle.STATES);
+        addPathColour(actions, canvas, preferences, "pathFaults", Layer.PATH_FAULTS, PathStyle.FAULTS);
+    }
+
+    private static void addPathColour(
+            ActionRegistry actions,
+            SimulationCanvas canvas,
+            WindowPreferences preferences,
+            String key,
+            Layer layer,
+            PathStyle style) {
+        boolean chosen = preferences.pathStyle() == style;
+        canvas.setLayer(layer, chosen);
+        actions.add(UiAction.toggle(key, chosen, on -> {
+            for (Layer colour : List.of(Layer.PATH_STATES, Layer.PATH_FAULTS)) {
+                canvas.setLayer(colour, on && colour == layer);
+            }
+            actions.get("pathStates").setOn(on && style == PathStyle.STATES);
+            actions.get("pathFaults").setOn(on && style == PathStyle.FAULTS);
+            preferences.setPathStyle(on ? style : PathStyle.RUN);
+        }));
     }
 
     private static UiAction layer(String key, SimulationCanvas canvas, Layer layer) {

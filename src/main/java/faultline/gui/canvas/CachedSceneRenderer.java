@@ -57,7 +57,7 @@ final class CachedSceneRenderer {
         Map<Boolean, List<Obstacle>> byMotion = frame.snapshot().obstacles().stream()
                 .collect(Collectors.partitioningBy(obstacle -> obstacle.isMoving() || apart.contains(obstacle.id())));
         Set<String> marked = apart.isEmpty() ? scene.selection().get() : Set.of();
-        PathLayer driven = new PathLayer(frame.path(), PathStyle.RUN);
+        PathLayer driven = new PathLayer(frame.path(), PathStyle.of(layers));
         Optional<ReferenceOverlay> reference = scene.referenceOverlay().get();
         if (reference.isEmpty()) {
             referencePath.clear();

@@ -1,5 +1,6 @@
 package faultline.gui.instrument;
 
+import faultline.engine.PathTag;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.geometry.Vector2;
@@ -10,6 +11,7 @@ import faultline.gui.timeline.Lane;
 import faultline.gui.timeline.TimelineItem;
 import faultline.paint.chart.PlotPainter;
 import faultline.paint.chart.TickStyle;
+import faultline.paint.scene.PathStyle;
 import faultline.paint.surface.DashPattern;
 import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.Palette;
@@ -27,6 +29,7 @@ final class StripPainter {
 
     private static final int RIBBON_GAP = 6;
     private static final int RIBBON_HEIGHT = 15;
+    private static final int STATE_COLOUR_HEIGHT = 3;
     private static final int FAULT_ALPHA = 45;
     private static final double LEGEND_SAMPLE = 26;
 
@@ -80,6 +83,9 @@ final class StripPainter {
         surface.fill(
                 new Rectangle2D.Double(from, RIBBON_GAP, 1.5, RIBBON_HEIGHT),
                 theme.palette().muted());
+        surface.fill(
+                new Rectangle2D.Double(from, RIBBON_GAP + RIBBON_HEIGHT, to - from, STATE_COLOUR_HEIGHT),
+                PathStyle.stateColour(theme.palette().dark(), PathTag.stateIndex(PathTag.of(interval.state(), false))));
         String name = StateText.name(interval.state());
         if (to - from - textStyle.estimateWidth(name) > 8) {
             surface.drawText(name, new Vector2((from + to) / 2, RIBBON_GAP + 12), textStyle.withAnchor(Anchor.MIDDLE));

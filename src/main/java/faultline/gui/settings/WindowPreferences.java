@@ -3,6 +3,7 @@ package faultline.gui.settings;
 import faultline.gui.text.Language;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.paint.scene.PathStyle;
 import java.awt.Rectangle;
 import java.util.Optional;
 import java.util.function.BiConsumer;
@@ -36,6 +37,7 @@ public final class WindowPreferences {
     private static final String CHART = "chart";
     private static final String DOCK_HIDDEN = "dock.hidden";
     private static final String TIMELINE = "timeline";
+    private static final String PATH_STYLE = "path.style";
 
     private final PreferenceStore store;
 
@@ -195,6 +197,15 @@ public final class WindowPreferences {
 
     public void setTimelineShown(boolean shown) {
         store.put(TIMELINE, shown ? "" : HIDDEN);
+    }
+
+    /** Returns what colours the path of the run, nothing by default. */
+    public PathStyle pathStyle() {
+        return readEnum(PATH_STYLE, PathStyle.class, PathStyle.RUN);
+    }
+
+    public void setPathStyle(PathStyle style) {
+        store.put(PATH_STYLE, style.name());
     }
 
     private Optional<Integer> readPixels(String key) {

@@ -145,6 +145,7 @@ public final class MainWindow extends JFrame {
         new SensorActions(workspace, undoController).addTo(actionRegistry);
         exportController.actions().forEach(actionRegistry::add);
         ViewActions.addTo(actionRegistry, canvas);
+        ViewActions.addPathColours(actionRegistry, canvas, preferences);
         ViewActions.bindTo(getRootPane(), actionRegistry);
         actionRegistry.add(UiAction.toggle("instruments", preferences.isDockShown(), on -> mainPanel.setDockShown(on))
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_I)));

@@ -48,8 +48,8 @@ final class Menus {
     private JMenu createViewMenu() {
         JMenu view = createMenu(
                 "view",
-                "fit zoomIn zoomOut follow measure - path cones hits routes labels grid scaleBar -"
-                        + " timeline instruments nextArea previousArea dark");
+                "fit zoomIn zoomOut follow measure - path pathStates pathFaults"
+                        + " cones hits routes labels grid scaleBar - timeline instruments nextArea previousArea dark");
         view.add(createMenu("language", "languageEnglish languagePolish"));
         view.add(createMenu("textSize", "textSizeNormal textSizeLarge textSizeLargest"));
         return view;

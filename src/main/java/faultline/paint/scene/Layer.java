@@ -14,6 +14,10 @@ public enum Layer {
     ROUTES,
     /** The robot's path. */
     PATH,
+    /** The robot's path coloured by the controller's state. */
+    PATH_STATES,
+    /** The robot's path with the stretches on which a sensor or motor was faulty. */
+    PATH_FAULTS,
     /** The sensors' cones, numbers and readings. */
     CONES,
     /** Rings where the cones' outlines meet obstacles. */
@@ -23,8 +27,8 @@ public enum Layer {
     /** The scale bar. */
     SCALE_BAR;
 
-    /** Returns a new set of the layers that are shown by default: all but {@link #LABELS}. */
+    /** Returns a new set of the layers that are shown by default: all but the labels and the colours of the path. */
     public static Set<Layer> defaults() {
-        return EnumSet.complementOf(EnumSet.of(LABELS));
+        return EnumSet.complementOf(EnumSet.of(LABELS, PATH_STATES, PATH_FAULTS));
     }
 }

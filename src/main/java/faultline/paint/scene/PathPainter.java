@@ -4,10 +4,14 @@ import faultline.engine.RobotPath;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
+import java.awt.Color;
 import java.awt.Rectangle;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.IntFunction;
 
 /** Paints the path of the robot, or a section of it, so that a cached picture of the path can grow. */
 public final class PathPainter {
@@ -29,9 +33,9 @@ public final class PathPainter {
      */
     public static PaintedSection paint(
             DrawContext context, RobotPath path, PathStyle style, int from, int most, Rectangle clip) {
-        PolylineBuilder line = new PolylineBuilder(context.camera(), path, from, clip);
+        PolylineBuilder line = new PolylineBuilder(context, path, style, from, clip);
         line.appendUpTo(path.size(), most);
-        context.draw(line.drawn, style.colour(context.palette()), style.stroke());
+        line.draw(context, style);
         return new PaintedSection(line.next, (double) line.cost / DRAW_COST);
     }
 
@@ -44,19 +48,22 @@ public final class PathPainter {
     public record PaintedSection(int endIndex, double cost) {}
 
     /** Paints the rest of a path from a point, and on to the robot's current position. */
-    static void paintTail(DrawContext context, RobotPath path, int from, Vector2 robot) {
-        PolylineBuilder line = new PolylineBuilder(
-                context.camera(), path, from, context.camera().bounds());
+    static void paintTail(DrawContext context, RobotPath path, PathStyle style, int from, Vector2 robot) {
+        PolylineBuilder line =
+                new PolylineBuilder(context, path, style, from, context.camera().bounds());
         line.appendUpTo(path.size(), Integer.MAX_VALUE);
         Vector2 end = context.camera().toScreen(robot);
         line.lineTo(end.x(), end.y());
-        context.draw(line.drawn, PathStyle.RUN.colour(context.palette()), PathStyle.RUN.stroke());
+        line.draw(context, style);
     }
 
     /** Builds a line through some of the points of a path. */
     private static final class PolylineBuilder {
 
-        private final Path2D drawn = new Path2D.Double();
+        /** The lines of each colour. */
+        private final Map<Color, Path2D> lines = new LinkedHashMap<>();
+
+        private final IntFunction<Color> colours;
         private final AffineTransform toScreen;
         private final RobotPath path;
         private final Rectangle2D clip;
@@ -65,10 +72,14 @@ public final class PathPainter {
         private double lastX;
         private double lastY;
         private boolean penDown;
+        private Color colour;
         private int next;
         private long cost;
 
-        PolylineBuilder(Camera camera, RobotPath path, int from, Rectangle clip) {
+        PolylineBuilder(DrawContext context, RobotPath path, PathStyle style, int from, Rectangle clip) {
+            Camera camera = context.camera();
+            this.colours = tag -> style.colour(context.palette(), tag);
+            this.colour = colours.apply(path.tag(from));
             this.toScreen = camera.transform();
             this.path = path;
             this.clip = expanded(clip);
@@ -96,6 +107,7 @@ public final class PathPainter {
             long enough = (long) most * DRAW_COST;
             while (next < end && cost < enough) {
                 int outside = path.skippablePoints(next, clipInWorld);
+                changeColour(colours.apply(path.tag(next)));
                 loadPoint(next);
                 next += Math.max(1, outside);
                 cost++;
@@ -106,6 +118,20 @@ public final class PathPainter {
                     liftPen();
                 }
             }
+        }
+
+        /** Draws up to the last point before a line of another colour begins there. */
+        private void changeColour(Color newColour) {
+            if (!newColour.equals(colour)) {
+                loadPoint(next - 1);
+                draw();
+                penDown = false;
+                colour = newColour;
+            }
+        }
+
+        void draw(DrawContext context, PathStyle style) {
+            lines.forEach((lineColour, line) -> context.draw(line, lineColour, style.stroke()));
         }
 
         /** Continues from the last point without drawing. */
@@ -146,10 +172,11 @@ public final class PathPainter {
         }
 
         void lineTo(double x, double y) {
+            Path2D line = lines.computeIfAbsent(colour, unused -> new Path2D.Double());
             if (!penDown) {
-                drawn.moveTo(lastX, lastY);
+                line.moveTo(lastX, lastY);
             }
-            drawn.lineTo(x, y);
+            line.lineTo(x, y);
             cost += DRAW_COST;
         }
     }

@@ -81,7 +81,12 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
     public void paintDynamic(DrawContext context, Frame frame, List<Obstacle> obstacles, int pathFrom) {
         Snapshot world = frame.snapshot();
         if (layers.contains(Layer.PATH)) {
-            PathPainter.paintTail(context, frame.path(), pathFrom, world.pose().position());
+            PathPainter.paintTail(
+                    context,
+                    frame.path(),
+                    PathStyle.of(layers),
+                    pathFrom,
+                    world.pose().position());
         }
         obstacles.forEach(obstacle -> paintMovingObstacle(context, obstacle));
         paintSensors(context, world.sensors());

@@ -114,13 +114,13 @@ class MainPanelTest {
             new ExportController(canvas, bench, canvas, files::chooseExportFile, file -> {})
                     .actions()
                     .forEach(actions::add);
-            actions.add(UiAction.of("examples", () -> {}));
             ViewActions.addTo(actions, canvas);
+            ViewActions.addPathColours(actions, canvas, WindowPreferences.nonPersistent());
             actions.add(UiAction.toggle("dark", false, on -> {}));
             new RunActions(run, speed).addTo(actions);
             new Dialogs(null).addTo(actions);
             Stream.of("instruments", "timeline").forEach(key -> actions.add(UiAction.toggle(key, true, shown -> {})));
-            Stream.of("nextArea", "previousArea", "new", "properties", "chooseController")
+            Stream.of("nextArea", "previousArea", "new", "properties", "chooseController", "examples")
                     .forEach(key -> actions.add(UiAction.of(key, () -> {})));
             new PreferenceActions(null, WindowPreferences.nonPersistent()).addTo(actions);
             mainPanel = createMainPanel(run, edits, speed, bench);

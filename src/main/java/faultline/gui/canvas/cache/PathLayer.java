@@ -52,12 +52,14 @@ public record PathLayer(RobotPath path, PathStyle style) implements LayerContent
 
     @Override
     public boolean isSatisfiedBy(PathLayer earlier) {
-        return path.isContinuationOf(earlier.path) && path.size() - earlier.path.size() < BATCH_SIZE;
+        return style == earlier.style
+                && path.isContinuationOf(earlier.path)
+                && path.size() - earlier.path.size() < BATCH_SIZE;
     }
 
     @Override
     public Optional<Patch> patchSince(PathLayer earlier, Camera camera) {
-        return path.isContinuationOf(earlier.path)
+        return style == earlier.style && path.isContinuationOf(earlier.path)
                 ? Optional.of(new Patch(List.of(camera.bounds()), earlier.path.size()))
                 : Optional.empty();
     }
