@@ -16,9 +16,6 @@ public interface ControllerSource {
      */
     record Run(long seed, double dt, long periodTicks, double duration, RobotSpec robot) {}
 
-    /** Returns the name that is shown: a command or the name of a provider. */
-    String name();
-
     /**
      * Starts a controller. One that is {@link AutoCloseable} is closed with the run.
      *

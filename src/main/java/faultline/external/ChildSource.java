@@ -44,11 +44,6 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
         return this;
     }
 
-    @Override
-    public String name() {
-        return command;
-    }
-
     /**
      * Starts a child and waits until it is ready.
      *

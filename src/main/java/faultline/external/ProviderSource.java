@@ -15,11 +15,6 @@ import java.util.Map;
 record ProviderSource(ControllerProvider provider, Map<String, String> settings) implements ControllerSource {
 
     @Override
-    public String name() {
-        return provider.name();
-    }
-
-    @Override
     public Controller start(Run run) {
         return ControllerProviders.create(provider, settings);
     }

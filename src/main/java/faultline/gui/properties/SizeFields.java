@@ -73,14 +73,14 @@ final class SizeFields implements ObstacleShape.Visitor<SizeFields.Size> {
         }
     }
 
-    private void change(double newFirst, double newSecond) {
+    private boolean change(double newFirst, double newSecond) {
         if (shape instanceof ObstacleShape.Rectangle) {
-            onChange.test(new ObstacleShape.Rectangle(newFirst, newSecond));
-        } else if (shape instanceof ObstacleShape.Circle) {
-            onChange.test(new ObstacleShape.Circle(newFirst));
-        } else if (shape instanceof ObstacleShape.Ellipse) {
-            onChange.test(new ObstacleShape.Ellipse(newFirst, newSecond));
+            return onChange.test(new ObstacleShape.Rectangle(newFirst, newSecond));
         }
+        if (shape instanceof ObstacleShape.Circle) {
+            return onChange.test(new ObstacleShape.Circle(newFirst));
+        }
+        return shape instanceof ObstacleShape.Ellipse && onChange.test(new ObstacleShape.Ellipse(newFirst, newSecond));
     }
 
     private boolean changePoints(List<Vector2> entered) {
