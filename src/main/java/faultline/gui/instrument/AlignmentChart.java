@@ -27,11 +27,15 @@ final class AlignmentChart {
     private final Surface surface;
     private final Theme theme;
     private final AlignmentTrace trace;
+    /** The index of the sensor whose reading is plotted. */
+    private final int sensor;
+
     private final Plot plot;
     private final PlotPainter painter;
     private final TextStyle textStyle;
 
-    AlignmentChart(Surface surface, Theme theme, AlignmentTrace trace, PixelRectangle area) {
+    AlignmentChart(Surface surface, Theme theme, AlignmentTrace trace, int sensor, PixelRectangle area) {
+        this.sensor = sensor;
         this.surface = surface;
         this.theme = theme;
         this.trace = trace;
@@ -63,7 +67,7 @@ final class AlignmentChart {
                 trace.samples().stream()
                         .map(sample -> new Vector2(sample.clock(), sample.reading()))
                         .toList(),
-                LineStyle.solid(theme.palette().path(), 2));
+                LineStyle.solid(theme.palette().sensorColours(sensor).outline(), 2));
         if (trace.isTimed()) {
             paintEdge(trace.f3(), Messages.get("spin.f3"));
             paintEdge(trace.f4(), Messages.get("spin.f4"));

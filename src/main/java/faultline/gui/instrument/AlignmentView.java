@@ -34,6 +34,7 @@ public final class AlignmentView extends JComponent {
     private static final int VALUE_WIDTH = 140;
     private static final int ROW_HEIGHT = 20;
 
+    private int sensor;
     private TimingRule timingRule = TimingRule.EQUAL_READINGS;
     private transient Optional<AlignmentTrace> trace = Optional.empty();
 
@@ -49,6 +50,7 @@ public final class AlignmentView extends JComponent {
     /** Shows a frame with the recording of its run. */
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
+        sensor = SignalGroup.followedSensor(frame.snapshot().sensors());
         trace = AlignmentTrace.latest(frame);
         String words = accessibleText();
         if (!words.equals(getAccessibleContext().getAccessibleDescription())) {
@@ -100,7 +102,7 @@ public final class AlignmentView extends JComponent {
                 TOP_MARGIN,
                 Math.max(1, dial - radius - GAP - LEFT_MARGIN),
                 Math.max(1, height - TOP_MARGIN - BOTTOM_MARGIN));
-        new AlignmentChart(new GraphicsSurface(g), Theme.current(), shown, plot).paint();
+        new AlignmentChart(new GraphicsSurface(g), Theme.current(), shown, sensor, plot).paint();
         new AlignmentDial(g, Theme.current(), dial, height / 2, radius).paint(shown);
         paintNumbers(g, numbers, height);
     }
