@@ -85,6 +85,7 @@ public final class MapFollower {
         sinceWall = atWall ? LOST / 2 : LOST + 1;
         untilPlan = 0;
         scanning = false;
+        state = atWall ? FollowerState.FOLLOW : FollowerState.SEARCH;
         stuck = false;
         progress.reset();
     }
@@ -159,17 +160,15 @@ public final class MapFollower {
 
     /** No wall: straight on. */
     private void search() {
-        if (scanning) {
-            checkKnown();
-            return;
-        }
-        double bearing = map.bearingOfSurface(direction, StrictMath.PI, wanted() + 0.1);
-        if (!Double.isNaN(bearing)) {
-            wall = bearing;
-            sinceWall = 0;
+        state = FollowerState.SEARCH;
+        if (!scanning) {
+            double bearing = map.bearingOfSurface(direction, StrictMath.PI, wanted() + 0.1);
+            if (!Double.isNaN(bearing)) {
+                wall = bearing;
+                sinceWall = 0;
+            }
         }
         checkKnown();
-        state = scanning ? FollowerState.MEASURE : FollowerState.SEARCH;
     }
 
     private void checkKnown() {
