@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.FollowerState;
 import faultline.geometry.Vector2;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
-import faultline.control.FollowerState;
 import org.junit.jupiter.api.Test;
 
 class PathRecorderTest {

@@ -9,9 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
+import faultline.control.Telemetry;
 import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
-import faultline.control.Telemetry;
 import faultline.engine.Frame;
 import faultline.engine.session.SessionFrame;
 import faultline.geometry.Vector2;
