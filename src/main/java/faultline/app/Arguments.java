@@ -80,7 +80,7 @@ final class Arguments {
 
     private void requireKnown(String option, List<String> known) throws UsageException {
         if (!known.contains(option)) {
-            throw new UsageException("there is no option " + MessageText.quoted(option) + " here, allowed is "
+            throw new UsageException("there is no option " + MessageText.quoted(option) + " here; expected "
                     + (known.isEmpty() ? "none" : String.join(", ", known)) + DidYouMean.hint(option, known));
         }
         if (options.containsKey(option)) {

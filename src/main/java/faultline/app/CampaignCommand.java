@@ -117,8 +117,8 @@ final class CampaignCommand {
             return Runtime.getRuntime().availableProcessors();
         }
         if (!text.get().matches("[1-9]\\d{0,3}") || Integer.parseInt(text.get()) > MAX_JOBS) {
-            throw new UsageException("--jobs is " + MessageText.quoted(text.get())
-                    + ", allowed is a whole number from 1 to " + MAX_JOBS);
+            throw new UsageException(
+                    "--jobs is " + MessageText.quoted(text.get()) + "; expected a whole number from 1 to " + MAX_JOBS);
         }
         return Integer.parseInt(text.get());
     }
@@ -130,6 +130,6 @@ final class CampaignCommand {
         }
         return Shard.parse(text.get())
                 .orElseThrow(() -> new UsageException("--shard is " + MessageText.quoted(text.get())
-                        + ", allowed is I/N with I from 1 to N, such as 2/4"));
+                        + "; expected I/N with I from 1 to N, such as 2/4"));
     }
 }

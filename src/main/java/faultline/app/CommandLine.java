@@ -96,7 +96,7 @@ final class CommandLine {
             return "access is denied";
         }
         if (e instanceof FileAlreadyExistsException) {
-            return "this is a file, allowed is a folder";
+            return "this is a file; expected a folder";
         }
         return e.getReason() == null ? "the file cannot be used" : e.getReason();
     }
@@ -115,7 +115,7 @@ final class CommandLine {
             return commands.get(first).run(args.subList(1, args.size()));
         }
         if (!looksLikeFile(first)) {
-            throw new UsageException("there is no command " + MessageText.quoted(first) + ", allowed is "
+            throw new UsageException("there is no command " + MessageText.quoted(first) + "; expected "
                     + String.join(", ", commands.keySet()) + " or a scenario file"
                     + DidYouMean.hint(first, commands.keySet()));
         }

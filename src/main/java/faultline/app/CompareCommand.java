@@ -70,7 +70,7 @@ final class CompareCommand {
         }
         if (FileTarget.findConflict(List.of(file), outputs(page, choices.size()))
                 .isPresent()) {
-            throw new UsageException("an output is the scenario itself, allowed is another file");
+            throw new UsageException("an output is the scenario itself; expected another file");
         }
         int seeds = seeds(arguments);
         Scenario loaded = Scenario.load(file);
@@ -87,7 +87,7 @@ final class CompareCommand {
         String text = arguments.value("--seeds").orElse("1");
         if (!text.matches("[0-9]{1,5}") || Integer.parseInt(text) < 1 || Integer.parseInt(text) > MAX_SEEDS) {
             throw new UsageException(
-                    "--seeds is " + MessageText.quoted(text) + ", allowed is a whole number from 1 to " + MAX_SEEDS);
+                    "--seeds is " + MessageText.quoted(text) + "; expected a whole number from 1 to " + MAX_SEEDS);
         }
         return Integer.parseInt(text);
     }

@@ -54,7 +54,7 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
         return DecimalText.parse(text.get())
                 .filter(value -> value.signum() > 0 && value.compareTo(MAX_PATIENCE) <= 0)
                 .orElseThrow(() -> new UsageException("--patience is " + MessageText.quoted(text.get())
-                        + ", allowed is none or a number of seconds above 0, up to " + MAX_PATIENCE))
+                        + "; expected none or a number of seconds above 0, up to " + MAX_PATIENCE))
                 .doubleValue();
     }
 

@@ -38,7 +38,7 @@ final class FiguresCommand {
                 .map(value -> value.name().toLowerCase(Locale.ROOT))
                 .toList();
         if (!allowed.contains(text)) {
-            throw new UsageException("--theme is " + MessageText.quoted(text) + ", allowed is light, dark or adaptive"
+            throw new UsageException("--theme is " + MessageText.quoted(text) + "; expected light, dark or adaptive"
                     + DidYouMean.hint(text, allowed));
         }
         return SvgTheme.valueOf(text.toUpperCase(Locale.ROOT));

@@ -36,7 +36,7 @@ final class ImportCommand {
         FloorPlan plan = read(map, parsed, options(parsed));
         if (FileTarget.findConflict(List.of(map, plan.description().image()), List.of(target))
                 .isPresent()) {
-            throw new UsageException("--out is the map itself, allowed is another file");
+            throw new UsageException("--out is the map itself; expected another file");
         }
         String name = map.getFileName().toString().replaceFirst("\\.[^.]*$", "");
         Optional<String> start = parsed.value("--start");
@@ -102,7 +102,7 @@ final class ImportCommand {
     }
 
     private static UsageException wrong(String option, String given, String allowed) {
-        return new UsageException(option + " is " + MessageText.quoted(given) + ", allowed is " + allowed);
+        return new UsageException(option + " is " + MessageText.quoted(given) + "; expected " + allowed);
     }
 
     private void print(Path target, FloorPlan plan, Scenario scenario) {

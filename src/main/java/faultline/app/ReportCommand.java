@@ -33,7 +33,7 @@ final class ReportCommand {
         Path folder = Arguments.parsePath(sorted.files().get(0));
         CampaignReport report = new CampaignReport(folder);
         if (FileTarget.findConflict(new CampaignFolder(folder).files(), targets).isPresent()) {
-            throw new UsageException("--out or --table is a file of the campaign itself, allowed is another file");
+            throw new UsageException("--out or --table is a file of the campaign itself; expected another file");
         }
         AtomicFile.write(target, report.html().getBytes(StandardCharsets.UTF_8));
         if (table.isPresent()) {

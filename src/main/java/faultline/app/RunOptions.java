@@ -100,7 +100,7 @@ record RunOptions(
         double seconds = DecimalText.parse(text.get())
                 .filter(value -> value.signum() >= 0 && value.compareTo(MAX_DURATION) <= 0)
                 .orElseThrow(() -> new UsageException("--until is " + MessageText.quoted(text.get())
-                        + ", allowed is a number from 0 to " + MAX_DURATION + " seconds"))
+                        + "; expected a number from 0 to " + MAX_DURATION + " seconds"))
                 .doubleValue();
         return setup -> setup.withDuration(seconds);
     }
@@ -114,7 +114,7 @@ record RunOptions(
             long seed = Long.parseLong(text.get());
             return setup -> setup.withSeed(seed);
         } catch (NumberFormatException e) {
-            throw new UsageException("--seed is " + MessageText.quoted(text.get()) + ", allowed is a whole number from "
+            throw new UsageException("--seed is " + MessageText.quoted(text.get()) + "; expected a whole number from "
                     + Long.MIN_VALUE + " to " + Long.MAX_VALUE);
         }
     }
@@ -124,7 +124,7 @@ record RunOptions(
             case "controller" -> ControllerMode.OWN_THREAD;
             case "none" -> ControllerMode.DIRECT;
             default ->
-                throw new UsageException("--threads is " + MessageText.quoted(text) + ", allowed is controller or none"
+                throw new UsageException("--threads is " + MessageText.quoted(text) + "; expected controller or none"
                         + DidYouMean.hint(text, List.of("controller", "none")));
         };
     }
@@ -148,8 +148,7 @@ record RunOptions(
         return switch (text) {
             case "1" -> TraceFormat.ONE;
             case "2" -> TraceFormat.TWO;
-            default ->
-                throw new UsageException("--trace-format is " + MessageText.quoted(text) + ", allowed is 1 or 2");
+            default -> throw new UsageException("--trace-format is " + MessageText.quoted(text) + "; expected 1 or 2");
         };
     }
 
@@ -166,14 +165,14 @@ record RunOptions(
         return DecimalText.parse(text.get())
                 .filter(value -> value.signum() > 0 && value.compareTo(MAX_PACE) <= 0)
                 .orElseThrow(() -> new UsageException("--pace is " + MessageText.quoted(text.get())
-                        + ", allowed is a multiple of real time above 0, up to " + MAX_PACE))
+                        + "; expected a multiple of real time above 0, up to " + MAX_PACE))
                 .doubleValue();
     }
 
     private void checkFilesDiffer() throws UsageException {
         if (FileTarget.findConflict(List.of(file), List.copyOf(outputs.values()))
                 .isPresent()) {
-            throw new UsageException("one file is named twice, allowed is another one for each output");
+            throw new UsageException("two of the files are the same one; expected a file of its own for each output");
         }
     }
 

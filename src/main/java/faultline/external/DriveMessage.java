@@ -29,7 +29,7 @@ record DriveMessage(double leftVolts, double rightVolts, String state, String wh
             throw new ProtocolException(
                     "wrote a drive message",
                     " with " + (volts ? "voltages and velocities" : "neither voltages nor velocities")
-                            + ", allowed is either left_v and right_v or v_m_s and omega_rad_s");
+                            + "; expected either left_v and right_v or v_m_s and omega_rad_s");
         }
         if (volts) {
             return new DriveMessage(message.number("left_v"), message.number("right_v"), state, why);

@@ -85,7 +85,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
             MessageReader ready = receive("ready", timeouts.ready());
             if (ready.whole("protocol") != Messages.PROTOCOL) {
                 throw new ProtocolException(
-                        "speaks protocol " + ready.whole("protocol"), ", allowed is " + Messages.PROTOCOL);
+                        "speaks protocol " + ready.whole("protocol"), "; expected " + Messages.PROTOCOL);
             }
             return ready.string("name", "EXTERN");
         } catch (ProtocolException | IOException e) {
@@ -97,7 +97,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         MessageReader message = MessageReader.of(child.receive(seconds));
         String given = message.string("type");
         if (!given.equals(type)) {
-            throw new ProtocolException("wrote a message", " of type \"" + given + "\", allowed is \"" + type + "\"");
+            throw new ProtocolException("wrote a message", " of type \"" + given + "\"; expected \"" + type + "\"");
         }
         return message;
     }
@@ -115,7 +115,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
             MessageReader drive = receive("drive", timeouts.answer());
             if (drive.whole("tick") != observation.tick()) {
                 throw new ProtocolException(
-                        "answered tick " + drive.whole("tick"), ", allowed is the tick of the observation");
+                        "answered tick " + drive.whole("tick"), "; expected the tick of the observation");
             }
             return telemetry.decide(DriveMessage.read(drive, observation.robot()), observation.tick());
         } catch (ProtocolException | IOException e) {

@@ -43,7 +43,7 @@ final class LineBuffer {
         }
         if (searched - begin > MAX_LINE_BYTES) {
             throw new ProtocolException(
-                    "wrote a line of more than " + MAX_LINE_BYTES + " bytes", ", allowed are shorter ones");
+                    "wrote a line of more than " + MAX_LINE_BYTES + " bytes", "; expected shorter ones");
         }
         if (searched == end) {
             return null;

@@ -141,6 +141,6 @@ final class MessageReader {
     private ProtocolException wrong(String name, String allowed) {
         String given = has(name) ? MessageText.quoted(String.valueOf(members.get(name))) : "missing";
         return new ProtocolException(
-                "wrote a message", " whose " + MessageText.quoted(name) + " is " + given + ", allowed is " + allowed);
+                "wrote a message", " whose " + MessageText.quoted(name) + " is " + given + "; expected " + allowed);
     }
 }

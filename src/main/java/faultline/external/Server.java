@@ -107,7 +107,7 @@ public final class Server {
                     case "drive" -> drive(episode, request);
                     default ->
                         throw new ProtocolException(
-                                "wrote a message", " of type \"" + type + "\", allowed is reset, drive or close");
+                                "wrote a message", " of type \"" + type + "\"; expected reset, drive or close");
                 }
                 send(answer(episode));
             }
@@ -120,13 +120,12 @@ public final class Server {
 
     private static void drive(Episode episode, MessageReader request) throws ProtocolException {
         if (episode.isOver()) {
-            throw new ProtocolException(
-                    "wrote a drive message", " after the end of the run, allowed is reset or close");
+            throw new ProtocolException("wrote a drive message", " after the end of the run; expected reset or close");
         }
         long ticks = request.has("ticks") ? request.whole("ticks") : 1;
         if (ticks < 1 || ticks > MAX_TICKS) {
             throw new ProtocolException(
-                    "wrote a drive message", " for " + ticks + " ticks, allowed are 1 to " + MAX_TICKS);
+                    "wrote a drive message", " for " + ticks + " ticks; expected 1 to " + MAX_TICKS);
         }
         episode.drive(DriveMessage.read(request, episode.simulation.robot()), ticks);
     }

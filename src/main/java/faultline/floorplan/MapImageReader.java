@@ -13,7 +13,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 
-/** Reads map images: PGM (P2 and P5) itself, and PNG, BMP, GIF and TIFF with the JDK. */
+/** Reads map images: PGM (P2 and P5) itself, and PNG, BMP, GIF or TIFF with the JDK. */
 final class MapImageReader {
 
     private static final long MAX_BYTES = 512L << 20;
@@ -33,11 +33,11 @@ final class MapImageReader {
                 throw new FloorPlanException(file + ": there is no such image file");
             }
             if (!Files.isRegularFile(file)) {
-                throw new FloorPlanException(file + ": this is not a regular file, allowed is an image file");
+                throw new FloorPlanException(file + ": this is not a regular file; expected an image file");
             }
             if (Files.size(file) > MAX_BYTES) {
                 throw new FloorPlanException(
-                        file + ": the file has " + Files.size(file) + " bytes, allowed are " + MAX_BYTES + " at most");
+                        file + ": the file has " + Files.size(file) + " bytes; expected at most " + MAX_BYTES);
             }
             byte[] start = readStart(file);
             if (start.length == 2 && start[0] == 'P' && start[1] >= '1' && start[1] <= '7') {
@@ -67,8 +67,8 @@ final class MapImageReader {
             Iterator<ImageReader> readers =
                     in == null ? java.util.Collections.emptyIterator() : ImageIO.getImageReaders(in);
             if (!readers.hasNext()) {
-                throw new FloorPlanException(file
-                        + ": the format of the image is not known, allowed are PGM (P2, P5), PNG, BMP, GIF and TIFF");
+                throw new FloorPlanException(
+                        file + ": the format of the image is not known; expected PGM (P2, P5), PNG, BMP, GIF or TIFF");
             }
             ImageReader reader = readers.next();
             try {
@@ -83,8 +83,8 @@ final class MapImageReader {
 
     static void requireSize(Path file, long width, long height) throws FloorPlanException {
         if (width < 1 || height < 1 || width > MapImage.MAX_PIXELS || width * height > MapImage.MAX_PIXELS) {
-            throw new FloorPlanException(file + ": the image has " + width + " x " + height
-                    + " pixels, allowed are 1 to " + MapImage.MAX_PIXELS);
+            throw new FloorPlanException(file + ": the image has " + width + " x " + height + " pixels; expected 1 to "
+                    + MapImage.MAX_PIXELS);
         }
     }
 

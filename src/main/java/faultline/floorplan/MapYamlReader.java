@@ -60,11 +60,11 @@ final class MapYamlReader {
                 throw new FloorPlanException(file + ": there is no such file");
             }
             if (!Files.isRegularFile(file)) {
-                throw new FloorPlanException(file + ": this is not a regular file, allowed is a map file");
+                throw new FloorPlanException(file + ": this is not a regular file; expected a map file");
             }
             if (Files.size(file) > MAX_BYTES) {
                 throw new FloorPlanException(
-                        file + ": the file has " + Files.size(file) + " bytes, allowed are " + MAX_BYTES + " at most");
+                        file + ": the file has " + Files.size(file) + " bytes; expected at most " + MAX_BYTES);
             }
             return Files.readString(file, StandardCharsets.UTF_8);
         } catch (CharacterCodingException e) {
@@ -96,14 +96,13 @@ final class MapYamlReader {
     private String parseEntry(int lineNumber, String line) throws FloorPlanException {
         int colon = line.indexOf(':');
         if (colon < 0) {
-            throw problem(
-                    lineNumber, 1, "a line is " + MessageText.quoted(line.strip()) + ", allowed is \"key: value\"");
+            throw problem(lineNumber, 1, "a line is " + MessageText.quoted(line.strip()) + "; expected \"key: value\"");
         }
         String key = unquote(line.substring(0, colon).strip());
         String value = line.substring(colon + 1).strip();
         int column = line.length() - line.substring(colon + 1).stripLeading().length() + 1;
         if (entries.containsKey(key)) {
-            throw problem(lineNumber, 1, MessageText.quoted(key) + " is given twice, allowed is once");
+            throw problem(lineNumber, 1, MessageText.quoted(key) + " is given twice; expected once");
         }
         entries.put(key, new Entry(lineNumber, column, splitValue(value)));
         return key;
@@ -255,7 +254,7 @@ final class MapYamlReader {
         return problem(
                 entry.line(),
                 entry.column(),
-                key + " is " + MessageText.quoted(entry.text()) + ", allowed is " + allowed);
+                key + " is " + MessageText.quoted(entry.text()) + "; expected " + allowed);
     }
 
     private FloorPlanException problem(int line, int column, String sentence) {

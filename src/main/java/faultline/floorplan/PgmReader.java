@@ -17,14 +17,14 @@ final class PgmReader {
     MapImage read() throws FloorPlanException {
         char format = (char) bytes[1];
         if (format != '2' && format != '5') {
-            throw new FloorPlanException(file + ": the format of the image is P" + format + ", allowed are P2 and P5");
+            throw new FloorPlanException(file + ": the format of the image is P" + format + "; expected P2 or P5");
         }
         int width = readHeaderNumber("the width");
         int height = readHeaderNumber("the height");
         int max = readHeaderNumber("the maximum value");
         MapImageReader.requireSize(file, width, height);
         if (max < 1 || max > 65535) {
-            throw new FloorPlanException(file + ": the maximum value is " + max + ", allowed are 1 to 65535");
+            throw new FloorPlanException(file + ": the maximum value is " + max + "; expected 1 to 65535");
         }
         MapImage image = new MapImage(width, height);
         if (format == '2') {
@@ -60,8 +60,7 @@ final class PgmReader {
 
     private void set(MapImage image, int index, int value, int max) throws FloorPlanException {
         if (value > max) {
-            throw new FloorPlanException(
-                    file + ": pixel " + (index + 1) + " is " + value + ", allowed are 0 to " + max);
+            throw new FloorPlanException(file + ": pixel " + (index + 1) + " is " + value + "; expected 0 to " + max);
         }
         image.set(index, max == 255 ? value : value * 255f / max, false);
     }

@@ -135,7 +135,7 @@ class CampaignProcessTest {
         assertTrue(process.waitFor(60, TimeUnit.SECONDS));
         assertEquals(2, process.exitValue());
         assertEquals(
-                "plan.xml:2:27: <rooms> has no attribute \"cuont\", allowed is first, count, minCorner, visitors;"
+                "plan.xml:2:27: <rooms> has no attribute \"cuont\"; expected first, count, minCorner, visitors;"
                         + " did you mean \"count\"?\n",
                 Files.readString(folder.resolve("output.txt")));
         assertTrue(Files.notExists(folder.resolve("bad")));

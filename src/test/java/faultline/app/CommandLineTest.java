@@ -168,7 +168,7 @@ class CommandLineTest {
                 new CommandResult(
                         2,
                         COLLIDING_SCENARIO + ": good\n",
-                        bad + ":1:12: the root element is <scenario xmlns=\"\">, allowed is <scenario "
+                        bad + ":1:12: the root element is <scenario xmlns=\"\">; expected <scenario "
                                 + "xmlns=\"urn:faultline:scenario:1\">\n"),
                 command("check", bad.toString(), COLLIDING_SCENARIO));
         assertEquals(0, command("check", COLLIDING_SCENARIO).code);
@@ -180,26 +180,26 @@ class CommandLineTest {
             quoteCharacter = '`',
             textBlock =
                     """
-            rnu x.xml                       | there is no command "rnu", allowed is run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --startup-time or a scenario file; did you mean "run"?
-            --hepl                          | there is no command "--hepl", allowed is run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --startup-time or a scenario file; did you mean "--help"?
+            rnu x.xml                       | there is no command "rnu"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --startup-time or a scenario file; did you mean "run"?
+            --hepl                          | there is no command "--hepl"; expected run, compare, check, campaign, merge, report, figures, serve, controller, import, --help, --version, --startup-time or a scenario file; did you mean "--help"?
             a.xml b.xml                     | the window takes one scenario file, not also "b.xml"
             run                             | run takes one scenario file, not none
             run a.xml b.xml                 | run takes one scenario file, not 2
             check                           | check takes one or more scenario files, not none
-            check --all a.xml               | there is no option "--all" here, allowed is none
-            run a.xml --sed 1               | there is no option "--sed" here, allowed is --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json; did you mean "--seed"?
-            run a.xml -x                    | there is no option "-x" here, allowed is --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json
-            run a.xml --pace 0              | --pace is "0", allowed is a multiple of real time above 0, up to 1000000
+            check --all a.xml               | there is no option "--all" here; expected none
+            run a.xml --sed 1               | there is no option "--sed" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json; did you mean "--seed"?
+            run a.xml -x                    | there is no option "-x" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json
+            run a.xml --pace 0              | --pace is "0"; expected a multiple of real time above 0, up to 1000000
             run a.xml --jar none.jar        | --jar is "none.jar", and there is no such file
             run a.xml --seed                | --seed needs a value
             run a.xml --seed 1 --seed 2     | --seed is there twice
-            run a.xml --seed 1.5            | --seed is "1.5", allowed is a whole number from -9223372036854775808 to 9223372036854775807
-            run a.xml --until -1            | --until is "-1", allowed is a number from 0 to 10000000 seconds
-            run a.xml --until NaN           | --until is "NaN", allowed is a number from 0 to 10000000 seconds
-            run a.xml --until 1e999         | --until is "1e999", allowed is a number from 0 to 10000000 seconds
-            run a.xml --threads controler   | --threads is "controler", allowed is controller or none; did you mean "controller"?
-            run a.xml --trace b --image ./b | one file is named twice, allowed is another one for each output
-            run a.xml --journal a.xml       | one file is named twice, allowed is another one for each output
+            run a.xml --seed 1.5            | --seed is "1.5"; expected a whole number from -9223372036854775808 to 9223372036854775807
+            run a.xml --until -1            | --until is "-1"; expected a number from 0 to 10000000 seconds
+            run a.xml --until NaN           | --until is "NaN"; expected a number from 0 to 10000000 seconds
+            run a.xml --until 1e999         | --until is "1e999"; expected a number from 0 to 10000000 seconds
+            run a.xml --threads controler   | --threads is "controler"; expected controller or none; did you mean "controller"?
+            run a.xml --trace b --image ./b | two of the files are the same one; expected a file of its own for each output
+            run a.xml --journal a.xml       | two of the files are the same one; expected a file of its own for each output
             run a.xml --trace=              | "" is no name for a file
             """)
     void badUsageIsExitCodeTwoAndOneLine(String arguments, String problem) {

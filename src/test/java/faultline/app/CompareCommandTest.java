@@ -122,7 +122,7 @@ class CompareCommandTest {
                     """
             --controller none                                | compare needs --controller at least twice, each time with another one
             --controller none --controller none              | compare needs --controller at least twice, each time with another one
-            --controller none --controller wall-follower --seeds 0 | --seeds is "0", allowed is a whole number from 1 to 10000
+            --controller none --controller wall-follower --seeds 0 | --seeds is "0"; expected a whole number from 1 to 10000
             --controller none --controller                   | --controller needs a value
             --controller none --controller x --sead 3        | there is no option "--sead" here
             """)

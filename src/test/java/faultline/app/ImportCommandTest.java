@@ -54,11 +54,11 @@ class ImportCommandTest {
                     """
             --resolution 0.05                    | import needs --out FILE, the scenario file to write
             --out x.xml                          | an image needs --resolution M, the side of a pixel in metres
-            --out x.xml --resolution 0           | --resolution is "0", allowed is a number of metres above 0
-            --out x.xml --resolution 1 --unknown no | --unknown is "no", allowed is free or wall
-            --out x.xml --resolution 1 --min-cells -1 | --min-cells is "-1", allowed is a whole number of cells
-            --out x.xml --resolution 1 --smooth -1 | --smooth is "-1", allowed is a number of cells, 0 or more
-            --out x.xml --resolution 1 --start 1,2 | --start is "1,2", allowed is x,y,heading in metres and degrees
+            --out x.xml --resolution 0           | --resolution is "0"; expected a number of metres above 0
+            --out x.xml --resolution 1 --unknown no | --unknown is "no"; expected free or wall
+            --out x.xml --resolution 1 --min-cells -1 | --min-cells is "-1"; expected a whole number of cells
+            --out x.xml --resolution 1 --smooth -1 | --smooth is "-1"; expected a number of cells, 0 or more
+            --out x.xml --resolution 1 --start 1,2 | --start is "1,2"; expected x,y,heading in metres and degrees
             """)
     void badUsageIsReported(String arguments, String sentence) throws Exception {
         assertEquals(2, importMap(arguments.split(" ")));

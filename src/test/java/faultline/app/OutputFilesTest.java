@@ -55,7 +55,8 @@ class OutputFilesTest {
         Path link = Files.createSymbolicLink(folder.resolve("link"), Path.of("a.xml"));
         Path hard = Files.createLink(folder.resolve("hard"), file);
         for (Path output : List.of(link, hard)) {
-            assertTrue(refusal("run", file, "--until", "1", option, output).contains("one file is named twice"));
+            assertTrue(
+                    refusal("run", file, "--until", "1", option, output).contains("two of the files are the same one"));
         }
         assertEquals(Files.readString(SCENARIO), Files.readString(file));
     }
@@ -64,7 +65,7 @@ class OutputFilesTest {
     void twoOutputsThatAreOneFileByALinkAreRefused() throws IOException {
         Path link = Files.createSymbolicLink(folder.resolve("link"), Path.of("new.csv"));
         String message = refusal("run", SCENARIO, "--trace", folder.resolve("new.csv"), "--journal", link);
-        assertTrue(message.contains("one file is named twice"), message);
+        assertTrue(message.contains("two of the files are the same one"), message);
     }
 
     @Test

@@ -176,6 +176,6 @@ class TraceFormatTest {
         ByteArrayOutputStream errors = new ByteArrayOutputStream();
         PrintStream out = new PrintStream(errors, true, StandardCharsets.UTF_8);
         assertEquals(2, new CommandLine(new CommandOutput(out, out)).run("run", "a.xml", "--trace-format", "3"));
-        assertTrue(errors.toString(StandardCharsets.UTF_8).contains("--trace-format is \"3\", allowed is 1 or 2"));
+        assertTrue(errors.toString(StandardCharsets.UTF_8).contains("--trace-format is \"3\"; expected 1 or 2"));
     }
 }

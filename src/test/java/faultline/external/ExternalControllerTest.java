@@ -92,18 +92,18 @@ class ExternalControllerTest {
                     """
             read l; echo R; read l; echo hello                             | wrote no JSON at tick 0: "hello" (there is no value at character 1); write messages for people to standard error
             read l; echo R; read l; echo 7                                 | wrote no JSON object at tick 0: "7"
-            read l; echo R; read l; echo '{"type":"dance"}'                | wrote a message at tick 0 of type "dance", allowed is "drive"
-            read l; echo R; read l; echo '{"type":"drive","tick":5,"left_v":1,"right_v":1}' | answered tick 5 at tick 0, allowed is the tick of the observation
-            read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1}' | wrote a message at tick 0 whose "right_v" is missing, allowed is a finite number
-            read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":"1","right_v":1}' | wrote a message at tick 0 whose "left_v" is "1", allowed is a finite number
-            read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1e999,"right_v":1}' | wrote a message at tick 0 whose "left_v" is "Infinity", allowed is a finite number
-            read l; echo R; read l; echo '{"type":"drive","tick":0}'       | wrote a drive message at tick 0 with neither voltages nor velocities, allowed is either left_v and right_v or v_m_s and omega_rad_s
+            read l; echo R; read l; echo '{"type":"dance"}'                | wrote a message at tick 0 of type "dance"; expected "drive"
+            read l; echo R; read l; echo '{"type":"drive","tick":5,"left_v":1,"right_v":1}' | answered tick 5 at tick 0; expected the tick of the observation
+            read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1}' | wrote a message at tick 0 whose "right_v" is missing; expected a finite number
+            read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":"1","right_v":1}' | wrote a message at tick 0 whose "left_v" is "1"; expected a finite number
+            read l; echo R; read l; echo '{"type":"drive","tick":0,"left_v":1e999,"right_v":1}' | wrote a message at tick 0 whose "left_v" is "Infinity"; expected a finite number
+            read l; echo R; read l; echo '{"type":"drive","tick":0}'       | wrote a drive message at tick 0 with neither voltages nor velocities; expected either left_v and right_v or v_m_s and omega_rad_s
             read l; echo R; read l; exit 7                                 | ended with exit code 7 at tick 0
             read l; echo R; read l; printf '{"type":'; exit 0              | ended with exit code 0 at tick 0 in the middle of a line
             read l; echo R; read l; sleep 60                               | has not answered for 0.5 s at tick 0
             read l; echo R; read l; printf '{"type":'; sleep 60            | has not answered for 0.5 s at tick 0; its last line has no end
-            read l; echo R; read l; head -c 2000000 /dev/zero; sleep 60    | wrote a line of more than 1000000 bytes at tick 0, allowed are shorter ones
-            read l; echo '{"type":"ready","protocol":2}'                   | speaks protocol 2 before the first tick, allowed is 1
+            read l; echo R; read l; head -c 2000000 /dev/zero; sleep 60    | wrote a line of more than 1000000 bytes at tick 0; expected shorter ones
+            read l; echo '{"type":"ready","protocol":2}'                   | speaks protocol 2 before the first tick; expected 1
             read l; echo R; read l; exec 0<&-; sleep 60                    | has not answered for 0.5 s at tick 0
             read l; echo R; exec 0<&-; sleep 60                            | closed its standard input at tick 0
             read l; echo R; read l; sleep 0.2; echo '{"type":"drive","tick":0,"left_v":NaN,"right_v":1}' | wrote no JSON at tick 0: "{"type":"drive","tick":0,"left_v":NaN,"right_v":1}" (there is no value at character 35); write messages for people to standard error

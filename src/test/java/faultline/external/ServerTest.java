@@ -74,9 +74,9 @@ class ServerTest {
             quoteCharacter = '`',
             textBlock =
                     """
-            {"type":"jump"}                                    | the client wrote a message at tick 0 of type "jump", allowed is reset, drive or close
-            {"type":"drive","left_v":1,"right_v":1,"ticks":0}  | the client wrote a drive message at tick 0 for 0 ticks, allowed are 1 to 1000000000
-            {"type":"drive","left_v":1}                        | the client wrote a message at tick 0 whose "right_v" is missing, allowed is a finite number
+            {"type":"jump"}                                    | the client wrote a message at tick 0 of type "jump"; expected reset, drive or close
+            {"type":"drive","left_v":1,"right_v":1,"ticks":0}  | the client wrote a drive message at tick 0 for 0 ticks; expected 1 to 1000000000
+            {"type":"drive","left_v":1}                        | the client wrote a message at tick 0 whose "right_v" is missing; expected a finite number
             hello                                              | the client wrote no JSON at tick 0: "hello" (there is no value at character 1); write messages for people to standard error
             """)
     void aBadRequestEndsTheServerInOneSentence(String request, String sentence) {

@@ -139,11 +139,11 @@ class FloorPlanTest {
             delimiter = '|',
             textBlock =
                     """
-            resolution: fast         | m.yaml:2:13: resolution is "fast", allowed is a number
-            resolution: 0            | m.yaml:2:13: resolution is "0", allowed is a number of metres above 0
-            resolution 0.05          | m.yaml:2:1: a line is "resolution 0.05", allowed is "key: value"
+            resolution: fast         | m.yaml:2:13: resolution is "fast"; expected a number
+            resolution: 0            | m.yaml:2:13: resolution is "0"; expected a number of metres above 0
+            resolution 0.05          | m.yaml:2:1: a line is "resolution 0.05"; expected "key: value"
             resolutoin: 0.05         | m.yaml:1:1: there is no "resolution"; "resolutoin" may be meant as "resolution"
-            image: other.pgm         | m.yaml:2:1: "image" is given twice, allowed is once
+            image: other.pgm         | m.yaml:2:1: "image" is given twice; expected once
             """)
     void aWrongMapFileIsReportedWithItsPlace(String line, String expected) throws IOException {
         write("m.pgm", PLAIN);
@@ -159,12 +159,12 @@ class FloorPlanTest {
             textBlock =
                     """
             P2 2 1 255 0             | pixel 2 is missing at byte 12
-            P2 2 1 255 0 256         | pixel 2 is 256, allowed are 0 to 255
+            P2 2 1 255 0 256         | pixel 2 is 256; expected 0 to 255
             P5 2 9 255 0             | the image ends after 1 bytes of pixels, 18 are needed
-            P5 99999 99999 255 0     | the image has 99999 x 99999 pixels, allowed are 1 to 64000000
-            P6 2 1 255 0             | the format of the image is P6, allowed are P2 and P5
+            P5 99999 99999 255 0     | the image has 99999 x 99999 pixels; expected 1 to 64000000
+            P6 2 1 255 0             | the format of the image is P6; expected P2 or P5
             P2 2 x                   | the height is missing at byte 5
-            not an image             | the format of the image is not known, allowed are PGM (P2, P5), PNG, BMP, GIF and TIFF
+            not an image             | the format of the image is not known; expected PGM (P2, P5), PNG, BMP, GIF or TIFF
             """)
     void aDamagedImageIsReportedInOneSentence(String content, String expected) throws IOException {
         Path image = write("m.pgm", content.strip());

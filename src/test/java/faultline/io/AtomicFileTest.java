@@ -85,7 +85,7 @@ class AtomicFileTest {
     @Test
     void aFolderIsRefused() {
         assertEquals(
-                folder + ": this is a folder, allowed is a file",
+                folder + ": this is a folder; expected a file",
                 assertThrows(IOException.class, () -> AtomicFile.create(folder)).getMessage());
     }
 

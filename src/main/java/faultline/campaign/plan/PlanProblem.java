@@ -5,15 +5,15 @@ import faultline.io.MessageText;
 
 /** What can be wrong with a plan beyond the problems of any XML file, with the English text of each problem. */
 enum PlanProblem implements Message.Template {
-    ROOT("the root element is <{0}>, allowed is <campaign xmlns=\"{1}\">"),
-    DUPLICATE_COLUMN(
-            "two columns of runs.csv would be called \"{0}\", allowed is each name once;" + " name gives another one"),
-    TOO_MANY_RUNS("the plan has {0} runs, allowed is {1} or fewer"),
-    NO_FAULT("<faults> holds no fault, allowed is one or more <fault> or <healthy>"),
-    NO_VARIANT("<variants> holds no variant, allowed is one or more"),
-    NO_WORLDS("<campaign> has no worlds, allowed is <worlds> with <scenario> or <rooms> in it"),
-    DUPLICATE_SCENARIO("name of <scenario> is \"{0}\", which another scenario has already,"
-            + " allowed is each name and each file once"),
+    ROOT("the root element is <{0}>; expected <campaign xmlns=\"{1}\">"),
+    DUPLICATE_COLUMN("two columns of runs.csv would be called \"{0}\"; expected each name once"
+            + " (set another with the attribute name)"),
+    TOO_MANY_RUNS("the plan has {0} runs; expected {1} or fewer"),
+    NO_FAULT("<faults> holds no fault; expected one or more <fault> or <healthy>"),
+    NO_VARIANT("<variants> holds no variant; expected one or more"),
+    NO_WORLDS("<campaign> has no worlds; expected <worlds> with <scenario> or <rooms> in it"),
+    DUPLICATE_SCENARIO("name of <scenario> is \"{0}\", which another scenario has already;"
+            + " expected each name and each file once"),
     SCENARIO("file of <scenario> is \"{0}\": {1}"),
     NO_SUCH_ATTRIBUTE("attribute of <set> is \"{0}\", but {1}"),
     IN_WORLD("{0} (in {1})");

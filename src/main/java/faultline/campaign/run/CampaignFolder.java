@@ -86,7 +86,7 @@ public final class CampaignFolder {
         Optional<Path> conflict = FileTarget.findConflict(inputs, tables());
         if (conflict.isPresent()) {
             throw new IOException(
-                    conflict.get() + ": this is another file of the campaign too, allowed is a file of its own");
+                    conflict.get() + ": this is another file of the campaign too; expected a file of its own");
         }
     }
 
@@ -154,7 +154,7 @@ public final class CampaignFolder {
                 .toList();
         Optional<Path> conflict = FileTarget.findConflict(plan.files().paths(), copies);
         if (conflict.isPresent()) {
-            throw new IOException(conflict.get() + ": the plan is made of this file, allowed is another folder");
+            throw new IOException(conflict.get() + ": the plan is made of this file; expected another folder");
         }
         for (Map.Entry<String, byte[]> file : plan.files().copies().entrySet()) {
             AtomicFile.write(plan().resolve(file.getKey()), file.getValue());

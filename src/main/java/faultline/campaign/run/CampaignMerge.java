@@ -75,7 +75,7 @@ public final class CampaignMerge {
         FileChannel lock = out.lock();
         try (lock) {
             if (out.readManifest().isPresent()) {
-                throw new IOException(out + ": there is a campaign already, allowed is another folder");
+                throw new IOException(out + ": there is a campaign already; expected another folder");
             }
             List<Path> inputs = new ArrayList<>();
             for (Part part : parts) {

@@ -51,7 +51,7 @@ public record FigureFolder(Path path, SvgTheme appearance) {
         Path target = path.resolve(name);
         if (Files.isSymbolicLink(target)
                 && path.toRealPath().equals(FileTarget.resolve(target).getParent())) {
-            throw new IOException(target + ": this is a link to another file of the folder, allowed is a file");
+            throw new IOException(target + ": this is a link to another file of the folder; expected a file");
         }
         return target;
     }

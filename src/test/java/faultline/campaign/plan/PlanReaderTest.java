@@ -25,20 +25,20 @@ class PlanReaderTest {
             quoteCharacter = '`',
             textBlock =
                     """
-            <set attribute="robot/sensor[front]/@cone" value="5 200"/> | plan.xml:3:59: cone of <sensor> is "200", allowed is a number without exponent, more than 0 and less than 180 degrees (in room)
-            <set attribute="robot/@sped" value="5"/> | plan.xml:3:41: <robot> has no attribute "sped", allowed is x, y, heading, length, width, track, trackScale, speed, turnRate, defaultSensors; did you mean "speed"? (in room)
-            <set attribute="robot/speed" value="5"/> | plan.xml:3:41: attribute of <set> is "robot/speed", allowed is a path in a scenario file, such as robot/sensor[front]/@cone, controller/@distance or @duration
+            <set attribute="robot/sensor[front]/@cone" value="5 200"/> | plan.xml:3:59: cone of <sensor> is "200"; expected a number without exponent, more than 0 and less than 180 degrees (in room)
+            <set attribute="robot/@sped" value="5"/> | plan.xml:3:41: <robot> has no attribute "sped"; expected x, y, heading, length, width, track, trackScale, speed, turnRate, defaultSensors; did you mean "speed"? (in room)
+            <set attribute="robot/speed" value="5"/> | plan.xml:3:41: attribute of <set> is "robot/speed"; expected a path in a scenario file, such as robot/sensor[front]/@cone, controller/@distance or @duration
             <set attribute="world/circle[pale]/@x" value="1"/> | plan.xml:3:51: attribute of <set> is "world/circle[pale]/@x", but <world> has no circle[pale]; did you mean "pole"? (in room)
-            <set attribute="robot/@speed" value="3..2"/> | plan.xml:3:45: value of <set> is "3..2", allowed is one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C
-            <set attribute="robot/@speed" value="0..1"/> | plan.xml:3:45: speed of <robot> is "0", allowed is a number more than 0 and at most 1000 metres per second (in room)
-            <faults><fault sensor="frnt" kind="off" at="1"/></faults> | plan.xml:3:49: sensor of <fault> is "frnt", allowed is one of the robot's sensors: front, front-left, left, rear-left, rear, rear-right, right, front-right; did you mean "front"? (in room)
-            <faults><fault sensor="front" kind="any of off stick" at="1"/></faults> | plan.xml:3:63: kind of <fault> is "stick", allowed is off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"? (in room)
-            <set attribute="robot/@x" value="4"/> | plan.xml:3:38: <robot> starts at 4,1.2 outside of the enclosed world, allowed is x from 0 to 3 and y from 0 to 2 (in room)
-            <faults/> | plan.xml:3:10: <faults> holds no fault, allowed is one or more <fault> or <healthy>
-            <fault sensor="front"/> | plan.xml:3:24: <campaign> may not hold <fault>, allowed is description, worlds, seeds, set, variants, faults, masks; did you mean "faults"?
-            <seeds count="0"/> | plan.xml:3:19: count of <seeds> is "0", allowed is a whole number from 1 to 10000000
-            <set attribute="robot/@speed" value="0.1 0.2" name="run"/> | plan.xml:1:57: two columns of runs.csv would be called "run", allowed is each name once; name gives another one
-            <masks sensors="front left"><mask on="rear"/></masks> | plan.xml:3:46: on of <mask> is "rear", allowed is some of front, left
+            <set attribute="robot/@speed" value="3..2"/> | plan.xml:3:45: value of <set> is "3..2"; expected one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C
+            <set attribute="robot/@speed" value="0..1"/> | plan.xml:3:45: speed of <robot> is "0"; expected a number more than 0 and at most 1000 metres per second (in room)
+            <faults><fault sensor="frnt" kind="off" at="1"/></faults> | plan.xml:3:49: sensor of <fault> is "frnt"; expected one of the robot's sensors: front, front-left, left, rear-left, rear, rear-right, right, front-right; did you mean "front"? (in room)
+            <faults><fault sensor="front" kind="any of off stick" at="1"/></faults> | plan.xml:3:63: kind of <fault> is "stick"; expected off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"? (in room)
+            <set attribute="robot/@x" value="4"/> | plan.xml:3:38: <robot> starts at 4,1.2 outside of the enclosed world; expected x from 0 to 3 and y from 0 to 2 (in room)
+            <faults/> | plan.xml:3:10: <faults> holds no fault; expected one or more <fault> or <healthy>
+            <fault sensor="front"/> | plan.xml:3:24: <campaign> may not hold <fault>; expected description, worlds, seeds, set, variants, faults, masks; did you mean "faults"?
+            <seeds count="0"/> | plan.xml:3:19: count of <seeds> is "0"; expected a whole number from 1 to 10000000
+            <set attribute="robot/@speed" value="0.1 0.2" name="run"/> | plan.xml:1:57: two columns of runs.csv would be called "run"; expected each name once (set another with the attribute name)
+            <masks sensors="front left"><mask on="rear"/></masks> | plan.xml:3:46: on of <mask> is "rear"; expected some of front, left
             """)
     void everyMistakeIsReportedAtItsPlace(String element, String problem) {
         assertEquals(List.of(problem), SamplePlan.problems(element));

@@ -77,15 +77,15 @@ class ErrorMessagesTest {
     void aFileNameThatIsAlreadyShownIsOmitted() {
         IOException why = Assertions.assertThrows(
                 IOException.class, () -> AtomicFile.create(folder).close());
-        assertEquals("this is a folder, allowed is a file", ErrorMessages.describe(why, folder));
+        assertEquals("this is a folder; expected a file", ErrorMessages.describe(why, folder));
         Messages.setLanguage(Language.POLISH);
-        assertEquals("to jest folder, dozwolone: plik", ErrorMessages.describe(why, folder));
+        assertEquals("to jest folder; dozwolone: plik", ErrorMessages.describe(why, folder));
     }
 
     @Test
     void theFirstProblemOfAFileIsReported() throws IOException {
         Path empty = Files.createFile(folder.resolve("empty.xml"));
         ScenarioException why = Assertions.assertThrows(ScenarioException.class, () -> Scenario.load(empty));
-        assertEquals("the file is empty, allowed is a scenario", ErrorMessages.describe(why, empty));
+        assertEquals("the file is empty; expected a scenario", ErrorMessages.describe(why, empty));
     }
 }

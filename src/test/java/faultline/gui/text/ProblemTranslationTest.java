@@ -49,23 +49,23 @@ class ProblemTranslationTest {
         return Stream.of(
                 Arguments.of(
                         ProblemKind.VALUE.with("kind", "fault", "stick", Allowed.names(kinds, "stick")),
-                        "kind w <fault> to \"stick\", dozwolone: off, stuck; czy chodziło o \"stuck\"?"),
+                        "kind w <fault> to \"stick\"; dozwolone: off, stuck; czy chodziło o \"stuck\"?"),
                 Arguments.of(
                         ProblemKind.VALUE.with(
                                 "width",
                                 "world",
                                 "-6",
                                 Allowed.NUMBER.with(Allowed.METRES.with(Allowed.CLOSED.with("0.000001", "100000")))),
-                        "width w <world> to \"-6\", dozwolone: liczba od 0.000001 do 100000 (metry)"),
+                        "width w <world> to \"-6\"; dozwolone: liczba od 0.000001 do 100000 (metry)"),
                 Arguments.of(
                         ProblemKind.VALUE.with("name", "x", "a number from 1 to 2", Allowed.NONE.with()),
-                        "name w <x> to \"a number from 1 to 2\", dozwolone: brak"),
+                        "name w <x> to \"a number from 1 to 2\"; dozwolone: brak"),
                 Arguments.of(
                         ProblemKind.VALUE.with("kind", "fault", "{0} it''s", Allowed.FLAG.with()),
-                        "kind w <fault> to \"{0} it''s\", dozwolone: true lub false"),
+                        "kind w <fault> to \"{0} it''s\"; dozwolone: true lub false"),
                 Arguments.of(
                         ProblemKind.UNKNOWN_ELEMENT.with("world", "text", "circle"),
-                        "<world> nie może zawierać <text>, dozwolone: circle"),
+                        "<world> nie może zawierać <text>; dozwolone: circle"),
                 Arguments.of(
                         ProblemKind.MALFORMED_AFTER_INSIDE.with("<a", "world", 3),
                         "to nie jest poprawny XML, za \"<a\", wewnątrz <world> z wiersza 3"),

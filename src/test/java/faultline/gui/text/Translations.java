@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 public final class Translations {
 
     private static final Pattern ENGLISH_WORDS =
-            Pattern.compile("\\b(is|allowed|the|of|from|than|number|holds|has|one|or|and|metres|seconds)\\b");
+            Pattern.compile("\\b(is|expected|the|of|from|than|number|holds|has|one|or|and|metres|seconds)\\b");
 
     private Translations() {}
 

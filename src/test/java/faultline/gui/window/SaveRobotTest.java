@@ -113,7 +113,7 @@ class SaveRobotTest {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
         JDialog dialog = driver.dialog("Faultline");
         assertTrue(
-                WindowDriver.text(dialog).contains("office.xml cannot be saved: this is a folder, allowed is a file"),
+                WindowDriver.text(dialog).contains("office.xml cannot be saved: this is a folder; expected a file"),
                 WindowDriver.text(dialog));
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());

@@ -97,7 +97,7 @@ class HugeFilesTest {
     void aRobotHasAThousandSensorsAtMost() {
         assertEquals(List.of(), judge(sensors(1000)));
         assertEquals(
-                "<robot> has too many sensors, allowed is 1000",
+                "<robot> has too many sensors; expected 1000",
                 judge(sensors(250_000)).get(0).message().toString());
     }
 

@@ -19,72 +19,72 @@ class ProblemsTest {
             textBlock =
                     """
             # Numbers
-            width="6"          | width="-6"         | 3:46: width of <world> is "-6", allowed is a number from 0.000001 to 100000 metres
-            width="6"          | width="six"        | 3:47: width of <world> is "six", allowed is a number from 0.000001 to 100000 metres
-            width="6"          | width="NaN"        | 3:47: width of <world> is "NaN", allowed is a number from 0.000001 to 100000 metres
-            width="6"          | width="INF"        | 3:47: width of <world> is "INF", allowed is a number from 0.000001 to 100000 metres
-            width="6"          | width="1e999"      | 3:49: width of <world> is "1e999", allowed is a number from 0.000001 to 100000 metres
-            width="6"          | width="6,0"        | 3:47: width of <world> is "6,0", allowed is a number from 0.000001 to 100000 metres
-            width="6"          | width="0x1p3"      | 3:49: width of <world> is "0x1p3", allowed is a number from 0.000001 to 100000 metres
-            width="6"          | width="6d"         | 3:46: width of <world> is "6d", allowed is a number from 0.000001 to 100000 metres
-            width="6"          | width=""           | 3:44: width of <world> is "", allowed is a number from 0.000001 to 100000 metres
-            name="Plain"       | tick="0"           | 1:53: tick of <scenario> is "0", allowed is a number from 0.00001 to 1 seconds
-            name="Plain"       | seed="1.5"         | 1:55: seed of <scenario> is "1.5", allowed is a whole number from -9223372036854775808 to 9223372036854775807
-            name="Plain"       | duration="1e8"     | 1:59: duration of <scenario> is "1e8", allowed is a number from 0 to 10000000 seconds
-            maxMoving="1"      | maxMoving="-1"     | 3:46: maxMoving of <world> is "-1", allowed is a whole number from 0 to 100000
-            range="0.6"        | cone="180"         | 15:35: cone of <sensor> is "180", allowed is a number without exponent, more than 0 and less than 180 degrees
-            range="0.6"        | cone="0"           | 15:33: cone of <sensor> is "0", allowed is a number without exponent, more than 0 and less than 180 degrees
-            range="0.6"        | cone="179.99999999999999999999" | 15:56: cone of <sensor> is "179.99999999999999999999", allowed is a number without exponent, more than 0 and less than 180 degrees
-            range="0.6"        | bearing="1e1"      | 15:38: bearing of <sensor> is "1e1", allowed is a number without exponent, from -1000000 to 1000000 degrees
-            <robot x="1" y="1" | <robot x="1" y="1" speed="0"      | 13:32: speed of <robot> is "0", allowed is a number more than 0 and at most 1000 metres per second
-            <robot x="1" y="1" | <robot x="1" y="1" speed="1e-400" | 13:37: speed of <robot> is "1e-400", allowed is a number more than 0 and at most 1000 metres per second
+            width="6"          | width="-6"         | 3:46: width of <world> is "-6"; expected a number from 0.000001 to 100000 metres
+            width="6"          | width="six"        | 3:47: width of <world> is "six"; expected a number from 0.000001 to 100000 metres
+            width="6"          | width="NaN"        | 3:47: width of <world> is "NaN"; expected a number from 0.000001 to 100000 metres
+            width="6"          | width="INF"        | 3:47: width of <world> is "INF"; expected a number from 0.000001 to 100000 metres
+            width="6"          | width="1e999"      | 3:49: width of <world> is "1e999"; expected a number from 0.000001 to 100000 metres
+            width="6"          | width="6,0"        | 3:47: width of <world> is "6,0"; expected a number from 0.000001 to 100000 metres
+            width="6"          | width="0x1p3"      | 3:49: width of <world> is "0x1p3"; expected a number from 0.000001 to 100000 metres
+            width="6"          | width="6d"         | 3:46: width of <world> is "6d"; expected a number from 0.000001 to 100000 metres
+            width="6"          | width=""           | 3:44: width of <world> is ""; expected a number from 0.000001 to 100000 metres
+            name="Plain"       | tick="0"           | 1:53: tick of <scenario> is "0"; expected a number from 0.00001 to 1 seconds
+            name="Plain"       | seed="1.5"         | 1:55: seed of <scenario> is "1.5"; expected a whole number from -9223372036854775808 to 9223372036854775807
+            name="Plain"       | duration="1e8"     | 1:59: duration of <scenario> is "1e8"; expected a number from 0 to 10000000 seconds
+            maxMoving="1"      | maxMoving="-1"     | 3:46: maxMoving of <world> is "-1"; expected a whole number from 0 to 100000
+            range="0.6"        | cone="180"         | 15:35: cone of <sensor> is "180"; expected a number without exponent, more than 0 and less than 180 degrees
+            range="0.6"        | cone="0"           | 15:33: cone of <sensor> is "0"; expected a number without exponent, more than 0 and less than 180 degrees
+            range="0.6"        | cone="179.99999999999999999999" | 15:56: cone of <sensor> is "179.99999999999999999999"; expected a number without exponent, more than 0 and less than 180 degrees
+            range="0.6"        | bearing="1e1"      | 15:38: bearing of <sensor> is "1e1"; expected a number without exponent, from -1000000 to 1000000 degrees
+            <robot x="1" y="1" | <robot x="1" y="1" speed="0"      | 13:32: speed of <robot> is "0"; expected a number more than 0 and at most 1000 metres per second
+            <robot x="1" y="1" | <robot x="1" y="1" speed="1e-400" | 13:37: speed of <robot> is "1e-400"; expected a number more than 0 and at most 1000 metres per second
             # Words
-            on="false"         | on="no"            | 22:44: on of <switch> is "no", allowed is true, false
-            kind="stuck"       | kind="stick"       | 20:72: kind of <fault> is "stick", allowed is off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"?
-            kind="stuck"       | kind="Stuck"       | 20:72: kind of <fault> is "Stuck", allowed is off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"?
-            kind="stuck"       | kind="off"         | 20:70: value of <fault> is "0.4", allowed is none, because a fault of kind off takes no value
-            sensor="front"     | motor="port"       | 20:70: motor of <fault> is "port", allowed is left, right
-            sensor="front" kind="stuck" | motor="left" kind="stuck" | 20:70: kind of <fault> is "stuck", allowed is weak, dead, dead-band
-            sensor="front" kind="stuck" value="0.4" | motor="left" kind="weak" value="1.4" | 20:69: value of <fault> is "1.4", allowed is a number from 0 to 1
-            sensor="front" kind="stuck" | motor="left" kind="dead"  | 20:69: value of <fault> is "0.4", allowed is none, because a fault of kind dead takes no value
-            sensor="front" kind="stuck" value="0.4" | motor="left" sensor="front" kind="dead" | 20:72: <fault> has no attribute "sensor", allowed is at, until, motor, kind, value
-            <fault at="10" sensor="front" kind="stuck" | <fault at="10" kind="stuck" | 20:57: <fault> lacks the attribute "sensor", allowed is 1 to 100 characters, none of them a comma, a double quote or a control character
-            value="0.4"        | value="-0.4"       | 20:73: value of <fault> is "-0.4", allowed is a number from 0 to 100 metres
-            "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower", allowed is wall-follower, none, drive, extern, recorded; did you mean "wall-follower"?
-            distance="0.25"    | left="2"           | 18:46: <controller> has no attribute "left", allowed is type, distance, hand, period, timing, diagnosis, gains
-            collision="false"  | states="FOLOW"     | 29:27: states of <expect> is "FOLOW", allowed is one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP; did you mean "FOLLOW"?
-            collision="false"  | finalState="NONE"  | 29:30: finalState of <expect> is "NONE", allowed is one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP
-            collision="false"  | minCoverage="90"   | 29:29: minCoverage of <expect> is "90", allowed is a number from 0 to 1
+            on="false"         | on="no"            | 22:44: on of <switch> is "no"; expected true, false
+            kind="stuck"       | kind="stick"       | 20:72: kind of <fault> is "stick"; expected off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"?
+            kind="stuck"       | kind="Stuck"       | 20:72: kind of <fault> is "Stuck"; expected off, stuck, bias, dropout, stuck-at-last, scale, drift, noise, quantised, bursts, delayed, short-range and 5 more; did you mean "stuck"?
+            kind="stuck"       | kind="off"         | 20:70: value of <fault> is "0.4"; expected none, because a fault of kind off takes no value
+            sensor="front"     | motor="port"       | 20:70: motor of <fault> is "port"; expected left, right
+            sensor="front" kind="stuck" | motor="left" kind="stuck" | 20:70: kind of <fault> is "stuck"; expected weak, dead, dead-band
+            sensor="front" kind="stuck" value="0.4" | motor="left" kind="weak" value="1.4" | 20:69: value of <fault> is "1.4"; expected a number from 0 to 1
+            sensor="front" kind="stuck" | motor="left" kind="dead"  | 20:69: value of <fault> is "0.4"; expected none, because a fault of kind dead takes no value
+            sensor="front" kind="stuck" value="0.4" | motor="left" sensor="front" kind="dead" | 20:72: <fault> has no attribute "sensor"; expected at, until, motor, kind, value
+            <fault at="10" sensor="front" kind="stuck" | <fault at="10" kind="stuck" | 20:57: <fault> lacks the attribute "sensor"; expected 1 to 100 characters, none of them a comma, a double quote or a control character
+            value="0.4"        | value="-0.4"       | 20:73: value of <fault> is "-0.4"; expected a number from 0 to 100 metres
+            "wall-follower"    | "wall-folower"     | 18:52: type of <controller> is "wall-folower"; expected wall-follower, none, drive, extern, recorded; did you mean "wall-follower"?
+            distance="0.25"    | left="2"           | 18:46: <controller> has no attribute "left"; expected type, distance, hand, period, timing, diagnosis, gains
+            collision="false"  | states="FOLOW"     | 29:27: states of <expect> is "FOLOW"; expected one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP; did you mean "FOLLOW"?
+            collision="false"  | finalState="NONE"  | 29:30: finalState of <expect> is "NONE"; expected one of the controller's states: SEARCH, TURN, MEASURE, ALIGN, FOLLOW, ROUND, STOP
+            collision="false"  | minCoverage="90"   | 29:29: minCoverage of <expect> is "90"; expected a number from 0 to 1
             # Elements and attributes
-            <circle id="pole"  | <circel id="pole"  | 5:50: <world> may not hold <circel>, allowed is rectangle, circle, ellipse, polygon, wall, plan; did you mean "circle"?
-            <motor             | <engine            | 14:34: <robot> may not hold <engine>, allowed is motor, sensor
-            <mend at="21"      | <heal at="21"      | 21:35: <timeline> may not hold <heal>, allowed is fault, mend, switch, tune, move, put, remove, platform, controller
-            radius="0.02"      | radus="0.02"       | 5:49: <circle> has no attribute "radus", allowed is id, x, y, heading, radius; did you mean "radius"?
-            <motor timeConstant="0.05"/> | <motor/><motor/>    | 14:21: <robot> holds a second <motor>, allowed is one
-            <description>One of each.</description> | <robot x="1" y="1"/> | 13:22: <scenario> holds a second <robot>, allowed is one
-            One of each.       | One <b/> each.     | 2:24: <description> may not hold <b>, allowed is text
-            <motor timeConstant="0.05"/> | text              | 13:22: <robot> holds the text "text", allowed is elements only: motor, sensor
+            <circle id="pole"  | <circel id="pole"  | 5:50: <world> may not hold <circel>; expected rectangle, circle, ellipse, polygon, wall, plan; did you mean "circle"?
+            <motor             | <engine            | 14:34: <robot> may not hold <engine>; expected motor, sensor
+            <mend at="21"      | <heal at="21"      | 21:35: <timeline> may not hold <heal>; expected fault, mend, switch, tune, move, put, remove, platform, controller
+            radius="0.02"      | radus="0.02"       | 5:49: <circle> has no attribute "radus"; expected id, x, y, heading, radius; did you mean "radius"?
+            <motor timeConstant="0.05"/> | <motor/><motor/>    | 14:21: <robot> holds a second <motor>; expected one
+            <description>One of each.</description> | <robot x="1" y="1"/> | 13:22: <scenario> holds a second <robot>; expected one
+            One of each.       | One <b/> each.     | 2:24: <description> may not hold <b>; expected text
+            <motor timeConstant="0.05"/> | text              | 13:22: <robot> holds the text "text"; expected elements only: motor, sensor
             # Points
-            2,2 2.5,2 2.5,2.5  | 2,2 2.5,2          | 7:57: points of <polygon> is "2,2 2.5,2", allowed is 3 or more points as x,y with blanks between them, each number from -100000 to 100000 metres
-            2,2 2.5,2 2.5,2.5  | 2,2 2.5;2 2.5,2.5  | 7:65: points of <polygon> is "2.5;2", allowed is 3 or more points as x,y with blanks between them, each number from -100000 to 100000 metres
-            0,3 1,3            | 0,3                | 8:49: points of <wall> is "0,3", allowed is 2 or more points as x,y with blanks between them, each number from -100000 to 100000 metres
+            2,2 2.5,2 2.5,2.5  | 2,2 2.5,2          | 7:57: points of <polygon> is "2,2 2.5,2"; expected 3 or more points as x,y with blanks between them, each number from -100000 to 100000 metres
+            2,2 2.5,2 2.5,2.5  | 2,2 2.5;2 2.5,2.5  | 7:65: points of <polygon> is "2.5;2"; expected 3 or more points as x,y with blanks between them, each number from -100000 to 100000 metres
+            0,3 1,3            | 0,3                | 8:49: points of <wall> is "0,3"; expected 2 or more points as x,y with blanks between them, each number from -100000 to 100000 metres
             # Ids
-            id="pole"          | id="enclosure"     | 5:55: id of <circle> is "enclosure", allowed is any other: it names the wall round the world
-            id="pole"          | id="desk"          | 5:50: id of <circle> is "desk", which the one in line 4 has already, allowed is each id once
-            id="pole"          | id=""              | 5:46: id of <circle> is "", allowed is 1 to 100 characters, none of them a comma, a double quote or a control character
-            id="probe"         | id="left"          | 16:51: id of <sensor> is "left", which the one in line 15 has already, allowed is each id once
-            sensor="front"     | sensor="frnt"      | 20:71: sensor of <fault> is "frnt", allowed is one of the robot's sensors: front, front-left, left, rear-left, rear, rear-right, right, front-right, probe; did you mean "front"?
-            obstacle="desk"    | obstacle="desc"    | 24:48: obstacle of <move> is "desc", allowed is one of the obstacles: desk, pole, sofa, niche, screen, visitor, extra; did you mean "desk"?
-            <circle id="extra" | <circle id="enclosure" | 25:67: id of <circle> is "enclosure", allowed is any other: it names the wall round the world
+            id="pole"          | id="enclosure"     | 5:55: id of <circle> is "enclosure"; expected any other: it names the wall round the world
+            id="pole"          | id="desk"          | 5:50: id of <circle> is "desk", which the one in line 4 has already; expected each id once
+            id="pole"          | id=""              | 5:46: id of <circle> is ""; expected 1 to 100 characters, none of them a comma, a double quote or a control character
+            id="probe"         | id="left"          | 16:51: id of <sensor> is "left", which the one in line 15 has already; expected each id once
+            sensor="front"     | sensor="frnt"      | 20:71: sensor of <fault> is "frnt"; expected one of the robot's sensors: front, front-left, left, rear-left, rear, rear-right, right, front-right, probe; did you mean "front"?
+            obstacle="desk"    | obstacle="desc"    | 24:48: obstacle of <move> is "desc"; expected one of the obstacles: desk, pole, sofa, niche, screen, visitor, extra; did you mean "desk"?
+            <circle id="extra" | <circle id="enclosure" | 25:67: id of <circle> is "enclosure"; expected any other: it names the wall round the world
             # Sense
-            until="20"         | until="10"         | 20:72: until of <fault> is 10, allowed is a time after at, which is 10
-            maxMoving="1"      | maxMoving="0"      | 9:52: <circle> "visitor" is moving obstacle number 1, allowed is 0 (maxMoving of <world>)
-            points="5,3 5,1"   | points="5,3 5,3.00001" | 10:51: <motion> goes round its way-points in 0.0001 s, allowed is 0.01 s or more
-            timeConstant="0.05"| speedConstant="200" | 14:33: <motor> drives its wheels at up to 1200 m/s (speedConstant times maxVoltage), allowed is 1000 m/s or less
-            <robot x="1" y="1" | <robot x="1" y="1" track="0.000001" | 13:39: <robot> could spin at 1200000 rad/s (twice its wheels' top speed by its track), allowed is 100000 rad/s or less
-            <robot x="1"       | <robot x="6.5"     | 13:24: <robot> starts at 6.5,1 outside of the enclosed world, allowed is x from 0 to 6 and y from 0 to 4
-            <robot x="1"       | <robot x="0.1"     | 13:24: <robot> starts at 0.1,1 where it touches or overlaps "enclosure", allowed is a place with room for the whole platform
-            <robot x="1"       | <robot x="3"       | 13:22: <robot> starts at 3,1 where it touches or overlaps "pole", allowed is a place with room for the whole platform
+            until="20"         | until="10"         | 20:72: until of <fault> is 10; expected a time after at, which is 10
+            maxMoving="1"      | maxMoving="0"      | 9:52: <circle> "visitor" is moving obstacle number 1; expected 0 (maxMoving of <world>)
+            points="5,3 5,1"   | points="5,3 5,3.00001" | 10:51: <motion> goes round its way-points in 0.0001 s; expected 0.01 s or more
+            timeConstant="0.05"| speedConstant="200" | 14:33: <motor> drives its wheels at up to 1200 m/s (speedConstant times maxVoltage); expected 1000 m/s or less
+            <robot x="1" y="1" | <robot x="1" y="1" track="0.000001" | 13:39: <robot> could spin at 1200000 rad/s (twice its wheels' top speed by its track); expected 100000 rad/s or less
+            <robot x="1"       | <robot x="6.5"     | 13:24: <robot> starts at 6.5,1 outside of the enclosed world; expected x from 0 to 6 and y from 0 to 4
+            <robot x="1"       | <robot x="0.1"     | 13:24: <robot> starts at 0.1,1 where it touches or overlaps "enclosure"; expected a place with room for the whole platform
+            <robot x="1"       | <robot x="3"       | 13:22: <robot> starts at 3,1 where it touches or overlaps "pole"; expected a place with room for the whole platform
             """)
     void oneMistakeIsReportedInOneSentence(String piece, String other, String problem) {
         List<String> problems = SampleScenario.problems(SampleScenario.withReplacement(piece, other));
@@ -107,20 +107,20 @@ class ProblemsTest {
                 """;
         assertEquals(
                 List.of(
-                        "room.xml:1:60: duration of <scenario> is \"long\", allowed is "
+                        "room.xml:1:60: duration of <scenario> is \"long\"; expected "
                                 + "a number from 0 to 10000000 seconds",
-                        "room.xml:2:38: y of <robot> is \"one\", allowed is a number from -100000 to 100000 metres",
-                        "room.xml:2:38: <robot> has no attribute \"colour\", allowed is x, y, heading, "
+                        "room.xml:2:38: y of <robot> is \"one\"; expected a number from -100000 to 100000 metres",
+                        "room.xml:2:38: <robot> has no attribute \"colour\"; expected x, y, heading, "
                                 + "length, width, track, trackScale, speed, turnRate, defaultSensors",
-                        "room.xml:3:20: <world> lacks the attribute \"height\", allowed is "
+                        "room.xml:3:20: <world> lacks the attribute \"height\"; expected "
                                 + "a number from 0.000001 to 100000 metres",
-                        "room.xml:4:47: radius of <circle> is \"0\", allowed is a "
+                        "room.xml:4:47: radius of <circle> is \"0\"; expected a "
                                 + "number from 0.000001 to 100000 metres",
-                        "room.xml:7:35: at of <switch> is \"-1\", allowed is a number from 0 to 10000000 seconds",
-                        "room.xml:7:35: sensor of <switch> is \"lft\", allowed is one of the robot's "
+                        "room.xml:7:35: at of <switch> is \"-1\"; expected a number from 0 to 10000000 seconds",
+                        "room.xml:7:35: sensor of <switch> is \"lft\"; expected one of the robot's "
                                 + "sensors: front, front-left, left, rear-left, rear, "
                                 + "rear-right, right, front-right; did you mean \"left\"?",
-                        "room.xml:7:35: <switch> lacks the attribute \"on\", allowed is true or false"),
+                        "room.xml:7:35: <switch> lacks the attribute \"on\"; expected true or false"),
                 SampleScenario.problems(text));
     }
 
@@ -128,8 +128,8 @@ class ProblemsTest {
     void aFileWithoutWorldAndRobotLacksBoth() {
         assertEquals(
                 List.of(
-                        "room.xml:1:45: <scenario> lacks the element <world>, allowed is one",
-                        "room.xml:1:45: <scenario> lacks the element <robot>, allowed is one"),
+                        "room.xml:1:45: <scenario> lacks the element <world>; expected one",
+                        "room.xml:1:45: <scenario> lacks the element <robot>; expected one"),
                 SampleScenario.problems("<scenario xmlns=\"urn:faultline:scenario:1\"/>"));
     }
 

@@ -61,7 +61,7 @@ class ScenarioReaderTest {
     void theFirstExampleOfTheFormatReadsAsItStandsButForTheRobotThatTouchesTheNiche() throws ScenarioException {
         assertEquals(
                 List.of("room.xml:13:100: <robot> starts at 1,1 where it touches or overlaps "
-                        + "\"niche\", allowed is a place with room for "
+                        + "\"niche\"; expected a place with room for "
                         + "the whole platform"),
                 SampleScenario.problems(FIRST_EXAMPLE.formatted("1")));
         Scenario scenario = SampleScenario.read(FIRST_EXAMPLE.formatted("0.5"));

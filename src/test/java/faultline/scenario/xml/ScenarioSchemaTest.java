@@ -152,7 +152,7 @@ class ScenarioSchemaTest {
     /** Returns whether the reader accepts a value by itself; it may report other problems. */
     private static boolean isAccepted(String element, String name, BigDecimal value) {
         String text = value.toPlainString();
-        String problem = name + " of <" + element + "> is \"" + text + "\", allowed is ";
+        String problem = name + " of <" + element + "> is \"" + text + "\"; expected ";
         return SampleScenario.problems(withValue(element, name, text)).stream()
                 .noneMatch(line -> line.contains(problem));
     }

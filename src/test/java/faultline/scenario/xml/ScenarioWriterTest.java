@@ -84,7 +84,7 @@ class ScenarioWriterTest {
         Files.writeString(file, "what was there before");
         IOException refusal = assertThrows(IOException.class, () -> bad.save(file));
         assertEquals(
-                "the scenario cannot be saved: width of <world> is \"1000000\", allowed is a number "
+                "the scenario cannot be saved: width of <world> is \"1000000\"; expected a number "
                         + "from 0.000001 to 100000 metres",
                 refusal.getMessage());
         assertEquals("what was there before", Files.readString(file));
