@@ -49,7 +49,7 @@ final class CrowdedHall {
         RobotSpec robot = RobotSpec.DEFAULT.withPlatform(0.25, 0.20, 0.6);
         SimulationSetup setup = SimulationSetup.of(world, new Pose(0.5, 0.5, 0))
                 .withRobot(robot)
-                .withDuration(60);
+                .withDuration(100_000);
         return new Scenario("Crowded hall", "", false, setup, Expectation.NONE);
     }
 

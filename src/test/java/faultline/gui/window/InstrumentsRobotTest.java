@@ -10,6 +10,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.theme.Theme;
+import faultline.gui.timeline.TimelinePanel;
 import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -45,6 +46,13 @@ class InstrumentsRobotTest {
         return ComponentFinder.findAll(driver.window(), InstrumentDock.class)
                 .findFirst()
                 .orElseThrow();
+    }
+
+    private int heightAboveDock() {
+        TimelinePanel timeline = ComponentFinder.findAll(driver.window(), TimelinePanel.class)
+                .findFirst()
+                .orElseThrow();
+        return driver.canvas().getHeight() + timeline.getHeight();
     }
 
     /** Runs fast until a time, then pauses. */
@@ -96,9 +104,12 @@ class InstrumentsRobotTest {
     void aKeyHidesTheInstrumentsAndShowsThemAtTheirOldHeight() {
         int height = callOnEdt(() -> dock().getHeight());
         int canvas = callOnEdt(() -> driver.canvas().getHeight());
+        int rest = callOnEdt(this::heightAboveDock);
         driver.robot().pressKeys(KeyEvent.VK_I);
         driver.robot()
-                .waitFor("the canvas has their room", () -> driver.canvas().getHeight() >= canvas + height);
+                .waitFor(
+                        "the canvas and the time line have their room",
+                        () -> driver.canvas().getHeight() > canvas && heightAboveDock() >= rest + height);
         driver.robot().pressKeys(KeyEvent.VK_I);
         driver.robot().waitFor("they are back", () -> dock().isShowing() && dock().getHeight() == height);
     }

@@ -186,6 +186,9 @@ final class MonkeyTester {
 
     private void typeNumber() {
         List<JSpinner> spinners = showing(JSpinner.class);
+        if (spinners.isEmpty()) {
+            return;
+        }
         JTextField field = callOnEdt(() -> ComponentFinder.findAll(any(spinners), JTextField.class)
                 .findFirst()
                 .orElseThrow());
@@ -201,7 +204,10 @@ final class MonkeyTester {
     private void switchTab() {
         List<JTabbedPane> panes = showing(JTabbedPane.class);
         if (!panes.isEmpty()) {
-            runOnEdt(() -> any(panes).setSelectedIndex(random.nextInt(3)));
+            runOnEdt(() -> {
+                JTabbedPane pane = any(panes);
+                pane.setSelectedIndex(random.nextInt(3));
+            });
         }
     }
 
