@@ -9,7 +9,7 @@ public final class DidYouMean {
 
     private static final int MAX_LENGTH = 60;
 
-    /** So many names of about the right length are compared, so that a question takes milliseconds at most. */
+    /** How many names of about the right length are compared, which limits the time to milliseconds. */
     private static final int MAX_COMPARED = 2000;
 
     private DidYouMean() {}

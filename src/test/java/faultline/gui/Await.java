@@ -18,7 +18,7 @@ public final class Await {
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_SECONDS);
         while (!GuiRobot.callOnEdt(condition)) {
             if (System.nanoTime() > deadline) {
-                fail("waited " + DEADLINE_SECONDS + " s in vain for " + what);
+                fail("waited " + DEADLINE_SECONDS + " s without success for " + what);
             }
             LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(2));
         }

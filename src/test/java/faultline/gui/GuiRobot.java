@@ -84,7 +84,7 @@ public final class GuiRobot {
         for (int nudges = 1; !callOnEdt(condition); action.run()) {
             long waited = System.nanoTime() - begun;
             if (waited > TimeUnit.SECONDS.toNanos(DEADLINE_SECONDS)) {
-                fail("waited " + DEADLINE_SECONDS + " s in vain until " + what + "; "
+                fail("waited " + DEADLINE_SECONDS + " s without success until " + what + "; "
                         + callOnEdt(GuiRobot::describeWindows));
             }
             if (waited > nudges * FOCUS_RETRY_NANOS) {

@@ -1,8 +1,8 @@
 package faultline.control.diagnosis;
 
 /**
- * A clock that runs with the robot's motion, because it is motion that makes dead reckoning uncertain: so many ticks a
- * metre rolled, a radian turned and a second.
+ * A clock that runs with the robot's motion, because motion makes dead reckoning uncertain: it counts ticks for each
+ * metre rolled, each radian turned and each second.
  */
 final class MotionClock {
 

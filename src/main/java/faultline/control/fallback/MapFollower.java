@@ -16,7 +16,7 @@ public final class MapFollower {
     /** How far back what was seen counts, motion clock. */
     private static final int MEMORY = 1000;
 
-    /** It plans once every so many seconds. */
+    /** The time between two plans, in seconds. */
     private static final double PLANNING = 0.08;
 
     /** How far ahead along the wall it looks, metres. */

@@ -20,7 +20,7 @@ import java.util.TreeMap;
  */
 final class PlaceMap {
 
-    /** So many places at either end of a run alone are near to those of the next run. */
+    /** How many places at either end of a run can be near to places of the next run. */
     private static final int SHARED_ENDS = 6;
 
     private final WallReference walls;

@@ -20,7 +20,7 @@ final class WallFollowingMetrics implements TickObserver {
     /** The distance from the ends of a wall beyond which it counts as straight, metres. */
     static final double STRAIGHT_MARGIN = 0.5;
 
-    /** The circuit of a world with at most so many walls is found as a whole, and shared with other runs. */
+    /** The largest number of walls whose circuit is found as a whole and shared with other runs. */
     private static final int MAX_SHARED_WALLS = 1000;
 
     /** The greatest length of all walls of such a world, metres. */

@@ -39,7 +39,7 @@ public final class RecoveryStore {
 
     private final Path folder;
     private final String process;
-    /** Whether a lock shows that this store is in use; those of other processes are told apart by their ids. */
+    /** Whether a lock shows that this store is in use; those of other processes have other ids. */
     private final boolean locking;
 
     private FileChannel lock;
