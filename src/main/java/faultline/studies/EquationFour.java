@@ -82,14 +82,14 @@ final class EquationFour {
     private static List<ParameterSweep> mountingSweeps() {
         return List.of(
                 sweep(
-                        "seat-along",
+                        "position-along",
                         "Mounting position along the axis of the sensor",
                         "mounting position left of the centre (mm)",
                         steps(0, 10, 11),
                         (value, timing, variant) ->
                                 AlignmentTrial.standard(timing, variant).withRobot(withMountPosition(0, value / 1000))),
                 sweep(
-                        "seat-ahead",
+                        "position-ahead",
                         "Axis that misses the centre",
                         "mounting position ahead of the centre (mm)",
                         steps(-60, 10, 13),

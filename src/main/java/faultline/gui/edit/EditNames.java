@@ -62,7 +62,7 @@ final class EditNames implements Command.Visitor<EditNames.EditName> {
         single.put("edit.range", before.withRange(now.range()));
         single.put("edit.cone", before.withCone(now.cone()));
         single.put("edit.bearing", before.withBearing(now.bearing()));
-        single.put("edit.seat", before.withMountPosition(now.mountPosition()));
+        single.put("edit.mountPosition", before.withMountPosition(now.mountPosition()));
         single.put("edit.noise", before.withNoise(now.noise()));
         return single.entrySet().stream()
                 .filter(change -> change.getValue().equals(now))

@@ -82,9 +82,9 @@ class EventTableModelTest {
 
     /** Returns the notifications of the table in order. */
     private List<String> notifications() {
-        List<String> told = new ArrayList<>();
-        runOnEdt(() -> events.addTableModelListener(event -> told.add(kind(event))));
-        return told;
+        List<String> kinds = new ArrayList<>();
+        runOnEdt(() -> events.addTableModelListener(event -> kinds.add(kind(event))));
+        return kinds;
     }
 
     private static String kind(TableModelEvent event) {

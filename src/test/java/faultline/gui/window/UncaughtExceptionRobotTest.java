@@ -50,12 +50,12 @@ class UncaughtExceptionRobotTest {
         robot.waitFor(
                 "the dialog has the focus",
                 () -> dialogs().size() == 1 && dialogs().get(0).isFocused());
-        String told = callOnEdt(() -> ComponentFinder.findAll(dialogs().get(0), JLabel.class)
+        String message = callOnEdt(() -> ComponentFinder.findAll(dialogs().get(0), JLabel.class)
                 .map(JLabel::getText)
                 .toList()
                 .toString());
-        assertTrue(told.contains("the wheel came off"), told);
-        assertFalse(told.contains("at faultline"), told);
+        assertTrue(message.contains("the wheel came off"), message);
+        assertFalse(message.contains("at faultline"), message);
         robot.pressKeys(KeyEvent.VK_ESCAPE);
         robot.waitFor("the dialog is gone", () -> dialogs().isEmpty());
         assertEquals(0, callOnEdt(() -> dialogs().size()));

@@ -62,11 +62,11 @@ class CanvasModelTest {
 
     @Test
     void aFrameWithTheSameObstaclesChangesNothing() {
-        List<Set<String>> told = new ArrayList<>();
+        List<Set<String>> selections = new ArrayList<>();
         model.setFrame(with("desk", "lamp"));
         model.select(List.of("desk"));
-        model.selection().addListener(told::add);
+        model.selection().addListener(selections::add);
         model.setFrame(with("lamp", "desk"));
-        assertEquals(List.of(), told);
+        assertEquals(List.of(), selections);
     }
 }
