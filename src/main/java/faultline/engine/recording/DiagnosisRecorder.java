@@ -38,7 +38,7 @@ public final class DiagnosisRecorder implements TickObserver {
             health = now.health();
         }
         if (!now.rung().isEmpty() && !now.rung().equals(rung)) {
-            events.accept(new RunEvent.RungChanged(simulation.ticks(), simulation.time(), rung, now.rung()));
+            events.accept(new RunEvent.RungChanged(simulation.ticks(), timeOf(simulation), rung, now.rung()));
             rung = now.rung();
         }
     }
@@ -46,7 +46,11 @@ public final class DiagnosisRecorder implements TickObserver {
     private void compare(int sensor, SensorHealth now, Simulation simulation) {
         SensorTrust before = sensor < health.size() ? health.get(sensor).trust() : SensorTrust.TRUSTED;
         if (now.trust() != before) {
-            events.accept(new RunEvent.HealthChanged(simulation.ticks(), simulation.time(), before, now));
+            events.accept(new RunEvent.HealthChanged(simulation.ticks(), timeOf(simulation), before, now));
         }
+    }
+
+    private static double timeOf(Simulation simulation) {
+        return simulation.setup().timeOf(simulation.ticks());
     }
 }

@@ -15,7 +15,7 @@ import faultline.world.CommandResult;
  */
 public final class Recorder implements TickObserver, CommandListener {
 
-    private final double dt;
+    private final SimulationSetup setup;
     private final int sensors;
     private final float[] values;
     private final TraceRecorder trace;
@@ -31,7 +31,7 @@ public final class Recorder implements TickObserver, CommandListener {
 
     /** Creates a recorder of a run that has not started. */
     public Recorder(SimulationSetup setup) {
-        dt = setup.dt();
+        this.setup = setup;
         sensors = setup.robot().sensors().size();
         values = new float[TraceChannels.count(sensors)];
         trace = new TraceRecorder(values.length);
@@ -41,7 +41,7 @@ public final class Recorder implements TickObserver, CommandListener {
 
     @Override
     public void commandHandled(CommandResult result) {
-        double time = result.tick() * dt;
+        double time = setup.timeOf(result.tick());
         events.add(result.refusal()
                 .<RunEvent>map(reason -> new RunEvent.CommandRefused(result.tick(), time, result.command(), reason))
                 .orElseGet(() -> new RunEvent.CommandExecuted(result.tick(), time, result.command())));
@@ -65,7 +65,11 @@ public final class Recorder implements TickObserver, CommandListener {
         Telemetry now = simulation.telemetry();
         if (now.transitions() != lastTelemetry.transitions() || !now.state().equals(lastTelemetry.state())) {
             events.add(new RunEvent.StateChanged(
-                    simulation.ticks(), simulation.time(), lastTelemetry.state(), now.state(), now.condition()));
+                    simulation.ticks(),
+                    setup.timeOf(simulation.ticks()),
+                    lastTelemetry.state(),
+                    now.state(),
+                    now.condition()));
             states.recordTransition(lastTelemetry.state(), now.state());
             recordTiming(simulation, now);
         }
@@ -83,10 +87,10 @@ public final class Recorder implements TickObserver, CommandListener {
                 && Double.isFinite(now.edges().tP())) {
             double clock =
                     Math.abs(lastHeading - turnStart) / simulation.robot().turnRate();
-            double origin = simulation.time() - dt - clock;
+            double origin = simulation.time() - setup.dt() - clock;
             events.add(new RunEvent.AlignmentTimed(
                     simulation.ticks(),
-                    simulation.time(),
+                    setup.timeOf(simulation.ticks()),
                     origin + now.edges().tF3(),
                     origin + now.edges().tF4(),
                     now.edges().tP()));

@@ -135,7 +135,7 @@ public final class ComparisonController implements WorkspaceListener {
         }
         ReferenceRun run = last.run();
         RunEvent.Diverged divergence = now.firstDifference(run.hashTrace(), from).stream()
-                .mapToObj(tick -> new RunEvent.Diverged(tick, tick * run.setup().dt()))
+                .mapToObj(tick -> new RunEvent.Diverged(tick, run.setup().timeOf(tick)))
                 .findFirst()
                 .orElse(null);
         return Objects.equals(divergence, last.divergenceOrNull())

@@ -24,6 +24,7 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.Refusal;
 import faultline.world.WorldSpec;
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -120,6 +121,20 @@ class RecorderTest {
                 assertEquals(at.state(), transition.to());
                 assertEquals(moments.get((int) transition.tick() - 1).state(), transition.from());
                 assertEquals(transition.tick() * 0.01, transition.time(), 1e-9);
+            }
+        }
+    }
+
+    @Test
+    void timesAreMultiplesOfTheTickWithoutRoundingErrors() {
+        try (Session session = Session.start(room)) {
+            List<RunEvent> seen = events(runTo(session, TICKS)).stream()
+                    .filter(event -> !(event instanceof RunEvent.Collided))
+                    .toList();
+            assertTrue(seen.size() > 10, "events: " + seen.size());
+            for (RunEvent event : seen) {
+                BigDecimal exact = new BigDecimal("0.01").multiply(BigDecimal.valueOf(event.tick()));
+                assertEquals(exact.doubleValue(), event.time(), event::toString);
             }
         }
     }
