@@ -7,7 +7,11 @@ public final class Angles {
 
     private Angles() {}
 
-    /** Returns the equivalent of a finite angle in (-pi, pi], radians. */
+    /**
+     * {@return the equivalent of a finite angle in (-pi, pi], radians}
+     *
+     * @param angle the angle, in radians, finite
+     */
     public static double normalize(double angle) {
         if (angle > -StrictMath.PI && angle <= StrictMath.PI) {
             return angle;
@@ -16,7 +20,12 @@ public final class Angles {
         return rest <= -StrictMath.PI ? rest + TWO_PI : rest;
     }
 
-    /** Returns the smallest turn from one direction to another in (-pi, pi], radians, positive counter-clockwise. */
+    /**
+     * {@return the smallest turn from one direction to another in (-pi, pi], radians, positive counter-clockwise}
+     *
+     * @param from the first direction, in radians
+     * @param to the second direction, in radians
+     */
     public static double difference(double from, double to) {
         return normalize(to - from);
     }

@@ -5,7 +5,12 @@ public final class BoxDistance {
 
     private BoxDistance() {}
 
-    /** Returns the separation of a box and a shape, with one of the nearest pairs of points if there are several. */
+    /**
+     * {@return the separation of a box and a shape, with one of the nearest pairs of points if there are several}
+     *
+     * @param box the box
+     * @param shape the shape, in the same frame
+     */
     public static Separation between(OrientedBox box, ConvexShape shape) {
         if (shape instanceof Segment segment) {
             return toSegment(box, segment);

@@ -6,18 +6,32 @@ package faultline.geometry;
  */
 public sealed interface ConvexShape permits Segment, Disc, Ellipse {
 
-    /** Returns the nearest point of this shape to a point: the point itself if this shape contains it. */
+    /**
+     * {@return the nearest point of this shape to a point: the point itself if this shape contains it}
+     *
+     * @param point the point, in the shape's frame
+     */
     Vector2 nearestTo(Vector2 point);
 
-    /** Returns the distance from a point to this shape, metres, 0 if this shape contains the point. */
+    /**
+     * {@return the distance from a point to this shape, metres, 0 if this shape contains the point}
+     *
+     * @param x the x coordinate of the point, in metres
+     * @param y the y coordinate of the point, in metres
+     */
     double distanceTo(double x, double y);
 
-    /** Returns the centre of a circle that encloses this shape; its radius is {@link #boundingRadius()}. */
+    /** {@return the centre of a circle that encloses this shape; its radius is {@link #boundingRadius()}} */
     Vector2 centre();
 
-    /** Returns the radius of a circle about {@link #centre()} that encloses this shape, metres, not negative. */
+    /** {@return the radius of a circle about {@link #centre()} that encloses this shape, metres, not negative} */
     double boundingRadius();
 
-    /** Returns this shape translated by (dx, dy), metres. */
+    /**
+     * {@return this shape translated by (dx, dy), metres}
+     *
+     * @param dx the translation along x, in metres
+     * @param dy the translation along y, in metres
+     */
     ConvexShape translated(double dx, double dy);
 }

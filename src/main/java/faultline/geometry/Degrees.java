@@ -16,12 +16,20 @@ public final class Degrees {
 
     private Degrees() {}
 
-    /** Returns the number of radians nearest to a finite number of degrees. */
+    /**
+     * {@return the number of radians nearest to a finite number of degrees}
+     *
+     * @param degrees the number of degrees, finite
+     */
     public static double toRadians(double degrees) {
         return toRadians(new BigDecimal(Double.toString(degrees)));
     }
 
-    /** Returns the number of radians nearest to a decimal number of degrees. */
+    /**
+     * {@return the number of radians nearest to a decimal number of degrees}
+     *
+     * @param degrees the number of degrees
+     */
     public static double toRadians(BigDecimal degrees) {
         return degrees.multiply(PI)
                 .divide(HALF_TURN, new MathContext(50, RoundingMode.HALF_EVEN))
@@ -29,8 +37,10 @@ public final class Degrees {
     }
 
     /**
-     * Returns the shortest decimal text, in degrees and without exponent, that {@link #toRadians(BigDecimal)} converts
-     * back to the same finite number of radians.
+     * {@return the shortest decimal text, in degrees and without exponent, that {@link #toRadians(BigDecimal)} converts
+     * back to the same finite number of radians}
+     *
+     * @param radians the number of radians, finite
      */
     public static String toText(double radians) {
         BigDecimal exact =

@@ -9,6 +9,14 @@ package faultline.geometry;
  */
 public record Disc(double cx, double cy, double radius) implements ConvexShape {
 
+    /**
+     * Creates a disc.
+     *
+     * @param cx the centre's x, metres
+     * @param cy the centre's y, metres
+     * @param radius metres, not negative
+     * @throws IllegalArgumentException if the centre or the radius is not finite, or the radius is negative
+     */
     public Disc {
         if (!(radius >= 0 && Double.isFinite(cx) && Double.isFinite(cy) && Double.isFinite(radius))) {
             throw new IllegalArgumentException("a disc needs a finite centre and a radius that is not negative: " + cx
@@ -49,7 +57,7 @@ public record Disc(double cx, double cy, double radius) implements ConvexShape {
         return new Disc(cx + dx, cy + dy, radius);
     }
 
-    /** Returns this disc as an ellipse with two equal half axes. */
+    /** {@return this disc as an ellipse with two equal half axes} */
     public Ellipse toEllipse() {
         return new Ellipse(new RigidMotion(1, 0, cx, cy), radius, radius);
     }

@@ -9,13 +9,27 @@ package faultline.geometry;
  */
 public record Ellipse(RigidMotion frame, double rx, double ry) implements ConvexShape {
 
+    /**
+     * Creates an ellipse.
+     *
+     * @param frame the frame whose origin is the centre and whose axes carry the half axes
+     * @param rx the half axis along the frame's x axis, metres, positive
+     * @param ry the half axis along the frame's y axis, metres, positive
+     * @throws IllegalArgumentException if a half axis is not positive and finite
+     */
     public Ellipse {
         if (!(rx > 0 && ry > 0 && Double.isFinite(rx) && Double.isFinite(ry))) {
             throw new IllegalArgumentException("the half axes of an ellipse must be positive: " + rx + ", " + ry);
         }
     }
 
-    /** Returns the ellipse with its centre and first half axis at a pose. */
+    /**
+     * {@return the ellipse with its centre and first half axis at a pose}
+     *
+     * @param pose the centre, and the direction of the first half axis
+     * @param rx the first half axis, in metres, positive
+     * @param ry the second half axis, in metres, positive
+     */
     public static Ellipse at(Pose pose, double rx, double ry) {
         return new Ellipse(RigidMotion.of(pose), rx, ry);
     }
@@ -49,11 +63,11 @@ public record Ellipse(RigidMotion frame, double rx, double ry) implements Convex
     }
 
     /**
-     * Returns the point of the ellipse farthest in a direction.
+     * {@return the point of the ellipse farthest in a direction}
      *
      * @param direction any vector except zero
      */
-    public Vector2 supportPoint(Vector2 direction) {
+    Vector2 supportPoint(Vector2 direction) {
         double u = rx * (frame.cos() * direction.x() + frame.sin() * direction.y());
         double v = ry * (frame.cos() * direction.y() - frame.sin() * direction.x());
         double length = Math.sqrt(u * u + v * v);

@@ -12,6 +12,14 @@ public record OrientedBox(RigidMotion frame, double halfLength, double halfWidth
     /** The number of corners. */
     public static final int CORNERS = 4;
 
+    /**
+     * Creates a box.
+     *
+     * @param frame the frame, with its x axis along the heading
+     * @param halfLength half the side along the heading, metres, positive
+     * @param halfWidth half the side across the heading, metres, positive
+     * @throws IllegalArgumentException if a half side is not positive and finite
+     */
     public OrientedBox {
         if (!(halfLength > 0 && halfWidth > 0 && Double.isFinite(halfLength) && Double.isFinite(halfWidth))) {
             throw new IllegalArgumentException("the sides of a box must be positive: " + halfLength + ", " + halfWidth);
@@ -29,18 +37,26 @@ public record OrientedBox(RigidMotion frame, double halfLength, double halfWidth
         this(RigidMotion.of(pose), length / 2, width / 2);
     }
 
-    /** Returns a corner in the parent frame: 0 front left, 1 rear left, 2 rear right, 3 front right. */
+    /**
+     * {@return a corner in the parent frame: 0 front left, 1 rear left, 2 rear right, 3 front right}
+     *
+     * @param index the index of the corner, 0 to 3
+     */
     public Vector2 corner(int index) {
         return frame.toParent(
                 new Vector2(index == 0 || index == 3 ? halfLength : -halfLength, index < 2 ? halfWidth : -halfWidth));
     }
 
-    /** Returns the radius of the circle about the centre through the corners, metres. */
+    /** {@return the radius of the circle about the centre through the corners, metres} */
     public double boundingRadius() {
         return Math.sqrt(halfLength * halfLength + halfWidth * halfWidth);
     }
 
-    /** Returns the nearest point of the box: the point itself, up to rounding, if the box contains it. */
+    /**
+     * {@return the nearest point of the box: the point itself, up to rounding, if the box contains it}
+     *
+     * @param point the point, in the parent frame
+     */
     public Vector2 nearestTo(Vector2 point) {
         return frame.toParent(clamp(frame.toLocal(point)));
     }

@@ -19,6 +19,15 @@ public record RigidMotion(double cos, double sin, double x, double y) {
 
     private static final double UNIT_TOLERANCE = 1e-9;
 
+    /**
+     * Creates a motion.
+     *
+     * @param cos the cosine of theta
+     * @param sin the sine of theta
+     * @param x the translation, metres
+     * @param y the translation, metres
+     * @throws IllegalArgumentException if (cos, sin) is not a unit vector or the translation is not finite
+     */
     public RigidMotion {
         requireUnit(cos, sin);
         if (!(Double.isFinite(x) && Double.isFinite(y))) {
@@ -33,19 +42,27 @@ public record RigidMotion(double cos, double sin, double x, double y) {
         }
     }
 
-    /** Returns the motion that maps the frame of a pose to its parent frame. */
+    /**
+     * {@return the motion that maps the frame of a pose to its parent frame}
+     *
+     * @param pose the pose of the frame in its parent frame
+     */
     public static RigidMotion of(Pose pose) {
         return new RigidMotion(StrictTrig.cos(pose.heading()), StrictTrig.sin(pose.heading()), pose.x(), pose.y());
     }
 
-    /** Returns {@link #of} a pose as a new transform for {@link java.awt.geom}. */
+    /**
+     * {@return {@link #of} a pose as a new transform for {@link java.awt.geom}}
+     *
+     * @param pose the pose of the frame in its parent frame
+     */
     public static AffineTransform poseTransform(Pose pose) {
         RigidMotion motion = of(pose);
         return new AffineTransform(motion.cos, motion.sin, -motion.sin, motion.cos, motion.x, motion.y);
     }
 
     /**
-     * Returns the rotation about a point, T(x_b, y_b) R(theta) T(-x_b, -y_b): eq. (1) of the paper.
+     * {@return the rotation about a point, T(x_b, y_b) R(theta) T(-x_b, -y_b): eq. (1) of the paper}
      *
      * @param centre (x_b, y_b), metres; it is mapped to itself
      * @param theta radians, counter-clockwise
@@ -59,19 +76,31 @@ public record RigidMotion(double cos, double sin, double x, double y) {
         return new RigidMotion(cos, sin, xb * (1 - cos) + yb * sin, yb * (1 - cos) - xb * sin);
     }
 
-    /** Returns the image of a point: local coordinates mapped to the parent frame. */
+    /**
+     * {@return the image of a point: local coordinates mapped to the parent frame}
+     *
+     * @param local the point to map, in local coordinates
+     */
     public Vector2 toParent(Vector2 local) {
         return new Vector2(x + cos * local.x() - sin * local.y(), y + sin * local.x() + cos * local.y());
     }
 
-    /** Returns the point whose image is the given one: coordinates of the parent frame mapped to local ones. */
+    /**
+     * {@return the point whose image is the given one: coordinates of the parent frame mapped to local ones}
+     *
+     * @param parent the image, in coordinates of the parent frame
+     */
     public Vector2 toLocal(Vector2 parent) {
         double dx = parent.x() - x;
         double dy = parent.y() - y;
         return new Vector2(cos * dx + sin * dy, cos * dy - sin * dx);
     }
 
-    /** Returns the motion that applies {@code first} and then this one: the frame {@code first} in the parent frame. */
+    /**
+     * {@return the motion that applies {@code first} and then this one: the frame {@code first} in the parent frame}
+     *
+     * @param first the motion to apply first
+     */
     public RigidMotion after(RigidMotion first) {
         return new RigidMotion(
                 cos * first.cos - sin * first.sin,
@@ -80,17 +109,22 @@ public record RigidMotion(double cos, double sin, double x, double y) {
                 y + sin * first.x + cos * first.y);
     }
 
-    /** Returns this motion followed by a translation. */
+    /**
+     * {@return this motion followed by a translation}
+     *
+     * @param dx the translation along x, in metres
+     * @param dy the translation along y, in metres
+     */
     public RigidMotion translated(double dx, double dy) {
         return new RigidMotion(cos, sin, x + dx, y + dy);
     }
 
-    /** Returns the image of the origin. */
+    /** {@return the image of the origin} */
     public Vector2 position() {
         return new Vector2(x, y);
     }
 
-    /** Returns the image of the direction (1, 0), a unit vector. */
+    /** {@return the image of the direction (1, 0), a unit vector} */
     public Vector2 axis() {
         return new Vector2(cos, sin);
     }

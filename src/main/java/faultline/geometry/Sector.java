@@ -11,6 +11,15 @@ package faultline.geometry;
  */
 public record Sector(RigidMotion frame, double cosHalf, double sinHalf, double range) {
 
+    /**
+     * Creates a sector.
+     *
+     * @param frame the frame of the sector: the apex is its origin, and its x axis is the sector's axis
+     * @param cosHalf the cosine of half the full angle, in (0, 1]
+     * @param sinHalf the sine of half the full angle, in [0, 1)
+     * @param range the radius, metres, positive
+     * @throws IllegalArgumentException if the motion's rotation, the half angle or the range is outside its limits
+     */
     public Sector {
         RigidMotion.requireUnit(cosHalf, sinHalf);
         if (!(cosHalf > 0 && sinHalf >= 0 && range > 0 && Double.isFinite(range))) {
@@ -21,7 +30,7 @@ public record Sector(RigidMotion frame, double cosHalf, double sinHalf, double r
     }
 
     /**
-     * Returns the sector about an axis.
+     * {@return the sector about an axis}
      *
      * @param apex the apex
      * @param bearing the direction of the axis, radians
@@ -39,22 +48,22 @@ public record Sector(RigidMotion frame, double cosHalf, double sinHalf, double r
                 range);
     }
 
-    /** Returns the apex. */
+    /** {@return the apex} */
     public Vector2 apex() {
         return frame.position();
     }
 
-    /** Returns the axis, a unit vector. */
+    /** {@return the axis, a unit vector} */
     public Vector2 axis() {
         return frame.axis();
     }
 
-    /** Returns the direction of the edge to the left of the axis, a unit vector. */
+    /** {@return the direction of the edge to the left of the axis, a unit vector} */
     public Vector2 leftEdge() {
         return axis().rotated(cosHalf, sinHalf);
     }
 
-    /** Returns the direction of the edge to the right of the axis, a unit vector. */
+    /** {@return the direction of the edge to the right of the axis, a unit vector} */
     public Vector2 rightEdge() {
         return axis().rotated(cosHalf, -sinHalf);
     }

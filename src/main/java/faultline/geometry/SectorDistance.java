@@ -27,7 +27,11 @@ public final class SectorDistance {
     private double rightX;
     private double rightY;
 
-    /** Creates a movable copy of a sector. */
+    /**
+     * Creates a movable copy of a sector.
+     *
+     * @param sector the sector to copy
+     */
     public SectorDistance(Sector sector) {
         cosHalf = sector.cosHalf();
         sinHalf = sector.sinHalf();
@@ -77,7 +81,11 @@ public final class SectorDistance {
         return y;
     }
 
-    /** Returns the distance to a shape as {@link #nearest(Sector, ConvexShape)} does. */
+    /**
+     * {@return the distance to a shape as {@link #nearest(Sector, ConvexShape)} does}
+     *
+     * @param shape the shape, in the parent frame
+     */
     public double nearest(ConvexShape shape) {
         if (shape instanceof Segment segment) {
             return toSegment(segment.ax(), segment.ay(), segment.bx() - segment.ax(), segment.by() - segment.ay());
@@ -87,8 +95,13 @@ public final class SectorDistance {
     }
 
     /**
-     * Returns the distance to the segment from (ax, ay) to (ax + dx, ay + dy). The segment is clipped to the cone's two
-     * half planes; the nearest point of the rest is the point closest to the apex or an end.
+     * {@return the distance to the segment from (ax, ay) to (ax + dx, ay + dy)} The segment is clipped to the cone's
+     * two half planes; the nearest point of the rest is the point closest to the apex or an end.
+     *
+     * @param ax the x coordinate of the first end, in metres
+     * @param ay the y coordinate of the first end, in metres
+     * @param dx the x component of the segment, in metres
+     * @param dy the y component of the segment, in metres
      */
     public double toSegment(double ax, double ay, double dx, double dy) {
         double px = ax - x;

@@ -12,8 +12,11 @@ public final class SectorIntersections {
     private SectorIntersections() {}
 
     /**
-     * Returns the points where the outlines cross: those of the left edge, the right edge and the arc, in this order.
+     * {@return the points where the outlines cross: those of the left edge, the right edge and the arc, in this order}
      * Points where the outlines only touch, or coincide, may be missing.
+     *
+     * @param sector the sector
+     * @param shape the shape, in the same frame
      */
     public static List<Vector2> points(Sector sector, ConvexShape shape) {
         List<Vector2> hits = new ArrayList<>();

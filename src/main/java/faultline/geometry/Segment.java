@@ -10,6 +10,15 @@ package faultline.geometry;
  */
 public record Segment(double ax, double ay, double bx, double by) implements ConvexShape {
 
+    /**
+     * Creates a segment.
+     *
+     * @param ax the first end's x, metres
+     * @param ay the first end's y, metres
+     * @param bx the second end's x, metres
+     * @param by the second end's y, metres
+     * @throws IllegalArgumentException if a coordinate is not finite
+     */
     public Segment {
         if (!(Double.isFinite(ax) && Double.isFinite(ay) && Double.isFinite(bx) && Double.isFinite(by))) {
             throw new IllegalArgumentException(
@@ -17,27 +26,36 @@ public record Segment(double ax, double ay, double bx, double by) implements Con
         }
     }
 
-    /** Creates the segment between two points. */
+    /**
+     * Creates the segment between two points.
+     *
+     * @param a the first end, in metres
+     * @param b the second end, in metres
+     */
     public Segment(Vector2 a, Vector2 b) {
         this(a.x(), a.y(), b.x(), b.y());
     }
 
-    /** Returns the first end. */
+    /** {@return the first end} */
     public Vector2 a() {
         return new Vector2(ax, ay);
     }
 
-    /** Returns the second end. */
+    /** {@return the second end} */
     public Vector2 b() {
         return new Vector2(bx, by);
     }
 
-    /** Returns the length, metres, 0 if the ends coincide. */
+    /** {@return the length, metres, 0 if the ends coincide} */
     public double length() {
         return a().distanceTo(b());
     }
 
-    /** Returns the point at a fraction of the segment, 0 for the first end and 1 for the second. */
+    /**
+     * {@return the point at a fraction of the segment, 0 for the first end and 1 for the second}
+     *
+     * @param fraction the fraction, not limited to [0, 1]
+     */
     public Vector2 pointAt(double fraction) {
         return fraction == 1 ? b() : new Vector2(ax + fraction * (bx - ax), ay + fraction * (by - ay));
     }

@@ -26,7 +26,13 @@ public final class SpecularDistance {
         return nearest(new SectorDistance(sector), segment, StrictMath.tan(incidence));
     }
 
-    /** Returns the same distance from the tangent of the greatest angle of incidence, without allocation. */
+    /**
+     * {@return the same distance from the tangent of the greatest angle of incidence, without allocation}
+     *
+     * @param sector the sector
+     * @param segment the surface
+     * @param tangent the tangent of the greatest angle of incidence, positive
+     */
     public static double nearest(SectorDistance sector, Segment segment, double tangent) {
         double dx = segment.bx() - segment.ax();
         double dy = segment.by() - segment.ay();
@@ -53,8 +59,8 @@ public final class SpecularDistance {
     }
 
     /**
-     * Returns the points where a sector's outline meets the reflecting part of a segment, and the ends of that part
-     * that lie inside the sector. They are only drawn, like {@link SectorIntersections#points}. Empty if nothing is
+     * {@return the points where a sector's outline meets the reflecting part of a segment, and the ends of that part
+     * that lie inside the sector} They are only drawn, like {@link SectorIntersections#points}. Empty if nothing is
      * reflected, or if the whole surface lies inside the sector and reflects.
      *
      * @param sector the sector

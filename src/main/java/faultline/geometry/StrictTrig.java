@@ -49,7 +49,11 @@ public final class StrictTrig {
 
     private StrictTrig() {}
 
-    /** Returns {@link StrictMath#sin} of an angle in radians. */
+    /**
+     * {@return {@link StrictMath#sin} of an angle in radians}
+     *
+     * @param x the angle, in radians
+     */
     public static double sin(double x) {
         int high = highWord(x);
         if (high <= QUARTER_PI) {
@@ -58,7 +62,11 @@ public final class StrictTrig {
         return high > MAX_REDUCED ? StrictMath.sin(x) : reduced(x, high, 0);
     }
 
-    /** Returns {@link StrictMath#cos} of an angle in radians. */
+    /**
+     * {@return {@link StrictMath#cos} of an angle in radians}
+     *
+     * @param x the angle, in radians
+     */
     public static double cos(double x) {
         int high = highWord(x);
         if (high <= QUARTER_PI) {

@@ -11,64 +11,97 @@ public record Vector2(double x, double y) {
     /** The origin, or no displacement. */
     public static final Vector2 ZERO = new Vector2(0, 0);
 
-    /** Returns the unit vector at an angle, radians counter-clockwise from the x axis. */
+    /**
+     * {@return the unit vector at an angle, radians counter-clockwise from the x axis}
+     *
+     * @param angle the angle, in radians
+     */
     public static Vector2 direction(double angle) {
         return new Vector2(StrictTrig.cos(angle), StrictTrig.sin(angle));
     }
 
-    /** Returns the sum of this vector and another. */
+    /**
+     * {@return the sum of this vector and another}
+     *
+     * @param other the vector to add
+     */
     public Vector2 plus(Vector2 other) {
         return new Vector2(x + other.x, y + other.y);
     }
 
-    /** Returns the difference of this vector and another. */
+    /**
+     * {@return the difference of this vector and another}
+     *
+     * @param other the vector to subtract
+     */
     public Vector2 minus(Vector2 other) {
         return new Vector2(x - other.x, y - other.y);
     }
 
-    /** Returns this vector multiplied by a factor. */
+    /**
+     * {@return this vector multiplied by a factor}
+     *
+     * @param factor the factor
+     */
     public Vector2 times(double factor) {
         return new Vector2(factor * x, factor * y);
     }
 
-    /** Returns the dot product with another vector. */
+    /**
+     * {@return the dot product with another vector}
+     *
+     * @param other the other vector
+     */
     public double dot(Vector2 other) {
         return x * other.x + y * other.y;
     }
 
-    /** Returns the z component of the cross product, positive if {@code other} is counter-clockwise of this vector. */
+    /**
+     * {@return the z component of the cross product, positive if {@code other} is counter-clockwise of this vector}
+     *
+     * @param other the other vector
+     */
     public double cross(Vector2 other) {
         return x * other.y - y * other.x;
     }
 
-    /** Returns the length, metres, not negative. */
+    /** {@return the length, metres, not negative} */
     public double length() {
         return Math.sqrt(x * x + y * y);
     }
 
-    /** Returns the distance to a point, metres, not negative. */
+    /**
+     * {@return the distance to a point, metres, not negative}
+     *
+     * @param other the point, in metres
+     */
     public double distanceTo(Vector2 other) {
         double dx = other.x - x;
         double dy = other.y - y;
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** Returns the angle of this vector in [-pi, pi], counter-clockwise from the x axis; 0 for the zero vector. */
+    /** {@return the angle of this vector in [-pi, pi], counter-clockwise from the x axis; 0 for the zero vector} */
     public double angle() {
         return StrictMath.atan2(y, x);
     }
 
-    /** Returns this vector rotated by a quarter turn to the left, (-y, x). */
+    /** {@return this vector rotated by a quarter turn to the left, (-y, x)} */
     public Vector2 perpendicular() {
         return new Vector2(-y, x);
     }
 
-    /** Returns this vector rotated by an angle with a known cosine and sine. */
+    /**
+     * {@return this vector rotated by an angle with a known cosine and sine}
+     *
+     * @param cos the cosine of the angle
+     * @param sin the sine of the angle, positive to the left
+     */
     public Vector2 rotated(double cos, double sin) {
         return new Vector2(cos * x - sin * y, sin * x + cos * y);
     }
 
-    /** Returns whether both components are finite. */
+    /** {@return whether both components are finite} */
     public boolean isFinite() {
         return Double.isFinite(x) && Double.isFinite(y);
     }

@@ -32,7 +32,7 @@ public final class DifferentialDrive {
     }
 
     /**
-     * Returns the length of the chord of an arc, metres.
+     * {@return the length of the chord of an arc, metres}
      *
      * @param v metres per second
      * @param half half the turn along the arc, radians

@@ -20,6 +20,14 @@ public record DriveScale(double left, double right, double track) {
     /** The greatest factor allowed. */
     public static final double MAX = 10;
 
+    /**
+     * Creates a drive scale.
+     *
+     * @param left the true speed of the left wheels by the believed one
+     * @param right the true speed of the right wheels by the believed one
+     * @param track the true distance between the wheels by the believed one
+     * @throws IllegalArgumentException if a factor is outside its limits
+     */
     public DriveScale {
         requireScale("left", left);
         requireScale("right", right);

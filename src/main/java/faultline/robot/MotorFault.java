@@ -7,16 +7,16 @@ package faultline.robot;
 public sealed interface MotorFault permits MotorFault.Weak, MotorFault.Dead, MotorFault.DeadBand {
 
     /**
-     * Returns the voltage that has an effect.
+     * {@return the voltage that has an effect}
      *
      * @param volts the voltage that is applied
      */
     double apply(double volts);
 
-    /** Returns the kind of this fault, as files and windows name it. */
+    /** {@return the kind of this fault, as files and windows name it} */
     MotorFaultKind kind();
 
-    /** Returns the number of this fault in the kind's unit; 0 if the kind has none. */
+    /** {@return the number of this fault in the kind's unit; 0 if the kind has none} */
     double value();
 
     /**

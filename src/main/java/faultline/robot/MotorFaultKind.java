@@ -32,13 +32,13 @@ public enum MotorFaultKind {
         this.factory = factory;
     }
 
-    /** Returns the name in scenario files, in lower case. */
+    /** {@return the name in scenario files, in lower case} */
     public String fileName() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     /**
-     * Returns a fault of this kind.
+     * {@return a fault of this kind}
      *
      * @param value its number; ignored by kinds without one
      * @throws IllegalArgumentException if the number is outside [{@link #minValue}, {@link #maxValue}]
@@ -51,27 +51,27 @@ public enum MotorFaultKind {
         return factory.apply(value);
     }
 
-    /** Returns whether the kind has a number. */
+    /** {@return whether the kind has a number} */
     public boolean takesValue() {
         return this != DEAD;
     }
 
-    /** Returns the unit of the number, empty for a number without unit. */
+    /** {@return the unit of the number, empty for a number without unit} */
     public String unit() {
         return unit;
     }
 
-    /** Returns the least number allowed. */
+    /** {@return the least number allowed} */
     public double minValue() {
         return minValue;
     }
 
-    /** Returns the greatest number allowed. */
+    /** {@return the greatest number allowed} */
     public double maxValue() {
         return maxValue;
     }
 
-    /** Returns the number where none is given. */
+    /** {@return the number where none is given} */
     public double defaultValue() {
         return defaultValue;
     }

@@ -12,6 +12,14 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
     /** The motor if none is given: 50 ms, 0.1 m/s per volt, 6 V. */
     public static final MotorSpec DEFAULT = new MotorSpec(0.05, 0.1, 6);
 
+    /**
+     * Creates a motor.
+     *
+     * @param timeConstant tau, seconds, 0 for a motor without lag
+     * @param speedConstant the wheel's rim speed per volt, metres per second, positive
+     * @param maxVoltage the saturation of the supply, volts, positive
+     * @throws IllegalArgumentException if a value is not finite, negative, or 0 where it must be positive
+     */
     public MotorSpec {
         if (!(timeConstant >= 0 && Double.isFinite(timeConstant))) {
             throw new IllegalArgumentException("the motor's time constant must not be negative: " + timeConstant);
@@ -24,33 +32,50 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
         }
     }
 
-    /** Returns the maximum wheel speed, metres per second. */
+    /** {@return the maximum wheel speed, metres per second} */
     public double maxSpeed() {
         return speedConstant * maxVoltage;
     }
 
-    /** Returns this motor with wheels that turn faster or slower by a factor. */
+    /**
+     * {@return this motor with wheels that turn faster or slower by a factor}
+     *
+     * @param factor the factor of the wheel speed, positive
+     */
     public MotorSpec scaled(double factor) {
         return factor == 1 ? this : new MotorSpec(timeConstant, factor * speedConstant, maxVoltage);
     }
 
-    /** Returns a voltage limited to the supply. */
+    /**
+     * {@return a voltage limited to the supply}
+     *
+     * @param volts the voltage
+     */
     public double limit(double volts) {
         return Math.max(-maxVoltage, Math.min(maxVoltage, volts));
     }
 
-    /** Returns the voltage, not limited, that holds a wheel speed given in metres per second. */
+    /**
+     * {@return the voltage, not limited, that holds a wheel speed given in metres per second}
+     *
+     * @param speed the wheel speed, in metres per second
+     */
     public double voltageFor(double speed) {
         return speed / speedConstant;
     }
 
-    /** Returns the fraction in [0, 1) of a speed error that remains after a tick of dt seconds: exp(-dt / tau). */
+    /**
+     * {@return the fraction in [0, 1) of a speed error that remains after a tick of dt seconds: exp(-dt / tau)}
+     *
+     * @param dt the length of a tick, in seconds, positive
+     */
     public double decay(double dt) {
         return timeConstant == 0 ? 0 : StrictMath.exp(-dt / timeConstant);
     }
 
     /**
-     * Returns the wheel speed after a tick: the exact solution of tau dv/dt = speedConstant u - v for constant voltage.
+     * {@return the wheel speed after a tick: the exact solution of tau dv/dt = speedConstant u - v for constant
+     * voltage}
      *
      * @param speed the wheel speed before the tick, metres per second
      * @param volts the voltage during the tick, limited to the supply
@@ -61,7 +86,14 @@ public record MotorSpec(double timeConstant, double speedConstant, double maxVol
         return target + (speed - target) * decay;
     }
 
-    /** Returns the speeds of both sides' wheels after a tick, each as {@link #step(double, double, double)} does. */
+    /**
+     * {@return the speeds of both sides' wheels after a tick, each as {@link #step(double, double, double)} does}
+     *
+     * @param speeds the wheel speeds before the tick
+     * @param leftVolts the voltage on the left motors during the tick
+     * @param rightVolts the voltage on the right motors during the tick
+     * @param decay the result of {@link #decay} for the tick
+     */
     public WheelSpeeds step(WheelSpeeds speeds, double leftVolts, double rightVolts, double decay) {
         return new WheelSpeeds(step(speeds.left(), leftVolts, decay), step(speeds.right(), rightVolts, decay));
     }

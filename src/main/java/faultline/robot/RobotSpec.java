@@ -36,6 +36,19 @@ public record RobotSpec(
     public static final RobotSpec DEFAULT =
             new RobotSpec(0.25, 0.20, 0.18, 0.3, Degrees.toRadians(60), MotorSpec.DEFAULT, standardSensors(0.25, 0.20));
 
+    /**
+     * Creates a robot.
+     *
+     * @param length of the platform, along x, metres, positive
+     * @param width of the platform, along y, metres, positive
+     * @param track the distance between the left and the right wheels, metres, positive
+     * @param speed the linear velocity that the controller drives at, metres per second, positive
+     * @param turnRate the angular velocity that the controller turns on the spot at, radians per second, positive
+     * @param motor the motor of either side, as the controller believes it to be
+     * @param driveScale how the true wheels and track differ from what the controller believes
+     * @param sensors in the order of the trace's columns; ids are unique
+     * @throws IllegalArgumentException if a length or speed is not positive and finite, or two sensors have the same id
+     */
     public RobotSpec {
         requirePositive("length", length);
         requirePositive("width", width);
@@ -51,7 +64,17 @@ public record RobotSpec(
         }
     }
 
-    /** A robot whose drive is what the controller believes. */
+    /**
+     * Creates a robot whose drive is what the controller believes.
+     *
+     * @param length the length of the platform, in metres, positive
+     * @param width the width of the platform, in metres, positive
+     * @param track the distance between the left and the right wheels, in metres, positive
+     * @param speed the linear velocity, in metres per second, positive
+     * @param turnRate the turn rate, in radians per second, positive
+     * @param motor the motors of both sides
+     * @param sensors the sensors, with different ids
+     */
     public RobotSpec(
             double length,
             double width,
@@ -70,8 +93,8 @@ public record RobotSpec(
     }
 
     /**
-     * Returns the eight standard sensors, symmetric about the robot's axis, at the corners and the middles of the
-     * sides: front, front-left, left, rear-left, rear, rear-right, right, front-right.
+     * {@return the eight standard sensors, symmetric about the robot's axis, at the corners and the middles of the
+     * sides: front, front-left, left, rear-left, rear, rear-right, right, front-right}
      *
      * @param length of the platform, metres
      * @param width of the platform, metres
@@ -101,7 +124,11 @@ public record RobotSpec(
                 0);
     }
 
-    /** Returns the index of the sensor with an id, or -1 if there is none. */
+    /**
+     * {@return the index of the sensor with an id, or -1 if there is none}
+     *
+     * @param id the sensor's id
+     */
     public int indexOf(String id) {
         for (int i = 0; i < sensors.size(); i++) {
             if (sensors.get(i).id().equals(id)) {
@@ -111,15 +138,20 @@ public record RobotSpec(
         return -1;
     }
 
-    /** Returns the sensor with an id. */
+    /**
+     * {@return the sensor with an id}
+     *
+     * @param id the sensor's id
+     */
     public Optional<SensorSpec> sensor(String id) {
         int index = indexOf(id);
         return index < 0 ? Optional.empty() : Optional.of(sensors.get(index));
     }
 
     /**
-     * Returns this robot with one sensor replaced by another with the same id.
+     * {@return this robot with one sensor replaced by another with the same id}
      *
+     * @param sensor the new sensor
      * @throws IllegalArgumentException if no sensor has that id
      */
     public RobotSpec withSensor(SensorSpec sensor) {
@@ -132,47 +164,73 @@ public record RobotSpec(
         return withSensors(changed);
     }
 
-    /** Returns this robot with other sensors. */
+    /**
+     * {@return this robot with other sensors}
+     *
+     * @param newSensors the new sensors, with different ids
+     */
     public RobotSpec withSensors(List<SensorSpec> newSensors) {
         return new RobotSpec(length, width, track, speed, turnRate, motor, driveScale, newSensors);
     }
 
-    /** Returns this robot with another platform and linear velocity; the sensors keep their mounting positions. */
+    /**
+     * {@return this robot with another platform and linear velocity; the sensors keep their mounting positions}
+     *
+     * @param newLength the length of the platform, in metres, positive
+     * @param newWidth the width of the platform, in metres, positive
+     * @param newSpeed the linear velocity, in metres per second, positive
+     */
     public RobotSpec withPlatform(double newLength, double newWidth, double newSpeed) {
         return new RobotSpec(newLength, newWidth, track, newSpeed, turnRate, motor, driveScale, sensors);
     }
 
-    /** Returns this robot with another linear velocity, metres per second. */
+    /**
+     * {@return this robot with another linear velocity, metres per second}
+     *
+     * @param newSpeed the linear velocity, in metres per second, positive
+     */
     public RobotSpec withSpeed(double newSpeed) {
         return withPlatform(length, width, newSpeed);
     }
 
-    /** Returns this robot with another turn rate, radians per second. */
+    /**
+     * {@return this robot with another turn rate, radians per second}
+     *
+     * @param newTurnRate the turn rate, in radians per second, positive
+     */
     public RobotSpec withTurnRate(double newTurnRate) {
         return new RobotSpec(length, width, track, speed, newTurnRate, motor, driveScale, sensors);
     }
 
-    /** Returns this robot with another motor. */
+    /**
+     * {@return this robot with another motor}
+     *
+     * @param newMotor the new motor
+     */
     public RobotSpec withMotor(MotorSpec newMotor) {
         return new RobotSpec(length, width, track, speed, turnRate, newMotor, driveScale, sensors);
     }
 
-    /** Returns this robot with a drive that differs from what the controller believes. */
+    /**
+     * {@return this robot with a drive that differs from what the controller believes}
+     *
+     * @param newDriveScale the true drive as factors of the believed one
+     */
     public RobotSpec withDriveScale(DriveScale newDriveScale) {
         return new RobotSpec(length, width, track, speed, turnRate, motor, newDriveScale, sensors);
     }
 
-    /** Returns this robot as the controller believes it to be: with a drive scale of 1. */
+    /** {@return this robot as the controller believes it to be: with a drive scale of 1} */
     public RobotSpec believed() {
         return driveScale.equals(DriveScale.NONE) ? this : withDriveScale(DriveScale.NONE);
     }
 
-    /** Returns the true distance between the left and the right wheels, metres. */
+    /** {@return the true distance between the left and the right wheels, metres} */
     public double trueTrack() {
         return track * driveScale.track();
     }
 
-    /** Returns the radius of the circle about the centre that encloses the platform, metres. */
+    /** {@return the radius of the circle about the centre that encloses the platform, metres} */
     public double boundingRadius() {
         return Math.sqrt(length * length + width * width) / 2;
     }

@@ -11,6 +11,13 @@ public record WheelSpeeds(double left, double right) {
     /** Both sides at rest. */
     public static final WheelSpeeds ZERO = new WheelSpeeds(0, 0);
 
+    /**
+     * Creates wheel speeds.
+     *
+     * @param left metres per second, positive ahead
+     * @param right metres per second, positive ahead
+     * @throws IllegalArgumentException if a speed is not finite
+     */
     public WheelSpeeds {
         if (!(Double.isFinite(left) && Double.isFinite(right))) {
             throw new IllegalArgumentException("wheel speeds must be finite: " + left + ", " + right);
@@ -18,7 +25,7 @@ public record WheelSpeeds(double left, double right) {
     }
 
     /**
-     * Returns the wheel speeds for a velocity of the robot: the inverse of {@link #toVelocity}.
+     * {@return the wheel speeds for a velocity of the robot: the inverse of {@link #toVelocity}}
      *
      * @param velocity of the robot
      * @param track the distance between the left and the right wheels, metres
@@ -29,7 +36,7 @@ public record WheelSpeeds(double left, double right) {
     }
 
     /**
-     * Returns the robot's velocity: v = (v_r + v_l) / 2 and omega = (v_r - v_l) / track.
+     * {@return the robot's velocity: v = (v_r + v_l) / 2 and omega = (v_r - v_l) / track}
      *
      * @param track the distance between the left and the right wheels, metres
      */
@@ -37,7 +44,7 @@ public record WheelSpeeds(double left, double right) {
         return new Velocity(linear(), (right - left) / track);
     }
 
-    /** Returns the robot's linear velocity, metres per second, positive ahead. */
+    /** {@return the robot's linear velocity, metres per second, positive ahead} */
     public double linear() {
         return (right + left) / 2;
     }

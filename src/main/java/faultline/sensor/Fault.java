@@ -33,19 +33,19 @@ public sealed interface Fault
      */
     double apply(double reading, FaultContext context);
 
-    /** Returns the kind of this fault. */
+    /** {@return the kind of this fault} */
     FaultKind kind();
 
-    /** Returns the number of this fault, in the unit of its kind; 0 if the kind has none. */
+    /** {@return the number of this fault, in the unit of its kind; 0 if the kind has none} */
     double value();
 
-    /** Returns the mean length of this fault's periods, seconds; 0 for a kind without a length. */
+    /** {@return the mean length of this fault's periods, seconds; 0 for a kind without a length} */
     default double length() {
         return 0;
     }
 
     /**
-     * Returns the optics of the sensor with this fault.
+     * {@return the optics of the sensor with this fault}
      *
      * @param spec without it
      */
@@ -53,7 +53,7 @@ public sealed interface Fault
         return spec;
     }
 
-    /** Returns the greatest angle of incidence at which a surface still answers the sensor, radians. */
+    /** {@return the greatest angle of incidence at which a surface still answers the sensor, radians} */
     default double specularAngle() {
         return StrictMath.PI / 2;
     }

@@ -39,6 +39,7 @@ public final class FaultContext {
      * @param newRange of the sensor, metres
      * @param newNeighbourReading what the next sensor would read without faults
      * @param draws the sensor's random numbers for this tick
+     * @return this context
      */
     public FaultContext at(long newTick, double newRange, double newNeighbourReading, SensorRandom draws) {
         tick = newTick;

@@ -101,7 +101,11 @@ public enum FaultKind {
         this.factory = factory;
     }
 
-    /** Returns the kind of a name in a file, if there is one. */
+    /**
+     * {@return the kind of a name in a file, if there is one}
+     *
+     * @param name the name in the file
+     */
     public static Optional<FaultKind> ofFileName(String name) {
         for (FaultKind kind : values()) {
             if (kind.fileName().equals(name)) {
@@ -111,18 +115,22 @@ public enum FaultKind {
         return Optional.empty();
     }
 
-    /** Returns the name in scenario files, in lower case. */
+    /** {@return the name in scenario files, in lower case} */
     public String fileName() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    /** Returns a fault of this kind with the default length; see {@link #createFault(double, double)}. */
+    /**
+     * {@return a fault of this kind with the default length; see {@link #createFault(double, double)}}
+     *
+     * @param value the fault's number; ignored by kinds without one
+     */
     public Fault createFault(double value) {
         return createFault(value, DEFAULT_LENGTH);
     }
 
     /**
-     * Returns a fault of this kind.
+     * {@return a fault of this kind}
      *
      * @param value its number; ignored by kinds without one
      * @param length its mean length, seconds; ignored by kinds without one
@@ -136,42 +144,42 @@ public enum FaultKind {
         return factory.create(value, length);
     }
 
-    /** Returns what the kind has in common with others. */
+    /** {@return what the kind has in common with others} */
     public Family family() {
         return family;
     }
 
-    /** Returns whether the kind changes what the sensor sees, and not only what it reports. */
+    /** {@return whether the kind changes what the sensor sees, and not only what it reports} */
     public boolean changesOptics() {
         return this == CONE || this == SPECULAR_LOSS || this == MISALIGNED;
     }
 
-    /** Returns whether the kind has a length: bursts have. */
+    /** {@return whether the kind has a length: bursts have} */
     public boolean takesLength() {
         return this == BURSTS;
     }
 
-    /** Returns whether the kind has a number. */
+    /** {@return whether the kind has a number} */
     public boolean takesValue() {
         return this != OFF && this != STUCK_AT_LAST;
     }
 
-    /** Returns the unit of the number, empty for a number without a unit. */
+    /** {@return the unit of the number, empty for a number without a unit} */
     public String unit() {
         return unit;
     }
 
-    /** Returns the smallest number allowed. */
+    /** {@return the smallest number allowed} */
     public double minValue() {
         return minValue;
     }
 
-    /** Returns the greatest number allowed. */
+    /** {@return the greatest number allowed} */
     public double maxValue() {
         return maxValue;
     }
 
-    /** Returns the number to use if none is given. */
+    /** {@return the number to use if none is given} */
     public double defaultValue() {
         return defaultValue;
     }

@@ -16,23 +16,33 @@ public record Reading(double encoded) {
     /** Encodes a sensor that is off: not a number. Test with {@link #isOff(double)}, because {@code ==} is false. */
     public static final double OFF = Double.NaN;
 
+    /**
+     * Creates a reading.
+     *
+     * @param encoded the distance in metres, not negative, or {@link #NOTHING}, or {@link #OFF}
+     * @throws IllegalArgumentException if the encoded value is negative
+     */
     public Reading {
         if (encoded < 0) {
             throw new IllegalArgumentException("a reading must not be negative: " + encoded);
         }
     }
 
-    /** Returns whether an encoded reading is {@link #OFF}. */
+    /**
+     * {@return whether an encoded reading is {@link #OFF}}
+     *
+     * @param encoded the encoded reading
+     */
     public static boolean isOff(double encoded) {
         return Double.isNaN(encoded);
     }
 
-    /** Returns whether the sensor is off. */
+    /** {@return whether the sensor is off} */
     public boolean isOff() {
         return isOff(encoded);
     }
 
-    /** Returns the distance, metres; empty if nothing is within range or the sensor is off. */
+    /** {@return the distance, metres; empty if nothing is within range or the sensor is off} */
     public OptionalDouble distance() {
         return Double.isFinite(encoded) ? OptionalDouble.of(encoded) : OptionalDouble.empty();
     }

@@ -15,7 +15,12 @@ public final class SensorRandom {
         this.state = state;
     }
 
-    /** Returns the key of a sensor's random numbers, for {@link #forTick}, from the run's seed and the sensor's id. */
+    /**
+     * {@return the key of a sensor's random numbers, for {@link #forTick}, from the run's seed and the sensor's id}
+     *
+     * @param seed the seed of the run
+     * @param sensorId the id of the sensor
+     */
     public static long streamKey(long seed, String sensorId) {
         long hash = mix(seed + GAMMA);
         for (int i = 0; i < sensorId.length(); i++) {
@@ -24,18 +29,23 @@ public final class SensorRandom {
         return hash;
     }
 
-    /** Returns the random numbers of one tick, the same for the same key and tick. */
+    /**
+     * {@return the random numbers of one tick, the same for the same key and tick}
+     *
+     * @param streamKey the result of {@link #streamKey}
+     * @param tick the tick
+     */
     public static SensorRandom forTick(long streamKey, long tick) {
         return new SensorRandom(mix(streamKey ^ mix(tick * GAMMA + 1)));
     }
 
-    /** Returns the next uniform number in [0, 1), a multiple of 2^-53. */
+    /** {@return the next uniform number in [0, 1), a multiple of 2^-53} */
     public double nextDouble() {
         state += GAMMA;
         return (mix(state) >>> 11) * 0x1.0p-53;
     }
 
-    /** Returns the next standard normal number, always finite, by the Box-Muller formula. */
+    /** {@return the next standard normal number, always finite, by the Box-Muller formula} */
     public double nextGaussian() {
         double radius = StrictMath.sqrt(-2 * StrictMath.log(1 - nextDouble()));
         return radius * StrictMath.cos(2 * StrictMath.PI * nextDouble());

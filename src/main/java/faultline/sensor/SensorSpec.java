@@ -24,6 +24,20 @@ public record SensorSpec(
     /** The cone if none is given, 20 degrees. */
     public static final double DEFAULT_CONE = Degrees.toRadians(20);
 
+    /**
+     * Creates a sensor.
+     *
+     * @param id the sensor's name, unique on the robot
+     * @param mountPosition the apex of its cone in the robot's frame, metres ahead (x) and to the left (y) of the
+     *     robot's centre
+     * @param bearing the direction of its axis in the robot's frame, radians, counter-clockwise from straight ahead
+     * @param range the greatest distance that it measures, metres
+     * @param cone its field of view, the full angle of the cone, radians
+     * @param on whether it is switched on
+     * @param noise the standard deviation of its Gaussian noise, metres, 0 for none
+     * @throws IllegalArgumentException if the id is empty, the mounting position or bearing is not finite, or another
+     *     value is outside its {@linkplain SensorLimits limits}
+     */
     public SensorSpec {
         require(!id.isEmpty(), "a sensor needs an id");
         require(
@@ -44,32 +58,56 @@ public record SensorSpec(
         }
     }
 
-    /** Returns this sensor switched on or off. */
+    /**
+     * {@return this sensor switched on or off}
+     *
+     * @param newOn whether the sensor is on
+     */
     public SensorSpec withOn(boolean newOn) {
         return new SensorSpec(id, mountPosition, bearing, range, cone, newOn, noise);
     }
 
-    /** Returns this sensor with another range, metres. */
+    /**
+     * {@return this sensor with another range, metres}
+     *
+     * @param newRange the range, in metres
+     */
     public SensorSpec withRange(double newRange) {
         return new SensorSpec(id, mountPosition, bearing, newRange, cone, on, noise);
     }
 
-    /** Returns this sensor with another field of view, radians. */
+    /**
+     * {@return this sensor with another field of view, radians}
+     *
+     * @param newCone the field of view, in radians, in (0, pi)
+     */
     public SensorSpec withCone(double newCone) {
         return new SensorSpec(id, mountPosition, bearing, range, newCone, on, noise);
     }
 
-    /** Returns this sensor at another mounting position in the robot's frame. */
+    /**
+     * {@return this sensor at another mounting position in the robot's frame}
+     *
+     * @param newPosition the mounting position, in metres
+     */
     public SensorSpec withMountPosition(Vector2 newPosition) {
         return new SensorSpec(id, newPosition, bearing, range, cone, on, noise);
     }
 
-    /** Returns this sensor with another bearing, radians. */
+    /**
+     * {@return this sensor with another bearing, radians}
+     *
+     * @param newBearing the bearing, in radians, positive to the left
+     */
     public SensorSpec withBearing(double newBearing) {
         return new SensorSpec(id, mountPosition, newBearing, range, cone, on, noise);
     }
 
-    /** Returns this sensor with another standard deviation of its noise, metres. */
+    /**
+     * {@return this sensor with another standard deviation of its noise, metres}
+     *
+     * @param newNoise the standard deviation, in metres, not negative
+     */
     public SensorSpec withNoise(double newNoise) {
         return new SensorSpec(id, mountPosition, bearing, range, cone, on, newNoise);
     }

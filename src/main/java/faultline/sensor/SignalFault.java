@@ -106,6 +106,13 @@ public final class SignalFault {
      * @param length the mean length of a burst, seconds, positive
      */
     public record Bursts(double value, double length) implements Fault {
+        /**
+         * Creates bursts of wrong readings.
+         *
+         * @param value how often a burst begins, per second outside bursts
+         * @param length the mean length of a burst, seconds, positive
+         * @throws IllegalArgumentException if the length is outside its limits
+         */
         public Bursts {
             if (!(length >= FaultKind.MIN_LENGTH && length <= FaultKind.MAX_LENGTH)) {
                 throw new IllegalArgumentException("the length of bursts is out of range: " + length);
