@@ -1,11 +1,9 @@
 package faultline.gui.instrument;
 
 import faultline.gui.theme.Theme;
-import faultline.paint.surface.ChartStyle;
 import faultline.paint.surface.DashPattern;
 import faultline.paint.surface.LineStyle;
 import java.awt.Color;
-import java.util.List;
 import java.util.function.Function;
 
 /**
@@ -19,15 +17,6 @@ import java.util.function.Function;
 record ChartLine(String name, int channel, Function<Theme, Color> colour, DashPattern dash) {
 
     private static final double LINE_WIDTH = 1.6;
-
-    /** Creates a line in one of the series colours, counted from 0. */
-    static ChartLine seriesLine(String name, int channel, int series, DashPattern dash) {
-        return new ChartLine(name, channel, theme -> series(theme).get(series), dash);
-    }
-
-    private static List<Color> series(Theme theme) {
-        return (theme == Theme.DARK ? ChartStyle.DARK : ChartStyle.LIGHT).series();
-    }
 
     /** Returns this line with another name. */
     ChartLine withName(String newName) {

@@ -82,8 +82,16 @@ record SignalGroup(String name, String unit, List<ChartLine> lines) {
                 Messages.get(texts),
                 unit,
                 List.of(
-                        ChartLine.seriesLine(Messages.get(texts + ".second"), second, 1, DashPattern.DASHED),
-                        ChartLine.seriesLine(Messages.get(texts + ".first"), first, 0, DashPattern.SOLID)));
+                        new ChartLine(
+                                Messages.get(texts + ".second"),
+                                second,
+                                theme -> theme.palette().text(),
+                                DashPattern.DASHED),
+                        new ChartLine(
+                                Messages.get(texts + ".first"),
+                                first,
+                                theme -> theme.palette().robot(),
+                                DashPattern.SOLID)));
     }
 
     private static SignalGroup sensor(String id, int index) {

@@ -21,8 +21,8 @@ import javax.swing.JComponent;
 import javax.swing.UIManager;
 
 /**
- * Shows a true or reported reading as a number on a bar of its share of the range, with an icon if the sensor is
- * faulty.
+ * Shows a true or reported reading as a number on a bar of its share of the range, the reported one in the sensor's
+ * colour, with an icon if the sensor is faulty.
  */
 final class ReadingBar extends JComponent {
 
@@ -33,6 +33,7 @@ final class ReadingBar extends JComponent {
     private static final int GAP = 3;
     private static final int BAR_ALPHA = 90;
 
+    private final int index;
     private final String sensor;
     private final ReadingKind readingKind;
     private final int barWidth;
@@ -56,7 +57,9 @@ final class ReadingBar extends JComponent {
         }
     }
 
-    ReadingBar(String sensor, ReadingKind side) {
+    /** Creates the bar of a sensor, given its index in the robot and its id. */
+    ReadingBar(int index, String sensor, ReadingKind side) {
+        this.index = index;
         this.sensor = sensor;
         this.readingKind = side;
         setFont(UIManager.getFont("Label.font"));
@@ -107,7 +110,9 @@ final class ReadingBar extends JComponent {
         Antialiasing.paint(graphics, g -> {
             g.setColor(colours.hover());
             g.fill(new RoundRectangle2D.Double(0, 0, barWidth, getHeight(), ARC, ARC));
-            Color fill = readingKind == ReadingKind.ACTUAL ? colours.muted() : colours.accent();
+            Color fill = readingKind == ReadingKind.ACTUAL
+                    ? colours.muted()
+                    : Theme.current().palette().sensorColours(index).outline();
             g.setColor(ThemeColours.translucent(fill, BAR_ALPHA));
             g.fill(new RoundRectangle2D.Double(
                     0, 0, fillShare > 0 ? Math.max(ARC, barWidth * Math.min(1, fillShare)) : 0, getHeight(), ARC, ARC));

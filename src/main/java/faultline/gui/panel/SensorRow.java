@@ -44,8 +44,8 @@ final class SensorRow {
                 "0.00##", MIN_RANGE, MAX_RANGE, 0.05, metres -> configureSensor(spec().withRange(metres)));
         cone = new NumberSpinner(
                 "0.##", MIN_CONE, MAX_CONE, 1, degrees -> configureSensor(spec().withCone(Degrees.toRadians(degrees))));
-        actualReading = new ReadingBar(id, ReadingBar.ReadingKind.ACTUAL);
-        reportedReading = new ReadingBar(id, ReadingBar.ReadingKind.REPORTED);
+        actualReading = new ReadingBar(index, id, ReadingBar.ReadingKind.ACTUAL);
+        reportedReading = new ReadingBar(index, id, ReadingBar.ReadingKind.REPORTED);
         range.withName(Messages.get("sensor.range", id)).withColumns(5);
         cone.withName(Messages.get("sensor.cone", id)).withColumns(4);
         configureEnabledBox();

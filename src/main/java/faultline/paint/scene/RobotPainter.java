@@ -5,6 +5,7 @@ import faultline.geometry.RigidMotion;
 import faultline.geometry.Vector2;
 import faultline.paint.surface.ChartStyle;
 import faultline.paint.surface.DrawContext;
+import faultline.paint.surface.Palette;
 import faultline.paint.surface.Shapes;
 import faultline.robot.RobotSpec;
 import java.awt.Color;
@@ -22,7 +23,22 @@ final class RobotPainter {
 
     private static final Stroke OUTLINE_STROKE = DrawContext.solidStroke(1.4);
 
+    /** The reach of the halo beyond the corners of the platform, pixels. */
+    private static final double HALO_REACH = 11;
+
+    private static final int HALO_ALPHA = 70;
+
     private RobotPainter() {}
+
+    /** Paints a disc with a ring in the colour of the robot around it, so that also a small robot is easy to find. */
+    static void paintHalo(DrawContext context, RobotSpec robot, Pose pose) {
+        double radius = context.camera().scale() * Math.hypot(robot.length(), robot.width()) / 2 + HALO_REACH;
+        Vector2 centre = context.camera().toScreen(pose.position());
+        context.fill(
+                Shapes.circle(centre, radius),
+                Palette.withAlpha(context.palette().robot(), HALO_ALPHA));
+        context.drawRing(centre, radius, 1.8, context.palette().robot());
+    }
 
     static void paint(DrawContext context, RobotSpec robot, Pose pose) {
         paint(context, robot, pose, 1);

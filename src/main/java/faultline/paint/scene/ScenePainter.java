@@ -89,10 +89,11 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
                     world.pose().position());
         }
         obstacles.forEach(obstacle -> paintMovingObstacle(context, obstacle));
+        RobotPainter.paintHalo(context, world.robot(), world.pose());
         paintSensors(context, world.sensors());
         RobotPainter.paint(context, world.robot(), world.pose());
         if (layers.contains(Layer.INTERSECTIONS)) {
-            world.sensors().forEach(sensor -> IntersectionPainter.paint(context, sensor.intersections()));
+            paintIntersections(context, world.sensors());
         }
         CollisionPainter.paint(context, world);
     }
@@ -123,6 +124,13 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         }
         for (int i = 0; i < sensors.size(); i++) {
             SensorPainter.paintLabels(context.withFont(labels.font()), i, sensors.get(i), labels);
+        }
+    }
+
+    private static void paintIntersections(DrawContext context, List<SensorSnapshot> sensors) {
+        for (int i = 0; i < sensors.size(); i++) {
+            IntersectionPainter.paint(
+                    context, sensors.get(i).intersections(), context.palette().sensorColours(i));
         }
     }
 }

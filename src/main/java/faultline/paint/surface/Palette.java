@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The colours of a scene. Lines and rings that carry meaning have a contrast to the canvas of at least 3:1 and text of
- * at least 4.5:1, by the definition of the WCAG; fills may be paler, because an outline carries them. No meaning
- * depends on colour alone.
+ * The colours of a scene. Lines, rings, obstacles and the robot have a contrast to the canvas of at least 3:1 and text
+ * of at least 4.5:1, by the definition of the WCAG; the fill of a moving obstacle and of a cone may be paler, because
+ * an outline carries it. The robot and its path share a hue that no sensor has. No meaning depends on colour alone.
  *
  * @param dark whether the canvas is dark
  * @param canvas the background
@@ -23,7 +23,7 @@ import java.util.stream.Stream;
  * @param robot the robot's body
  * @param robotOutline the robot's outline, wheels and arrow
  * @param path the robot's path
- * @param contact intersection points of cones
+ * @param contact what a fault or an edge marks, on a path or in a chart
  * @param collision contacts and the first collision, and what cannot be done
  * @param reference a reference run
  * @param sensors the colours of the sensors in the robot's order, after Okabe and Ito; reused for further sensors
@@ -57,14 +57,14 @@ public record Palette(
             new Color(0x1F2430),
             new Color(0x5F6B7A),
             new Color(0x0B6BCB),
-            new Color(0xB8C0CB),
-            new Color(0x5A6676),
+            new Color(0x8893A1),
+            new Color(0x364050),
             new Color(0xE69F00),
             new Color(0x8A5F00),
-            new Color(0x56B4E9),
-            new Color(0x0B4F79),
+            new Color(0x877DF7),
+            new Color(0x2A2380),
             new Color(0x4338CA),
-            new Color(0xD55E00),
+            new Color(0x7C2D12),
             new Color(0xC8102E),
             new Color(0x9B2F8F),
             List.of(
@@ -86,12 +86,12 @@ public record Palette(
             new Color(0xE4E7EB),
             new Color(0x98A2B3),
             new Color(0x4C9BE8),
-            new Color(0x5B6472),
-            new Color(0xA9B4C2),
+            new Color(0x5F6877),
+            new Color(0xC8D0DB),
             new Color(0xC98B2B),
             new Color(0xF2C36B),
-            new Color(0x3FA7D6),
-            new Color(0xCDEBFA),
+            new Color(0x6670E0),
+            new Color(0xE0E4FF),
             new Color(0x93A0FF),
             new Color(0xFF9A52),
             new Color(0xFF5468),
@@ -108,29 +108,6 @@ public record Palette(
 
     public Palette {
         sensors = List.copyOf(sensors);
-    }
-
-    /** Returns these colours with the background, the path and the intersection points of figures on paper. */
-    Palette forFigures(Color newCanvas, Color newPath, Color newContact) {
-        return new Palette(
-                dark,
-                newCanvas,
-                grid,
-                gridMajor,
-                text,
-                muted,
-                accent,
-                obstacle,
-                obstacleOutline,
-                moving,
-                movingOutline,
-                robot,
-                robotOutline,
-                newPath,
-                newContact,
-                collision,
-                reference,
-                sensors);
     }
 
     /** Returns the colours of a sensor; its index in the robot's order from 0. */

@@ -55,7 +55,7 @@ class RenderRequestTest {
         assertEquals("600", svg.getDocumentElement().getAttribute("width"));
         assertEquals("0 0 600 400", svg.getDocumentElement().getAttribute("viewBox"));
         assertTrue(
-                elements(svg, "path").anyMatch(path -> path.getAttribute("fill").equals("#56b4e9")),
+                elements(svg, "path").anyMatch(path -> path.getAttribute("fill").equals("#877df7")),
                 "the robot's body");
         assertTrue(
                 elements(svg, "path")
@@ -108,7 +108,7 @@ class RenderRequestTest {
     void theRobotsBodyLiesAtItsPositionInTheCamera() throws Exception {
         RenderRequest picture = request(SampleFrames.frameOf(new Pose(2, 1, 0)));
         Element body = elements(parse(picture.toSvg()), "path")
-                .filter(path -> path.getAttribute("fill").equals("#56b4e9"))
+                .filter(path -> path.getAttribute("fill").equals("#877df7"))
                 .findFirst()
                 .orElseThrow();
         double[] numbers = java.util.Arrays.stream(body.getAttribute("d").split("[^0-9.-]+"))

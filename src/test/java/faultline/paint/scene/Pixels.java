@@ -55,7 +55,7 @@ public final class Pixels {
         return false;
     }
 
-    private static boolean isSimilar(Color a, Color b) {
+    static boolean isSimilar(Color a, Color b) {
         return Math.abs(a.getRed() - b.getRed()) < COLOUR_TOLERANCE
                 && Math.abs(a.getGreen() - b.getGreen()) < COLOUR_TOLERANCE
                 && Math.abs(a.getBlue() - b.getBlue()) < COLOUR_TOLERANCE;

@@ -10,6 +10,7 @@ import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.paint.export.FrameRenderer;
+import faultline.paint.surface.Camera;
 import faultline.paint.surface.Palette;
 import faultline.robot.RobotSpec;
 import faultline.sensor.FaultKind;
@@ -20,13 +21,16 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.SensorSnapshot;
 import faultline.world.WaypointPath;
+import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Pixels of frames painted without a display. The world is 6 m x 4 m at about 137 pixels per metre. */
 class ScenePainterTest {
@@ -52,6 +56,21 @@ class ScenePainterTest {
         assertFalse(up.hasNear(LIGHT.robotOutline(), new Vector2(2, 0.9), 0), "the rear has no bar");
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {100, 900})
+    void aRingSurroundsTheRobotHoweverSmallItIs(int width) {
+        Frame frame = SampleFrames.frameOf(AT_2_1);
+        int height = FrameRenderer.heightFor(frame, width);
+        Camera camera = FrameRenderer.fitCamera(frame.snapshot(), width, height);
+        BufferedImage image = FrameRenderer.render(frame, LIGHT, width, height);
+        int y = (int) camera.toScreen(AT_2_1.position()).y();
+        int platform = (int) camera.toScreen(new Vector2(2.2, 1)).x();
+        long onTheRight = IntStream.range(platform, platform + 25)
+                .filter(x -> Pixels.isSimilar(LIGHT.robot(), new Color(image.getRGB(x, y))))
+                .count();
+        assertTrue(onTheRight >= 1 && onTheRight <= 4, onTheRight + " pixels of the ring");
+    }
+
     @Test
     void aDarkPictureHasDifferentColours() {
         Pixels dark = Pixels.render(SampleFrames.frameOf(AT_2_1), Palette.DARK);
@@ -73,7 +92,7 @@ class ScenePainterTest {
     }
 
     @Test
-    void aRingSurroundsAnIntersectionAndLeavesItsCentreFree() {
+    void aRingOfTheSensorsColourSurroundsAnIntersectionAndLeavesItsCentreFree() {
         Vector2 hit = new Vector2(4, 3);
         Frame frame = SampleFrames.frameOf(
                 AT_2_1,
@@ -81,8 +100,8 @@ class ScenePainterTest {
                 List.of(SampleFrames.sensor(FRONT, AT_2_1, SampleFrames.NOTHING, hit)));
         Pixels pixels = Pixels.render(frame, LIGHT);
         int radius = (int) IntersectionPainter.RING_RADIUS;
-        assertTrue(pixels.hasNear(LIGHT.contact(), hit, radius));
-        assertFalse(pixels.hasNear(LIGHT.contact(), hit, radius - 3));
+        assertTrue(pixels.hasNear(LIGHT.sensorColours(0).outline(), hit, radius));
+        assertFalse(pixels.hasNear(LIGHT.sensorColours(0).outline(), hit, radius - 3));
     }
 
     @Test

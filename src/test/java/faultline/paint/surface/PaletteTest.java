@@ -9,6 +9,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -37,6 +38,8 @@ class PaletteTest {
                 p.muted()));
         lines.put("collision", p.collision());
         lines.put("reference", p.reference());
+        lines.put("fill of obstacles", p.obstacle());
+        lines.put("fill of the robot", p.robot());
         for (int i = 0; i < p.sensors().size(); i++) {
             lines.put("sensor " + (i + 1), p.sensorColours(i).outline());
         }
@@ -53,15 +56,38 @@ class PaletteTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
-    void pathCollisionsAndReferenceHaveColoursThatNoSensorHas(boolean dark) {
+    void pathRobotCollisionsMarksAndReferenceHaveColoursThatNoSensorHas(boolean dark) {
         Palette p = palette(dark);
-        List<Color> taken = new ArrayList<>(List.of(p.path(), p.collision(), p.reference()));
-        p.sensors().forEach(sensor -> taken.addAll(List.of(sensor.fill(), sensor.outline())));
-        for (int i = 0; i < 3; i++) {
-            for (int j = i + 1; j < taken.size(); j++) {
-                assertTrue(distance(taken.get(i), taken.get(j)) > 60, taken.get(i) + " and " + taken.get(j));
-            }
+        List<Color> own = List.of(p.path(), p.robot(), p.collision(), p.contact(), p.reference());
+        List<Color> sensors = new ArrayList<>();
+        p.sensors().forEach(sensor -> sensors.addAll(List.of(sensor.fill(), sensor.outline())));
+        own.forEach(colour -> sensors.forEach(sensor -> assertDifferent(colour, sensor)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void pathCollisionsMarksAndReferenceDiffer(boolean dark) {
+        Palette p = palette(dark);
+        List<Color> own = List.of(p.path(), p.collision(), p.contact(), p.reference());
+        for (int i = 0; i < own.size(); i++) {
+            own.subList(0, i).forEach(assertDifferentFrom(own.get(i)));
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void edgesAreVisibleOnTheFillsThatTheySurround(boolean dark) {
+        Palette p = palette(dark);
+        assertContrast("outline of obstacles", 3, p.obstacleOutline(), p.obstacle());
+        assertContrast("arrow of the robot", 3, p.robotOutline(), p.robot());
+    }
+
+    private static Consumer<Color> assertDifferentFrom(Color colour) {
+        return other -> assertDifferent(colour, other);
+    }
+
+    private static void assertDifferent(Color colour, Color other) {
+        assertTrue(distance(colour, other) > 60, colour + " and " + other);
     }
 
     private static double distance(Color a, Color b) {
