@@ -23,14 +23,22 @@ class CommandLineFuzzTest {
 
     private static final int COUNT = Integer.getInteger("faultline.fuzz", 3000) / 10;
 
-    private static final List<String> COMMANDS =
-            List.of("run", "check", "import", "merge", "report", "campaign", "--help", "--version", "rnu", "");
+    private static final List<String> COMMANDS = List.of(
+            "run", "check", "compare", "import", "merge", "report", "campaign", "--help", "--version", "rnu", "");
 
     private static final List<String> OPTIONS = List.of(
             "--until",
             "--seed",
             "--threads",
             "--trace",
+            "--trace-format",
+            "--film",
+            "--pace=0",
+            "--pace=1000",
+            "--controller",
+            "--jar",
+            "--table",
+            "--seeds",
             "--image",
             "--journal",
             "--json",
@@ -60,6 +68,10 @@ class CommandLineFuzzTest {
             "1/2",
             "9/2",
             "none",
+            "wall-follower",
+            "false",
+            "\"open quote",
+            "2",
             "controller",
             "free",
             "1,1,0",
@@ -73,7 +85,7 @@ class CommandLineFuzzTest {
     @TempDir
     private Path folder;
 
-    private final SplittableRandom random = new SplittableRandom(2718);
+    private final SplittableRandom random = new SplittableRandom(Long.getLong("faultline.fuzz.seed", 2718));
 
     private String pick(List<String> words) {
         return words.get(random.nextInt(words.size()));
@@ -117,7 +129,7 @@ class CommandLineFuzzTest {
             for (int k = random.nextInt(6); k > 0; k--) {
                 arguments.add(argument(files));
             }
-            if (arguments.get(0).equals("run") && !arguments.contains("--until")) {
+            if (List.of("run", "compare").contains(arguments.get(0)) && !arguments.contains("--until")) {
                 arguments.addAll(List.of("--until", "0.2"));
             }
             check(arguments);

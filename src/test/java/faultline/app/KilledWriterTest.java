@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.JavaProcess;
+import faultline.campaign.plan.SamplePlan;
 import faultline.scenario.Scenario;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -12,27 +14,27 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Processes that are killed while they write: a file holds the whole old content or the whole new one. The system
- * property {@code faultline.kills} sets how often each is killed. {@link CampaignProcessTest} does the same to
- * campaigns.
+ * Processes that are killed at random moments while they write: a file holds the whole old content or the whole new
+ * one. The system property {@code faultline.kills} sets how often each is killed.
  */
 class KilledWriterTest {
 
-    private static final int KILLS = Integer.getInteger("faultline.kills", 4);
-    private static final int MAX_DELAY_MILLIS = 900;
+    private static final byte[] OLD = "old".getBytes(StandardCharsets.UTF_8);
+    private static final int CAMPAIGN_RUNS = 60;
+    private static final long SAVE_MILLIS = 200;
+    /** Within this time the command writes its first figures. */
+    private static final long FIGURES_MILLIS = 6000;
 
     @TempDir
     private Path folder;
-
-    private final SplittableRandom random = new SplittableRandom(99);
 
     /** Saves two scenarios to one file in turn, until it is killed. */
     static final class SaveLoop {
@@ -40,9 +42,12 @@ class KilledWriterTest {
         private SaveLoop() {}
 
         public static void main(String[] args) throws Exception {
+            Path file = Path.of(args[0]);
+            scenario("one").save(file);
+            System.out.println("saved");
             while (true) {
-                scenario("one").save(Path.of(args[0]));
-                scenario("other").save(Path.of(args[0]));
+                scenario("other").save(file);
+                scenario("one").save(file);
             }
         }
 
@@ -52,84 +57,159 @@ class KilledWriterTest {
         }
     }
 
-    private static Process start(String mainClass, List<String> arguments) throws IOException {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp",
-                location(CommandLine.class) + System.getProperty("path.separator") + location(KilledWriterTest.class),
-                mainClass));
-        command.addAll(arguments);
-        return new ProcessBuilder(command)
-                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                .redirectError(ProcessBuilder.Redirect.DISCARD)
-                .start();
+    private static Process start(String... arguments) throws IOException {
+        return JavaProcess.start("faultline.app.Main", List.of(arguments));
     }
 
-    private static String location(Class<?> type) {
-        return Path.of(java.net.URI.create(
-                        type.getProtectionDomain().getCodeSource().getLocation().toString()))
-                .toString();
-    }
-
-    private void kill(Process process) throws InterruptedException {
-        Thread.sleep(random.nextInt(MAX_DELAY_MILLIS));
-        process.destroyForcibly().waitFor();
+    /** Waits for a process that nobody kills, and returns how long it took, in milliseconds. */
+    private static long finish(Process process) throws InterruptedException {
+        long start = System.nanoTime();
+        assertTrue(process.waitFor(300, TimeUnit.SECONDS));
+        assertTrue(process.exitValue() <= 1, "ended with " + process.exitValue());
+        return TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start);
     }
 
     /** Lets what was left behind look older than it is. */
     private void age() throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            for (Path file : files.toList()) {
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
                 Files.setLastModifiedTime(file, FileTime.fromMillis(1));
             }
         }
     }
 
     private List<String> names() throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.filter(Files::isRegularFile)
+                    .map(file -> file.getFileName().toString())
+                    .sorted()
+                    .toList();
         }
+    }
+
+    private void assertOldOrNew(byte[] complete, Path file) throws IOException {
+        byte[] found = Files.readAllBytes(file);
+        assertTrue(
+                Arrays.equals(found, OLD) || Arrays.equals(found, complete),
+                () -> file + ": " + found.length + " bytes");
     }
 
     private Process run() throws IOException {
         return start(
-                "faultline.app.Main",
-                List.of(
-                        "run",
-                        "scenarios/beside-a-wall.xml",
-                        "--until",
-                        "300",
-                        "--trace",
-                        folder.resolve("trace.csv").toString(),
-                        "--journal",
-                        folder.resolve("journal.xml").toString()));
+                "run",
+                "scenarios/beside-a-wall.xml",
+                "--until",
+                "60",
+                "--trace",
+                folder.resolve("trace.csv").toString(),
+                "--image",
+                folder.resolve("end.png").toString(),
+                "--journal",
+                folder.resolve("journal.xml").toString());
     }
 
     @Test
     void aKilledRunLeavesEachOutputWholeAndTheNextOneCleansUp() throws Exception {
-        byte[] old = "old".getBytes(StandardCharsets.UTF_8);
-        Process whole = run();
-        assertTrue(whole.waitFor(120, TimeUnit.SECONDS) && whole.exitValue() <= 1);
-        byte[] complete = Files.readAllBytes(folder.resolve("trace.csv"));
-        for (int i = 0; i < KILLS; i++) {
-            Files.write(folder.resolve("trace.csv"), old);
-            kill(run());
-            byte[] found = Files.readAllBytes(folder.resolve("trace.csv"));
-            assertTrue(Arrays.equals(found, old) || Arrays.equals(found, complete), found.length + " bytes");
+        List<String> outputs = List.of("end.png", "journal.xml", "trace.csv");
+        long millis = finish(run());
+        List<byte[]> complete = new ArrayList<>();
+        for (String output : outputs) {
+            complete.add(Files.readAllBytes(folder.resolve(output)));
         }
+        int killed = 0;
+        for (int i = 0; i < JavaProcess.KILLS; i++) {
+            for (String output : outputs) {
+                Files.write(folder.resolve(output), OLD);
+            }
+            killed += JavaProcess.killWithin(millis, run()) ? 1 : 0;
+            for (int k = 0; k < outputs.size(); k++) {
+                assertOldOrNew(complete.get(k), folder.resolve(outputs.get(k)));
+            }
+        }
+        System.out.println("run: killed " + killed + " times, within " + millis + " ms");
         age();
-        assertTrue(run().waitFor(120, TimeUnit.SECONDS));
-        assertArrayEquals(complete, Files.readAllBytes(folder.resolve("trace.csv")));
-        assertEquals(List.of("journal.xml", "trace.csv"), names());
+        finish(run());
+        assertArrayEquals(complete.get(2), Files.readAllBytes(folder.resolve("trace.csv")));
+        assertEquals(outputs, names());
     }
 
     @Test
     void aKilledSaveLeavesTheOldScenarioOrTheNewOne() throws Exception {
         Path file = folder.resolve("saved.xml");
-        SaveLoop.scenario("one").save(file);
-        for (int i = 0; i < KILLS; i++) {
-            kill(start(SaveLoop.class.getName(), List.of(file.toString())));
+        for (int i = 0; i < JavaProcess.KILLS; i++) {
+            Process process = JavaProcess.startAndAwaitOutput(SaveLoop.class.getName(), List.of(file.toString()));
+            assertTrue(JavaProcess.killWithin(SAVE_MILLIS, process));
             assertTrue(List.of("one", "other").contains(Scenario.load(file).name()));
+        }
+        age();
+        finish(start("run", "scenarios/beside-a-wall.xml", "--until", "1", "--journal", file.toString()));
+        assertEquals(List.of("saved.xml"), names());
+    }
+
+    @Test
+    void killedFiguresAreWholeOldFilesOrWholeNewOnes() throws Exception {
+        for (int i = 0; i < JavaProcess.KILLS; i++) {
+            try (Stream<Path> results = Files.list(Path.of("docs/results"))) {
+                for (Path result : results.filter(Files::isRegularFile).toList()) {
+                    Files.write(folder.resolve(result.getFileName()), OLD);
+                }
+            }
+            JavaProcess.killWithin(FIGURES_MILLIS, start("figures", "--out", folder.toString()));
+            for (String name : names()) {
+                // Pixels of letters depend on the fonts.
+                if (!name.endsWith(".png") && !name.endsWith(".tmp")) {
+                    assertOldOrNew(Files.readAllBytes(Path.of("docs/results", name)), folder.resolve(name));
+                }
+            }
+            age();
+        }
+    }
+
+    private Process campaign(String out) throws IOException {
+        return start(
+                "campaign",
+                folder.resolve("plan.xml").toString(),
+                "--out",
+                folder.resolve(out).toString(),
+                "--resume");
+    }
+
+    @Test
+    void aCampaignKilledAtRandomMomentsGivesTheSameTable() throws Exception {
+        Files.writeString(folder.resolve("room.xml"), SamplePlan.ROOM);
+        Files.writeString(
+                folder.resolve("plan.xml"),
+                SamplePlan.text(
+                        "", "<worlds><scenario file=\"room.xml\"/></worlds><seeds count=\"" + CAMPAIGN_RUNS + "\"/>"));
+        long millis = finish(campaign("whole"));
+        byte[] complete = Files.readAllBytes(folder.resolve("whole/runs.csv"));
+        Path table = folder.resolve("killed/runs.csv");
+        int killed = 0;
+        int completed = 0;
+        while (killed < JavaProcess.KILLS) {
+            if (JavaProcess.killWithin(millis, campaign("killed"))) {
+                killed++;
+            } else {
+                completed++;
+                assertArrayEquals(complete, Files.readAllBytes(table));
+                // The next campaign begins in an empty folder.
+                deleteFolder(folder.resolve("killed"));
+            }
+        }
+        System.out.println("campaign: killed " + killed + " times, completed " + completed + " times in between");
+        age();
+        finish(campaign("killed"));
+        assertArrayEquals(complete, Files.readAllBytes(table));
+        assertEquals(
+                List.of(),
+                names().stream().filter(name -> name.endsWith(".tmp")).toList());
+    }
+
+    private static void deleteFolder(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                Files.delete(file);
+            }
         }
     }
 }

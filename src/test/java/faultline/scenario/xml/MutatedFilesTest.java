@@ -2,15 +2,22 @@ package faultline.scenario.xml;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTimeout;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
+import faultline.gui.text.Translations;
 import faultline.scenario.Scenario;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Random;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -22,42 +29,33 @@ class MutatedFilesTest {
     /** How many files are damaged; the system property {@code faultline.fuzz} sets it, for instance to 100000. */
     private static final int FILES = Integer.getInteger("faultline.fuzz", 3000);
 
-    private static final List<String> PIECES = List.of(
-            "\"",
-            "<",
-            ">",
-            "/",
-            "&",
-            "&#0;",
-            "]]>",
-            "<!--",
-            "-->",
-            "\0",
-            "\n",
-            "é",
-            "-",
-            "e9",
-            ".",
-            "1e308",
-            "NaN",
-            "id",
-            " x=\"1\"",
-            "<robot x=\"1\" y=\"1\"/>",
-            "<world/>",
-            "<?x?>",
-            "xmlns=\"a\"",
-            "'",
-            " ");
+    private static final int TICKS = 5;
+    private static final Duration MAX_TIME = Duration.ofSeconds(10);
 
-    private final Random random = new Random(7);
+    private final FileMutator mutator = new FileMutator();
 
     @Test
-    void damagedBytesAreRefusedOrRun() {
+    void damagedFilesAreRefusedOrRun() throws IOException {
+        List<String> originals = originals();
         int refused = 0;
         for (int i = 0; i < FILES; i++) {
-            refused += isRefused(damaged()) ? 1 : 0;
+            String original = i % 2 == 0 ? SampleScenario.PLAIN : mutator.pick(originals);
+            refused += isRefused(mutator.damaged(original)) ? 1 : 0;
         }
-        assertTrue(3 * refused > 2 * FILES && refused < FILES, refused + " were refused");
+        assertTrue(2 * refused > FILES && refused < FILES, refused + " were refused");
+    }
+
+    /** Returns the shipped scenarios. */
+    private static List<String> originals() throws IOException {
+        List<String> texts = new ArrayList<>();
+        for (Path folder : List.of(Path.of("scenarios"), Path.of("scenarios/studies"))) {
+            try (Stream<Path> files = Files.list(folder)) {
+                for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
+                    texts.add(Files.readString(file));
+                }
+            }
+        }
+        return texts;
     }
 
     @Test
@@ -65,49 +63,52 @@ class MutatedFilesTest {
         List<String> lines = SampleScenario.PLAIN.lines().toList();
         int refused = 0;
         for (int i = 0; i < 1000; i++) {
-            int from = random.nextInt(lines.size());
-            String moved = lines.get(random.nextInt(lines.size()));
-            String text = lines.stream()
-                    .map(line -> line.equals(lines.get(from)) ? moved : line)
-                    .collect(Collectors.joining("\n"));
-            refused += isRefused(text) ? 1 : 0;
+            String from = mutator.pick(lines);
+            String moved = mutator.pick(lines);
+            String text =
+                    lines.stream().map(line -> line.equals(from) ? moved : line).collect(Collectors.joining("\n"));
+            refused += isRefused(text.getBytes(StandardCharsets.UTF_8)) ? 1 : 0;
         }
         assertTrue(refused > 500 && refused < 1000, refused + " were refused");
     }
 
-    private String damaged() {
-        StringBuilder text = new StringBuilder(SampleScenario.PLAIN);
-        int changes = 1 + random.nextInt(3);
-        for (int i = 0; i < changes; i++) {
-            int at = random.nextInt(text.length() - 5);
-            text.replace(
-                    at,
-                    at + random.nextInt(4),
-                    random.nextInt(4) == 0 ? "" : PIECES.get(random.nextInt(PIECES.size())));
-        }
-        return text.toString();
+    private static boolean isRefused(byte[] file) {
+        return assertTimeout(MAX_TIME, () -> isRefusedInTime(file), () -> text(file));
     }
 
-    private static boolean isRefused(String text) {
-        List<String> problems = SampleScenario.problems(text);
-        problems.forEach(line -> assertTrue(line.matches("room\\.xml:(\\d+:\\d+:)? [^\\p{Cc}]{5,}"), line));
-        assertFalse(problems.stream().anyMatch(line -> line.contains("not as the schema")), problems + "\n" + text);
-        if (problems.isEmpty()) {
-            assertRuns(text);
-        }
-        return !problems.isEmpty();
-    }
-
-    private static void assertRuns(String text) {
+    private static boolean isRefusedInTime(byte[] file) {
         try {
-            Scenario scenario = Scenario.of(ScenarioReader.read("room.xml", text.getBytes(StandardCharsets.UTF_8)));
-            assertEquals(scenario, SampleScenario.read(ScenarioWriter.toText(scenario.content(), XmlComments.NONE)));
+            assertRuns(file, SampleScenario.read(file));
+            return false;
+        } catch (ScenarioException e) {
+            e.problems().forEach(problem -> Translations.assertTranslated(problem.message()));
+            for (Problem problem : e.problems()) {
+                String line = problem.toString();
+                assertTrue(line.matches("room\\.xml:(\\d+:\\d+:)? [^\\p{Cc}]{5,}"), line);
+                assertFalse(line.contains("not as the schema"), () -> line + "\n" + text(file));
+            }
+            return true;
+        } catch (RuntimeException | Error e) {
+            throw new AssertionError(text(file), e);
+        }
+    }
+
+    private static String text(byte[] file) {
+        return new String(file, StandardCharsets.UTF_8);
+    }
+
+    private static void assertRuns(byte[] file, Scenario scenario) {
+        try {
+            byte[] written =
+                    ScenarioWriter.toText(scenario.content(), XmlComments.NONE).getBytes(StandardCharsets.UTF_8);
+            assertEquals(scenario, SampleScenario.read(written));
             try (Simulation simulation = new Simulation(scenario.setup(), ControllerMode.DIRECT)) {
-                simulation.tick();
-                simulation.tick();
+                for (int i = 0; i < TICKS; i++) {
+                    simulation.tick();
+                }
             }
         } catch (ScenarioException e) {
-            throw new AssertionError(text, e);
+            throw new AssertionError(text(file), e);
         }
     }
 }

@@ -47,7 +47,12 @@ final class SampleScenario {
 
     /** Reads a text under the name of room.xml. */
     static Scenario read(String text) throws ScenarioException {
-        return Scenario.of(ScenarioReader.read("room.xml", text.getBytes(StandardCharsets.UTF_8)));
+        return read(text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Reads a file under the name of room.xml. */
+    static Scenario read(byte[] file) throws ScenarioException {
+        return Scenario.of(ScenarioReader.read("room.xml", file));
     }
 
     /** Returns the problems of a text as lines, each checked to be translated; empty if the text is valid. */

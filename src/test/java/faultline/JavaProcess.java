@@ -1,0 +1,67 @@
+package faultline;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
+
+/** Starts Java programs with the class path of the tests, and kills them at random moments. */
+public final class JavaProcess {
+
+    /** How often each writer is killed; the system property {@code faultline.kills} sets it. */
+    public static final int KILLS = Integer.getInteger("faultline.kills", 3);
+
+    private static final SplittableRandom RANDOM = new SplittableRandom(Long.getLong("faultline.kills.seed", 99));
+
+    private JavaProcess() {}
+
+    /** Returns a builder of a process that runs a class. */
+    public static ProcessBuilder builder(String mainClass, List<String> arguments) {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", classPath(), mainClass));
+        command.addAll(arguments);
+        return new ProcessBuilder(command);
+    }
+
+    private static String classPath() {
+        return location(faultline.world.World.class)
+                + System.getProperty("path.separator")
+                + location(JavaProcess.class);
+    }
+
+    private static String location(Class<?> type) {
+        return Path.of(java.net.URI.create(
+                        type.getProtectionDomain().getCodeSource().getLocation().toString()))
+                .toString();
+    }
+
+    /** Starts a class whose output nobody reads. */
+    public static Process start(String mainClass, List<String> arguments) throws IOException {
+        return builder(mainClass, arguments)
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .redirectError(ProcessBuilder.Redirect.DISCARD)
+                .start();
+    }
+
+    /** Starts a class and waits until it has written its first byte to standard output. */
+    public static Process startAndAwaitOutput(String mainClass, List<String> arguments) throws IOException {
+        Process process = builder(mainClass, arguments)
+                .redirectError(ProcessBuilder.Redirect.DISCARD)
+                .start();
+        if (process.getInputStream().read() < 0) {
+            throw new IOException(mainClass + " wrote nothing");
+        }
+        return process;
+    }
+
+    /** Kills a process after a random time, unless it has ended by then. Returns whether it was killed. */
+    public static boolean killWithin(long millis, Process process) throws InterruptedException {
+        if (process.waitFor(RANDOM.nextLong(millis), TimeUnit.MILLISECONDS)) {
+            return false;
+        }
+        process.destroyForcibly().waitFor();
+        return true;
+    }
+}
