@@ -17,5 +17,7 @@ public enum SensorFinding {
     /** What it reports contradicts what other sensors saw. */
     CONTRADICTED,
     /** It does not see what others see coming. */
-    BLIND
+    BLIND,
+    /** By it the robot aligns itself with the wall again and again and gets nowhere. */
+    MISLEADING
 }

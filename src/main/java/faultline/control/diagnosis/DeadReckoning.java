@@ -141,7 +141,7 @@ public final class DeadReckoning {
     }
 
     /** Returns how far it has rolled in all, forwards and backwards, metres. */
-    double way() {
+    public double way() {
         return way;
     }
 

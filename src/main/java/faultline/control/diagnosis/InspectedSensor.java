@@ -9,6 +9,7 @@ final class InspectedSensor {
     /** A sensor that is not trusted is tried again after this time, seconds; each relapse doubles it. */
     private static final double FIRST_PENANCE = 3;
 
+    /** At once after a finding that takes long to be made again. */
     private static final double MAX_PENANCE = 48;
 
     /** What sensors see that look ahead or beside the wall matters most; others are marked less often. */
@@ -144,7 +145,8 @@ final class InspectedSensor {
     void distrust(SensorFinding reason, double time) {
         if (isTrusted()) {
             finding = reason;
-            penance = wasDistrusted ? Math.min(MAX_PENANCE, 2 * penance) : penance;
+            boolean costly = reason == SensorFinding.MISLEADING;
+            penance = costly ? MAX_PENANCE : wasDistrusted ? Math.min(MAX_PENANCE, 2 * penance) : penance;
             wasDistrusted = true;
             standoff = 0;
         }

@@ -262,6 +262,16 @@ public final class SensorDiagnosis {
         grid.markHit(sensors.length, x, y, clock.moment());
     }
 
+    /**
+     * Notes that steering by a sensor leads nowhere.
+     *
+     * @param sensor its place in the robot's list
+     */
+    public void distrustMisleading(int sensor) {
+        verdicts.distrust(sensors[sensor], SensorFinding.MISLEADING, time);
+        refreshReport(sensors[sensor]);
+    }
+
     /** Returns how many sensors the robot has. */
     public int sensors() {
         return sensors.length;

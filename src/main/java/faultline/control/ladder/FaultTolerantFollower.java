@@ -30,6 +30,7 @@ public final class FaultTolerantFollower implements Controller {
     private final SensorDiagnosis diagnosis;
     private final MapFollower mapFollower;
     private WallFollower sixStates;
+    private final AlignmentMonitor alignments = new AlignmentMonitor();
     private Rung rung = Rung.ALL;
     private Decision last = new Decision(0, 0, Telemetry.ofState(FollowerState.SEARCH));
     private long lastTick;
@@ -101,6 +102,7 @@ public final class FaultTolerantFollower implements Controller {
                 mapFollower.begin(last.telemetry().state() != FollowerState.SEARCH);
             } else if (rung.strategy() == Rung.Strategy.SIX_STATES) {
                 sixStates = new WallFollower(spec);
+                alignments.reset();
                 earlierTransitions = last.telemetry().transitions();
             }
         }
@@ -108,13 +110,23 @@ public final class FaultTolerantFollower implements Controller {
 
     private Decision drive(Observation observation, double dt) {
         return switch (rung.strategy()) {
-            case SIX_STATES -> sixStates.decide(masked(observation));
+            case SIX_STATES -> watched(sixStates.decide(masked(observation)));
             case MAP -> {
                 mapFollower.decide(observation.robot(), dt);
                 yield decision(observation.robot(), mapFollower.v(), mapFollower.omega(), mapFollower.state());
             }
             case STOP -> decision(observation.robot(), 0, 0, STOP);
         };
+    }
+
+    /** Notes an alignment; after too many the sensor that the six states steer by is not trusted any more. */
+    private Decision watched(Decision decision) {
+        boolean aligned = decision.telemetry().state() == FollowerState.FOLLOW
+                && last.telemetry().state() == FollowerState.ALIGN;
+        if (aligned && alignments.isRepeated(diagnosis.reckoning().way())) {
+            Rung.facingWall(diagnosis).ifPresent(diagnosis::distrustMisleading);
+        }
+        return decision;
     }
 
     /** Returns a decision with its telemetry completed: transitions are counted on across rungs. */

@@ -3,6 +3,7 @@ package faultline.control.ladder;
 import faultline.control.diagnosis.MountedCone;
 import faultline.control.diagnosis.SensorDiagnosis;
 import java.util.List;
+import java.util.OptionalInt;
 
 /**
  * A strategy of the ladder with the sensors that it needs. {@link #LADDER} is the one table that the choice, the
@@ -95,14 +96,24 @@ public enum Rung {
         return needs;
     }
 
+    /** Returns the trusted sensor that the six states follow the wall by. */
+    static OptionalInt facingWall(SensorDiagnosis diagnosis) {
+        return serving(diagnosis, QUARTER, FACING);
+    }
+
     /** Returns whether a trusted sensor looks within some angle of a bearing. */
     private static boolean serves(SensorDiagnosis diagnosis, double bearing, double within) {
+        return serving(diagnosis, bearing, within).isPresent();
+    }
+
+    private static OptionalInt serving(SensorDiagnosis diagnosis, double bearing, double within) {
         for (int rest = diagnosis.trusted(); rest != 0; rest &= rest - 1) {
-            MountedCone cone = diagnosis.cone(Integer.numberOfTrailingZeros(rest));
+            int sensor = Integer.numberOfTrailingZeros(rest);
+            MountedCone cone = diagnosis.cone(sensor);
             if (Math.abs(cone.bearing() - bearing) < within) {
-                return true;
+                return OptionalInt.of(sensor);
             }
         }
-        return false;
+        return OptionalInt.empty();
     }
 }
