@@ -33,7 +33,10 @@ import javax.swing.ScrollPaneConstants;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 
-/** A non-modal dialog that shows the examples and opens the selected one. */
+/**
+ * A modal dialog that shows the examples and opens the selected one. Modal, so that a window manager that activates the
+ * window behind it gives the keyboard to the dialog, and Space does not start the run behind it.
+ */
 public final class Gallery extends JDialog {
 
     private static final int COLUMNS = 3;
@@ -55,7 +58,7 @@ public final class Gallery extends JDialog {
      * @param atStartChanged called when the user changes that
      */
     public Gallery(Window owner, Consumer<String> onOpen, boolean atStart, Consumer<Boolean> atStartChanged) {
-        super(owner, Messages.get("gallery.title"), ModalityType.MODELESS);
+        super(owner, Messages.get("gallery.title"), ModalityType.APPLICATION_MODAL);
         assert EventQueue.isDispatchThread();
         this.onOpen = onOpen;
         JPanel content = new JPanel(new BorderLayout(0, 12));

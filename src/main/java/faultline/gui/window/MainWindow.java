@@ -250,16 +250,14 @@ public final class MainWindow extends JFrame {
         canvas.runAfterNextPaint(listener);
     }
 
-    /** Shows the gallery of shipped scenarios in front of the window. */
+    /** Shows the gallery of shipped scenarios in front of the window until the user closes it. */
     public void showExamples() {
-        if (!Dialogs.bringToFront(this, Gallery.class)) {
-            new Gallery(
-                            this,
-                            fileController::openShipped,
-                            preferences.isGalleryShownAtStart(),
-                            preferences::setGalleryShownAtStart)
-                    .setVisible(true);
-        }
+        new Gallery(
+                        this,
+                        fileController::openShipped,
+                        preferences.isGalleryShownAtStart(),
+                        preferences::setGalleryShownAtStart)
+                .setVisible(true);
     }
 
     /**

@@ -3,6 +3,7 @@ package faultline.gui.window;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -33,8 +34,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 
 /** The ways to open a scenario in a real window, and the questions before changes are discarded. */
 @ExtendWith(EdtChecker.class)
@@ -196,14 +195,26 @@ class OpenRobotTest {
                 .startsWith("office.xml"));
     }
 
-    @ParameterizedTest
-    @CsvSource({"examples, Examples", "guide, User guide"})
-    void aDialogThatIsOpenAlreadyComesToTheFront(String action, String title) {
-        driver.choose(action);
-        JDialog open = driver.dialog(title);
+    @Test
+    void aClickBesideTheGalleryLeavesTheKeysToIt() {
+        driver.chooseLater("examples");
+        JDialog gallery = driver.dialog("Examples");
+        driver.robot().click(driver.canvas(), 10, 10, InputEvent.BUTTON1_DOWN_MASK);
+        runOnEdt(driver.window()::toFront);
+        driver.robot().waitForPaint();
+        driver.robot().pressKeys(KeyEvent.VK_SPACE);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the gallery is gone", () -> !gallery.isShowing());
+        assertFalse(callOnEdt(driver::isRunning), "the run behind the gallery is running");
+    }
+
+    @Test
+    void theGuideComesToTheFrontIfItIsOpen() {
+        driver.choose("guide");
+        JDialog open = driver.dialog("User guide");
         runOnEdt(driver.window()::requestFocus);
         driver.robot().waitFor("the window has the focus", driver.window()::isFocused);
-        driver.choose(action);
+        driver.choose("guide");
         driver.robot().waitFor("the dialog has the focus", open::isFocused);
         assertEquals(1, callOnEdt(() -> Stream.of(driver.window().getOwnedWindows())
                 .filter(Window::isShowing)
