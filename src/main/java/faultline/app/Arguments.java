@@ -52,8 +52,8 @@ final class Arguments {
                 options.put(parts[0], "");
                 continue;
             }
-            if (parts.length == 1 && next == arguments.size()) {
-                throw new UsageException(parts[0] + " needs a value");
+            if (parts.length == 1) {
+                requireValue(parts[0], arguments, next);
             }
             options.put(parts[0], parts.length == 2 ? parts[1] : arguments.get(next++));
         }
@@ -69,10 +69,9 @@ final class Arguments {
                 values.add(argument.substring(option.length() + 1));
             } else if (!argument.equals(option)) {
                 others.add(argument);
-            } else if (++i < arguments.size()) {
-                values.add(arguments.get(i));
             } else {
-                throw new UsageException(option + " needs a value");
+                requireValue(option, arguments, ++i);
+                values.add(arguments.get(i));
             }
         }
         return Map.entry(values, others);
@@ -85,6 +84,17 @@ final class Arguments {
         }
         if (options.containsKey(option)) {
             throw new UsageException(option + " is there twice");
+        }
+    }
+
+    /** A value that begins like an option can only be written as {@code --option=VALUE}. */
+    private static void requireValue(String option, List<String> arguments, int index) throws UsageException {
+        if (index == arguments.size()) {
+            throw new UsageException(option + " needs a value");
+        }
+        if (arguments.get(index).startsWith("--")) {
+            throw new UsageException(
+                    option + " needs a value, and " + MessageText.quoted(arguments.get(index)) + " is an option");
         }
     }
 

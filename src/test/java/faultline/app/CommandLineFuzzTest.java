@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -59,6 +60,8 @@ class CommandLineFuzzTest {
             "--until=0.1",
             "--seed=x");
 
+    private static final Set<String> OUTPUTS = Set.of("--trace", "--image", "--journal", "--film", "--table", "--out");
+
     private static final List<String> VALUES = List.of(
             "0",
             "0.05",
@@ -105,6 +108,7 @@ class CommandLineFuzzTest {
                 yaml.toString(),
                 folder.toString(),
                 folder.resolve("out").toString(),
+                folder.resolve("a\n\u202eb").toString(),
                 folder.resolve("none/out").toString(),
                 "/dev/null",
                 "/dev/full");
@@ -127,7 +131,12 @@ class CommandLineFuzzTest {
                 arguments.add(files.get(random.nextInt(5)));
             }
             for (int k = random.nextInt(6); k > 0; k--) {
-                arguments.add(argument(files));
+                String argument = argument(files);
+                arguments.add(argument);
+                if (OUTPUTS.contains(argument)) {
+                    // Nothing is written outside the test's folder.
+                    arguments.add(pick(files));
+                }
             }
             if (List.of("run", "compare").contains(arguments.get(0)) && !arguments.contains("--until")) {
                 arguments.addAll(List.of("--until", "0.2"));
