@@ -8,7 +8,6 @@ import faultline.geometry.Vector2;
 import faultline.paint.scene.PlanView;
 import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;
-import faultline.paint.surface.TextStyle.Anchor;
 import faultline.sensor.SensorSpec;
 import faultline.studies.figure.Figure;
 import faultline.studies.figure.FigureCanvas;
@@ -35,9 +34,20 @@ final class CornerPlans implements Figure {
     private static final int ROW_HEIGHT = 218;
     private static final PixelRectangle VIEW_AREA = new PixelRectangle(12, 40, COLUMN_WIDTH - 24, 142);
 
+    private static final String CAPTION =
+            """
+            Fig. 6. Inner corners of three angles with all sensors off but left and front (a to c), these and \
+            front-right (d to f), or these and front-left (g to i). Line: the path of one start; pale and dark robot: \
+            before the corner and after it; triangles: the forward cones where the robot stops for the second wall, \
+            to half their length. Below each panel: the median distance over n\u00a0=\u00a0%d starts; 250 mm are \
+            wanted. All panels have one scale.""";
+
     @Override
     public void write(FigureFolder folder) throws IOException {
-        FigureCanvas canvas = new FigureCanvas(ANGLES.size() * COLUMN_WIDTH, ROWS.size() * ROW_HEIGHT + 22);
+        FigureCanvas canvas = new FigureCanvas(
+                ANGLES.size() * COLUMN_WIDTH,
+                ROWS.size() * ROW_HEIGHT + 22,
+                String.format(CAPTION, CornerAngleSweep.STARTS));
         for (int column = 0; column < ANGLES.size(); column++) {
             for (int row = 0; row < ROWS.size(); row++) {
                 draw(canvas, ANGLES.get(column), ROWS.get(row), COLUMN_WIDTH * column, ROW_HEIGHT * row);
@@ -64,19 +74,15 @@ final class CornerPlans implements Figure {
         plan.drawLine(shown.stream().map(Pose::position).toList(), FigureCanvas.PATH_LINE);
         plan.drawRobot(trace.setup().robot(), shown.get(0), 0.4);
         plan.drawRobot(trace.setup().robot(), shown.get(shown.size() - 1), 1);
-        canvas.addText(
-                panelLetter(degrees, sensors) + "  " + FigureNumbers.format(degrees, 0) + "\u00b0, " + sensors.title(),
+        canvas.addPanelTitle(
+                ANGLES.size() * ROWS.indexOf(sensors) + ANGLES.indexOf(degrees),
+                FigureNumbers.format(degrees, 0) + "\u00b0, " + sensors.title(),
                 x + COLUMN_WIDTH / 2.0,
-                y + 18,
-                FigureCanvas.TEXT_STYLE.withBold().withAnchor(Anchor.MIDDLE));
+                y + 18);
         canvas.addLines(
                 List.of(FigureNumbers.format(250 + median(degrees, sensors), 0) + " mm from the wall when aligned"),
                 x + COLUMN_WIDTH / 2.0,
                 y + ROW_HEIGHT - 18);
-    }
-
-    private static char panelLetter(double degrees, CornerRun.SensorSelection sensors) {
-        return (char) ('A' + ANGLES.size() * ROWS.indexOf(sensors) + ANGLES.indexOf(degrees));
     }
 
     /** Returns the median distance error over many starts, millimetres; the path is that of one of them. */

@@ -5,7 +5,6 @@ import faultline.geometry.Vector2;
 import faultline.paint.scene.PlanView;
 import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;
-import faultline.paint.surface.TextStyle.Anchor;
 import faultline.robot.DifferentialDrive;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
@@ -27,6 +26,12 @@ final class DriveMotions implements Figure {
     private static final int STEPS = 60;
     private static final int COLUMN_WIDTH = 190;
     private static final int ROW_HEIGHT = 246;
+
+    private static final String CAPTION =
+            """
+            Fig. 2. Differential steering: eight moves of the default robot in 1 s, computed by the model from the \
+            speeds of its wheels. Pale: the robot before; dark: after; line: the path of its centre. Arrows: what the \
+            left and the right wheels roll in 0.5 s; a dot: they stand still. All panels have one scale.""";
 
     /** A motion: its name and the speeds of the left and the right wheels, metres per second. */
     private record DriveMotion(String name, double left, double right) {
@@ -51,7 +56,7 @@ final class DriveMotions implements Figure {
 
     @Override
     public void write(FigureFolder folder) throws IOException {
-        FigureCanvas canvas = new FigureCanvas(4 * COLUMN_WIDTH, 2 * ROW_HEIGHT + 6);
+        FigureCanvas canvas = new FigureCanvas(4 * COLUMN_WIDTH, 2 * ROW_HEIGHT + 6, CAPTION);
         for (int i = 0; i < MOTIONS.size(); i++) {
             draw(canvas, MOTIONS.get(i), COLUMN_WIDTH * (i % 4), ROW_HEIGHT * (i / 4));
         }
@@ -71,11 +76,7 @@ final class DriveMotions implements Figure {
         if (move.equals(MOTIONS.get(0))) {
             plan.drawScaleBar(0.1, COLUMN_WIDTH - 12, 160);
         }
-        canvas.addText(
-                (char) ('A' + MOTIONS.indexOf(move)) + "  " + move.name(),
-                x + COLUMN_WIDTH / 2.0,
-                y + 18,
-                FigureCanvas.TEXT_STYLE.withBold().withAnchor(Anchor.MIDDLE));
+        canvas.addPanelTitle(MOTIONS.indexOf(move), move.name(), x + COLUMN_WIDTH / 2.0, y + 18);
         canvas.addLines(captionLines(move), x + COLUMN_WIDTH / 2.0, y + 216);
     }
 

@@ -15,21 +15,27 @@ import java.io.IOException;
  * Fig. 5: the path of the robot in an environment.
  *
  * @param name of the file
+ * @param title what the figure shows
  * @param scenario to run
  * @param bounds the part that is shown, metres
  */
-record EnvironmentPath(String name, String scenario, Rectangle2D bounds) implements Figure {
+record EnvironmentPath(String name, String title, String scenario, Rectangle2D bounds) implements Figure {
 
     private static final int WIDTH = 560;
     private static final double MARGIN = 16;
-    private static final double FOOTER = 46;
+    private static final double FOOTER = 24;
+
+    private static final String CAPTION =
+            """
+            %s: scenarios/%s, seed %d (n\u00a0=\u00a01 run). Line: the path of the robot's centre; pale robot: the \
+            start; dark: the end%s; grey: obstacles. %s.""";
 
     @Override
     public void write(FigureFolder folder) throws IOException {
         RunTrace trace = RunTrace.simulate(StudyScenarios.load(scenario).setup());
         double scale = (WIDTH - 2 * MARGIN) / bounds.getWidth();
         double height = scale * bounds.getHeight();
-        FigureCanvas canvas = new FigureCanvas(WIDTH, (int) Math.ceil(height + 2 * MARGIN + FOOTER));
+        FigureCanvas canvas = new FigureCanvas(WIDTH, (int) Math.ceil(height + 2 * MARGIN + FOOTER), caption(trace));
         PlanView plan = canvas.addPlan(new PixelRectangle(MARGIN, MARGIN, WIDTH - 2 * MARGIN, height), bounds);
         plan.drawWorld(trace.setup().world());
         plan.drawLine(trace.path(), FigureCanvas.PATH_LINE);
@@ -38,23 +44,29 @@ record EnvironmentPath(String name, String scenario, Rectangle2D bounds) impleme
         trace.result().collision().ifPresent(collision -> plan.drawRing(collision.point(), 7));
         plan.drawLabel(
                 "start", trace.setup().start().position().plus(new Vector2(0.1, -0.3)), 0, 0, FigureCanvas.SMALL_TEXT);
-        plan.drawScaleBar(bounds.getWidth() > 5 ? 1 : 0.5, WIDTH - 2 * MARGIN, height + 40);
-        canvas.addText(captionOf(trace), MARGIN, height + MARGIN + 40, FigureCanvas.TEXT_STYLE);
+        plan.drawScaleBar(bounds.getWidth() > 5 ? 1 : 0.5, WIDTH - 2 * MARGIN, height + 24);
         folder.writeSvg(name, canvas.surface());
     }
 
-    private static String captionOf(RunTrace trace) {
+    private String caption(RunTrace trace) {
+        String ring = trace.result().collision().isPresent() ? "; ring: the contact" : "";
+        return String.format(CAPTION, title, scenario, trace.setup().seed(), ring, resultText(trace));
+    }
+
+    private static String resultText(RunTrace trace) {
         return trace.result()
                 .collision()
                 .map(EnvironmentPath::collisionText)
-                .orElseGet(() -> FigureNumbers.format(trace.result().simulatedSeconds(), 0)
-                        + " s; coverage of the wall "
-                        + FigureNumbers.format(100 * trace.result().coverage().orElse(0), 1) + " %; distance error "
+                .orElseGet(() -> "After " + FigureNumbers.format(trace.result().simulatedSeconds(), 0)
+                        + " s the coverage of the wall is "
+                        + FigureNumbers.format(100 * trace.result().coverage().orElse(0), 1)
+                        + " %, and the distance error on straight walls "
                         + FigureNumbers.format(
                                 1000 * trace.result().distanceRms().orElse(Double.NaN), 2) + " mm RMS");
     }
 
     private static String collisionText(Collision collision) {
-        return "runs into the " + collision.obstacle() + " after " + FigureNumbers.format(collision.time(), 2) + " s";
+        return "It runs into the " + collision.obstacle() + " after " + FigureNumbers.format(collision.time(), 2)
+                + " s";
     }
 }

@@ -43,10 +43,9 @@ public final class Figures {
         figures.add(new DriveMotions());
         figures.add(new PoseAndReferenceFrames());
         figures.add(new WallPositioning());
-        figures.add(new EnvironmentPath("fig5-indoor", "office.xml", new Rectangle2D.Double(-0.1, -0.1, 8.2, 6.2)));
-        figures.add(new EnvironmentPath("fig5-outdoor", "yard.xml", new Rectangle2D.Double(0.5, 0.8, 10.5, 7.4)));
         figures.add(new CornerPlans());
         figures.add(new StateDiagramFigure());
+        figures.addAll(environments());
         figures.addAll(EquationFour.sweeps());
         figures.add(new HypercubeStudy());
         figures.add(new MotorMismatch());
@@ -55,15 +54,23 @@ public final class Figures {
         figures.add(new StepResponse());
         figures.add(new SpecularMap());
         figures.add(new ThinObjects());
-        figures.add(
-                new EnvironmentPath("rules-glass", "glass-partition.xml", new Rectangle2D.Double(1.9, 0.5, 3, 2.8)));
-        figures.add(new EnvironmentPath("rules-mirror", "mirror.xml", new Rectangle2D.Double(1.9, 0.5, 3, 2.8)));
-        figures.add(new EnvironmentPath(
-                "rules-table-leg", "pole-and-table-leg.xml", new Rectangle2D.Double(-0.1, -0.1, 6.2, 4.2)));
-        figures.add(new EnvironmentPath("rules-cable", "cable.xml", new Rectangle2D.Double(-0.1, -0.1, 6.2, 4.2)));
-        figures.add(
-                new EnvironmentPath("rules-noise", "noisy-sensors.xml", new Rectangle2D.Double(-0.1, -0.1, 6.2, 4.2)));
         return figures;
+    }
+
+    private static List<Figure> environments() {
+        Rectangle2D room = new Rectangle2D.Double(-0.1, -0.1, 6.2, 4.2);
+        Rectangle2D glossyWall = new Rectangle2D.Double(1.9, 0.5, 3, 2.8);
+        return List.of(
+                new EnvironmentPath(
+                        "fig5-indoor", "Fig. 5, indoors", "office.xml", new Rectangle2D.Double(-0.1, -0.1, 8.2, 6.2)),
+                new EnvironmentPath(
+                        "fig5-outdoor", "Fig. 5, outdoors", "yard.xml", new Rectangle2D.Double(0.5, 0.8, 10.5, 7.4)),
+                new EnvironmentPath(
+                        "rules-glass", "A glossy partition whose end is not seen", "glass-partition.xml", glossyWall),
+                new EnvironmentPath("rules-mirror", "A mirror", "mirror.xml", glossyWall),
+                new EnvironmentPath("rules-table-leg", "A pole and a table leg", "pole-and-table-leg.xml", room),
+                new EnvironmentPath("rules-cable", "Cables that hang into the way", "cable.xml", room),
+                new EnvironmentPath("rules-noise", "Noise of 4 mm on all sensors", "noisy-sensors.xml", room));
     }
 
     /**

@@ -35,6 +35,12 @@ final class GainsMap implements Figure {
     private static final List<String> RESPONSE_NAMES =
             List.of("settles", "not yet after 12 s", "swings", "touches the wall");
 
+    private static final String CAPTION =
+            """
+            What the PD law and the motors do within 12 s for each pair of gains, n\u00a0=\u00a0%d runs without noise \
+            from the wanted distance, heading for the wall at 45\u00b0. Settles: within 1 mm for 2 s. Lines: theory; \
+            the limit of stability is an approximation. Square: the gains that the follower has.""";
+
     @Override
     public void write(FigureFolder folder) throws IOException {
         CsvTable table = new CsvTable("kp", "kd", "fate");
@@ -52,7 +58,11 @@ final class GainsMap implements Figure {
         folder.writeCsv("pd-gains", table);
         folder.writeSvg(
                 "pd-gains",
-                FigureCanvas.drawChart(new Chart("Gains of the PD controller at 0.3 m/s", KP, KD, series), 520, 420));
+                FigureCanvas.drawChart(
+                        new Chart("Gains of the PD controller at 0.3 m/s", KP, KD, series),
+                        520,
+                        420,
+                        String.format(CAPTION, COLUMNS * ROWS)));
     }
 
     private static List<Integer> computeRow(double kd, CsvTable table) {

@@ -24,6 +24,11 @@ final class NoiseWhileFollowing implements Figure {
     private static final int STEPS = 13;
     private static final int SEEDS = 12;
 
+    private static final String CAPTION =
+            """
+            The distance error on straight walls of scenarios/%s with noise on all sensors; n\u00a0=\u00a0%d runs, \
+            one a marker for each seed from 1 to %d. Dashed: half of the noise.""";
+
     @Override
     public void write(FigureFolder folder) throws IOException {
         CsvTable table = new CsvTable("noise_mm", "seed", "distance_rms_mm", "coverage", "collided");
@@ -53,7 +58,9 @@ final class NoiseWhileFollowing implements Figure {
                         new Series.Line("half of the noise", List.of(Vector2.ZERO, new Vector2(STEPS, STEPS / 2.0)), 1),
                         new Series.Points("runs", errors, 0)));
         folder.writeCsv("noise-following", table);
-        folder.writeSvg("noise-following", FigureCanvas.drawChart(chart, 480, 360));
+        folder.writeSvg(
+                "noise-following",
+                FigureCanvas.drawChart(chart, 480, 360, String.format(CAPTION, SCENARIO, errors.size(), SEEDS)));
     }
 
     private static SimulationSetup withNoise(double deviation) {

@@ -23,9 +23,15 @@ final class PoseAndReferenceFrames implements Figure {
     private static final LineStyle AXIS_STYLE = LineStyle.solid(FigureCanvas.FOREGROUND, 1.4);
     private static final LineStyle GUIDE = new LineStyle(FigureCanvas.FOREGROUND, 0.9, DashPattern.DASHED);
 
+    private static final String CAPTION =
+            """
+            Fig. 3. The pose q = [x, y, \u03b8] of the robot in the global frame X_b, Y_b, and the robot's own frame \
+            X_r, Y_r. Arrows v and \u03c9: the linear and the angular velocity of eq. (3) where they are positive. \
+            The default robot, to scale.""";
+
     @Override
     public void write(FigureFolder folder) throws IOException {
-        FigureCanvas canvas = new FigureCanvas(460, 380);
+        FigureCanvas canvas = new FigureCanvas(460, 380, CAPTION);
         PlanView plan =
                 canvas.addPlan(new PixelRectangle(20, 14, 420, 352), new Rectangle2D.Double(-0.07, -0.06, 0.88, 0.68));
         plan.drawRobot(ROBOT, POSE, 1);
@@ -33,6 +39,7 @@ final class PoseAndReferenceFrames implements Figure {
         ownFrame(plan);
         coordinates(plan);
         velocities(plan);
+        plan.drawScaleBar(0.1, 418, 340);
         folder.writeSvg("fig3-frames", canvas.surface());
     }
 

@@ -28,6 +28,13 @@ final class SpecularMap implements Figure {
     private static final SimulationSetup BASE =
             StudyScenarios.load("studies/glossy-wall.xml").setup();
 
+    private static final String CAPTION =
+            """
+            What becomes of a robot that drives at a glossy wall: n\u00a0=\u00a0%d runs, one a cell, over the angle \
+            of approach and the greatest angle of incidence at which the surface sends light back. Above each line, a \
+            cone (20\u00b0) of the front sensor or of a corner sensor reaches near enough to the normal of the wall \
+            to see it.""";
+
     @Override
     public void write(FigureFolder folder) throws IOException {
         CsvTable table = new CsvTable("slant_deg", "specular_deg", "outcome");
@@ -49,7 +56,12 @@ final class SpecularMap implements Figure {
                 visibleBoundary("", -45, 0));
         folder.writeCsv("specular-map", table);
         folder.writeSvg(
-                "specular-map", FigureCanvas.drawChart(new Chart("Glossy walls", SLANT, SPECULAR, series), 520, 420));
+                "specular-map",
+                FigureCanvas.drawChart(
+                        new Chart("Glossy walls", SLANT, SPECULAR, series),
+                        520,
+                        420,
+                        String.format(CAPTION, COLUMNS * ROWS)));
     }
 
     /**

@@ -31,9 +31,15 @@ final class StateDiagramFigure implements Figure {
     private static final double LEGEND_X = 460;
     private static final double ROW_HEIGHT = 31;
 
+    private static final String CAPTION =
+            """
+            Fig. 8. The states of the wall follower (boxes) and its transitions (arrows), from the table that the \
+            follower obeys. Dot: where it begins. Numbers: the order in which conditions are tried; the list on the \
+            right names them.""";
+
     @Override
     public void write(FigureFolder folder) throws IOException {
-        FigureCanvas canvas = new FigureCanvas(WIDTH, HEIGHT);
+        FigureCanvas canvas = new FigureCanvas(WIDTH, HEIGHT, CAPTION);
         StateDiagramLayout layout = new StateDiagramLayout(DIAGRAM_AREA);
         List<Arrow> arrows = StateDiagram.TRANSITIONS;
         arrows.forEach(arrow -> layout.route(arrow).paint(canvas.surface(), ARROW_STYLE, ARROWHEAD_LENGTH));

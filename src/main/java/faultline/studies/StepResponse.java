@@ -34,10 +34,16 @@ final class StepResponse implements Figure {
     private static final double TICK = 0.01;
     private static final Axis DISTANCE_ERROR = Axis.linear("distance error (m)", -0.06, 0.06);
 
+    private static final String CAPTION =
+            """
+            The distance error after a step of 55 mm at time 0, without noise (n\u00a0=\u00a01 run a line); positive: \
+            too far from the wall. (a) The PD law and the motors, for critically damped gains of four lengths l: k_p \
+            = v/l\u00b2, k_d = 2/l. (b) The whole follower with the chosen gains, when the wall beside it jumps.""";
+
     @Override
     public void write(FigureFolder folder) throws IOException {
         CsvTable table = new CsvTable("what", "t_s", "error_m");
-        FigureCanvas canvas = new FigureCanvas(920, 360);
+        FigureCanvas canvas = new FigureCanvas(920, 360, CAPTION);
         canvas.addChart(controllerChart(table), new PixelRectangle(0, 4, 460, 352));
         canvas.addChart(followerChart(table), new PixelRectangle(460, 4, 460, 352));
         folder.writeSvg("pd-step", canvas.surface());
@@ -56,7 +62,11 @@ final class StepResponse implements Figure {
                     series.size(),
                     table));
         }
-        return new Chart("A  PD law and motors alone", Axis.linear("time (s)", 0, SECONDS), DISTANCE_ERROR, series);
+        return new Chart(
+                FigureCanvas.panelTitle(0, "PD law and motors alone"),
+                Axis.linear("time (s)", 0, SECONDS),
+                DISTANCE_ERROR,
+                series);
     }
 
     private static Chart followerChart(CsvTable table) {
@@ -64,7 +74,7 @@ final class StepResponse implements Figure {
                 addLine("wall moved away: taken for its end, ROUND", displacedErrors(WALL_DISPLACEMENT), 0, table),
                 addLine("wall moved nearer", displacedErrors(-WALL_DISPLACEMENT), 1, table));
         return new Chart(
-                "B  The whole follower, its wall moved by 55 mm",
+                FigureCanvas.panelTitle(1, "The whole follower, its wall moved by 55 mm"),
                 Axis.linear("time (s)", 0, SECONDS),
                 DISTANCE_ERROR,
                 series);

@@ -12,7 +12,6 @@ import faultline.paint.chart.Series;
 import faultline.paint.scene.PlanView;
 import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.PixelRectangle;
-import faultline.paint.surface.TextStyle.Anchor;
 import faultline.scenario.Scenario;
 import faultline.scenario.ScenarioRun;
 import faultline.sensor.SensorSpec;
@@ -40,6 +39,13 @@ final class WallPositioning implements Figure {
     /** The length of the wall that a frame shows, metres. */
     private static final double SHOWN_LENGTH = 1.3;
 
+    private static final String CAPTION =
+            """
+            Fig. 4. Positioning beside a wall by the paper's exact rule, in scenarios/%s, seed %d (n\u00a0=\u00a01 \
+            run). (a) to (e): the wall, the robot and the cone of the sensor that decides, at five moments and to one \
+            scale; a heading of 0\u00b0 is parallel to the wall, a positive one points towards it. (f): the readings \
+            of the left sensor; where the line is broken, it sees nothing. Dotted lines: the five moments.""";
+
     /** A frame: its name, its event, and its tick. */
     private record KeyMoment(String name, String what, int tick) {}
 
@@ -49,9 +55,12 @@ final class WallPositioning implements Figure {
         RunTrace trace = RunTrace.simulate(scenario.setup());
         ScenarioRun run = scenario.run();
         List<KeyMoment> moments = keyMoments(trace, run);
-        FigureCanvas canvas = new FigureCanvas(5 * COLUMN_WIDTH, 540);
+        FigureCanvas canvas = new FigureCanvas(
+                5 * COLUMN_WIDTH,
+                540,
+                String.format(CAPTION, SCENARIO, scenario.setup().seed()));
         for (int i = 0; i < moments.size(); i++) {
-            draw(canvas, trace, moments.get(i), COLUMN_WIDTH * i);
+            draw(canvas, trace, moments.get(i), i);
         }
         canvas.addChart(chart(trace, run, moments), new PixelRectangle(0, 272, 5 * COLUMN_WIDTH, 264));
         folder.writeSvg("fig4-positioning", canvas.surface());
@@ -73,7 +82,8 @@ final class WallPositioning implements Figure {
                 new KeyMoment("P", "turned back", states.indexOf(FollowerState.FOLLOW)));
     }
 
-    private static void draw(FigureCanvas canvas, RunTrace trace, KeyMoment moment, double x) {
+    private static void draw(FigureCanvas canvas, RunTrace trace, KeyMoment moment, int index) {
+        double x = COLUMN_WIDTH * index;
         Pose pose = trace.poses().get(moment.tick());
         SensorSpec sensor = trace.setup()
                 .robot()
@@ -99,8 +109,7 @@ final class WallPositioning implements Figure {
         if (moment.name().equals("F1")) {
             plan.drawScaleBar(0.5, COLUMN_WIDTH - 24, 24);
         }
-        canvas.addText(
-                moment.name(), middle, 18, FigureCanvas.TEXT_STYLE.withBold().withAnchor(Anchor.MIDDLE));
+        canvas.addPanelTitle(index, moment.name(), middle, 18);
         canvas.addLines(
                 List.of(
                         moment.what(),
@@ -136,7 +145,11 @@ final class WallPositioning implements Figure {
         String title = "t_D = " + FigureNumbers.format(tD, 2) + " s, t_p = t_D/2 = " + FigureNumbers.format(tD / 2, 2)
                 + " s; parallel but for "
                 + FigureNumbers.format(degrees(trace.poses().get(moments.get(4).tick())), 1) + " degrees";
-        return new Chart(title, Axis.linear("time (s)", 0, SECONDS), Axis.linear("reading (m)", 0, 1), series);
+        return new Chart(
+                FigureCanvas.panelTitle(moments.size(), title),
+                Axis.linear("time (s)", 0, SECONDS),
+                Axis.linear("reading (m)", 0, 1),
+                series);
     }
 
     private static CsvTable table(RunTrace trace, List<KeyMoment> moments) {

@@ -12,6 +12,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -97,6 +98,19 @@ class FiguresTest {
                                 .getDocumentElement()
                                 .getTagName(),
                         name);
+            }
+        }
+    }
+
+    @Test
+    void everyPictureHasACaptionThatSaysHowManyRunsItShows() throws IOException {
+        List<String> withoutRuns = List.of("fig2-moves.svg", "fig3-frames.svg", "fig8-states.svg");
+        Pattern caption = Pattern.compile("<text x=\"14\"[^>]*>[^<]{20,}");
+        for (String name : names(fresh)) {
+            if (name.endsWith(".svg")) {
+                String picture = Files.readString(fresh.resolve(name));
+                assertTrue(caption.matcher(picture).find(), name);
+                assertTrue(withoutRuns.contains(name) || picture.contains("n\u00a0=\u00a0"), name);
             }
         }
     }

@@ -2,6 +2,8 @@ package faultline.paint.surface;
 
 import java.awt.Color;
 import java.awt.Font;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * The style of a line of text.
@@ -57,6 +59,20 @@ public record TextStyle(double size, Color colour, Anchor anchor, boolean bold, 
         return size
                 * (bold ? 1.1 : 1)
                 * text.chars().mapToDouble(TextStyle::emWidth).sum();
+    }
+
+    /** Returns the lines into which a text is broken at its spaces, so that each fits a width in pixels by estimate. */
+    public List<String> wrap(String text, double width) {
+        List<String> lines = new ArrayList<>();
+        for (String word : text.strip().split("\\s+")) {
+            String last = lines.isEmpty() ? "" : lines.get(lines.size() - 1) + " " + word;
+            if (!last.isEmpty() && estimateWidth(last) <= width) {
+                lines.set(lines.size() - 1, last);
+            } else {
+                lines.add(word);
+            }
+        }
+        return lines;
     }
 
     /** Returns the width of a letter in units of the font size, as in common sans-serif fonts or a little wider. */

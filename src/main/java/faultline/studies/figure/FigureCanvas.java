@@ -14,7 +14,7 @@ import java.awt.Color;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 
-/** A picture for a figure, with the sizes and styles that all figures share. */
+/** A picture for a figure with its caption below, in the sizes and styles that all figures share. */
 public final class FigureCanvas {
 
     public static final ChartStyle THEME = ChartStyle.LIGHT;
@@ -24,10 +24,24 @@ public final class FigureCanvas {
     public static final LineStyle THIN_LINE = LineStyle.solid(FOREGROUND, 1);
     public static final LineStyle PATH_LINE = LineStyle.solid(THEME.series().get(0), 1.8);
 
+    private static final int CAPTION_MARGIN = 14;
+    private static final int LINE_HEIGHT = 15;
+
     private final SvgSurface surface;
 
-    public FigureCanvas(int width, int height) {
-        surface = new SvgSurface(width, height, THEME.palette().canvas());
+    /**
+     * Creates a picture of a size in pixels, below which a caption is added. The caption says all that a reader needs
+     * who sees nothing but the figure: what is shown, in which unit, from how many runs, and what its marks mean.
+     */
+    public FigureCanvas(int width, int height, String caption) {
+        List<String> lines = SMALL_TEXT.wrap(caption, width - 2 * CAPTION_MARGIN);
+        surface = new SvgSurface(
+                width,
+                height + CAPTION_MARGIN + LINE_HEIGHT * lines.size(),
+                THEME.palette().canvas());
+        for (int i = 0; i < lines.size(); i++) {
+            addText(lines.get(i), CAPTION_MARGIN, height + LINE_HEIGHT * (i + 1), SMALL_TEXT);
+        }
     }
 
     public SvgSurface surface() {
@@ -50,13 +64,23 @@ public final class FigureCanvas {
     /** Adds lines of text, one below the other, centred on a middle. */
     public void addLines(List<String> lines, double middle, double y) {
         for (int i = 0; i < lines.size(); i++) {
-            addText(lines.get(i), middle, y + 15 * i, SMALL_TEXT.withAnchor(Anchor.MIDDLE));
+            addText(lines.get(i), middle, y + LINE_HEIGHT * i, SMALL_TEXT.withAnchor(Anchor.MIDDLE));
         }
     }
 
-    /** Draws a chart on a picture of its own. */
-    public static SvgSurface drawChart(Chart chart, int width, int height) {
-        FigureCanvas canvas = new FigureCanvas(width, height);
+    /** Adds the letter and the title of a panel, whose index counts from 0, centred on a middle. */
+    public void addPanelTitle(int index, String title, double middle, double y) {
+        addText(panelTitle(index, title), middle, y, TEXT_STYLE.withBold().withAnchor(Anchor.MIDDLE));
+    }
+
+    /** Returns the title of a panel after its letter, such as {@code (a)} for index 0. */
+    public static String panelTitle(int index, String title) {
+        return "(" + (char) ('a' + index) + ") " + title;
+    }
+
+    /** Draws a chart on a picture of its own, with a caption. */
+    public static SvgSurface drawChart(Chart chart, int width, int height, String caption) {
+        FigureCanvas canvas = new FigureCanvas(width, height, caption);
         canvas.addChart(chart, new PixelRectangle(0, 4, width, height - 8));
         return canvas.surface;
     }
