@@ -53,6 +53,7 @@ final class LayerRules {
             "gui.gallery",
             "gui.export",
             "gui.dialog",
+            "gui.batch",
             "gui.window",
             "gui",
             "studies.figure",

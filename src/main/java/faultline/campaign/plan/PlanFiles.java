@@ -83,7 +83,8 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
         return PlanReader.read(name, ScenarioFiles.readBytes(file, KIND), resolver);
     }
 
-    private static String copyName(int number) {
+    /** Returns the name that a copy gives a scenario by its number in the plan, from 1. */
+    public static String copyName(int number) {
         return "scenario-" + number + ".xml";
     }
 

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -14,7 +15,7 @@ import java.util.regex.Pattern;
  * The four ways in which a plan gives values: {@code 0.1 0.2 0.4} lists them, {@code 0.1..0.4/4} spaces them evenly,
  * {@code 0.1..0.4} draws one between two bounds, {@code any of left right} draws one of several words.
  */
-final class ValueSyntax {
+public final class ValueSyntax {
 
     /** What a plan may give. */
     static final String RULE = "one value, several with blanks between them, FROM..TO/COUNT, FROM..TO, or any of A B C";
@@ -27,6 +28,11 @@ final class ValueSyntax {
     private static final MathContext TWELVE_DIGITS = new MathContext(12);
 
     private ValueSyntax() {}
+
+    /** Returns how many values a text lists, a drawn one counting as one; empty if it is none of the four ways. */
+    public static OptionalInt count(String text) {
+        return parse(text, "").stream().mapToInt(List::size).findFirst();
+    }
 
     /**
      * Parses the values of an attribute.

@@ -36,7 +36,7 @@ public final class CampaignReport {
             throw new IOException(folder + ": there is no campaign");
         }
         this.folder = folder;
-        this.data = new RunData(campaign.readPlan(), campaign.runs());
+        this.data = RunData.read(campaign.readPlan(), campaign.runs());
     }
 
     /** Returns how many runs the report is of. */

@@ -18,7 +18,8 @@ import java.util.OptionalDouble;
  */
 final class CellTable {
 
-    private static final String ALL = "all";
+    /** The label of a cell that is a sum over all faults, sensors or rungs. */
+    static final String ALL = "all";
 
     private final RunData data;
     private final List<FactorSummary> levels;
@@ -45,12 +46,7 @@ final class CellTable {
     }
 
     private List<String> header() {
-        List<String> header = new ArrayList<>();
-        levels.forEach(factor -> header.add(factor.columns().get(0).name()));
-        faults.forEach(factor -> {
-            header.add(RunData.faultColumn(factor));
-            header.add(RunData.sensorColumn(factor));
-        });
+        List<String> header = new ArrayList<>(labelColumns());
         header.addAll(List.of("final_rung", "runs", "carried_on", "share", "share_low", "share_high"));
         Arrays.stream(Outcome.values())
                 .filter(outcome -> outcome != Outcome.CARRIED_ON)
@@ -59,7 +55,19 @@ final class CellTable {
         return header;
     }
 
-    private Map<List<String>, List<RunRow>> groups() {
+    /** Returns the columns whose values make a cell, but for the rung. */
+    List<String> labelColumns() {
+        List<String> header = new ArrayList<>();
+        levels.forEach(factor -> header.add(factor.columns().get(0).name()));
+        faults.forEach(factor -> {
+            header.add(RunData.faultColumn(factor));
+            header.add(RunData.sensorColumn(factor));
+        });
+        return header;
+    }
+
+    /** Returns the runs of every cell by its labels, the rung last. */
+    Map<List<String>, List<RunRow>> groups() {
         Map<List<String>, List<RunRow>> groups = new LinkedHashMap<>();
         for (RunRow row : data.rows()) {
             List<String> level = levels.stream()

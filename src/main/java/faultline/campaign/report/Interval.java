@@ -6,7 +6,7 @@ package faultline.campaign.report;
  * @param low its lower end
  * @param high its upper end
  */
-record Interval(double low, double high) {
+public record Interval(double low, double high) {
 
     /** The 0.975 quantile of the normal distribution. */
     private static final double Z = 1.959963984540054;

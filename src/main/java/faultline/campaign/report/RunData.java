@@ -29,24 +29,29 @@ final class RunData {
     private final List<RunRow> rows = new ArrayList<>();
 
     /**
-     * Reads a table.
+     * Creates the data of a table.
      *
      * @param plan the campaign's plan
-     * @param table its runs; a row that is not ended is left out
+     * @param lines the header and the rows; a row that is not ended is left out
      */
-    RunData(CampaignPlan plan, Path table) throws IOException {
+    RunData(CampaignPlan plan, Iterable<String> lines) {
         this.plan = plan;
         Map<String, String> shared = new HashMap<>();
-        try (BufferedReader in = Files.newBufferedReader(table)) {
-            List<String> header = Csv.cells(in.readLine());
-            header.forEach(name -> indices.put(name, indices.size()));
-            for (String line = in.readLine(); line != null; line = in.readLine()) {
-                List<String> cells = Csv.cells(line);
-                if (cells.size() == header.size()) {
-                    cells.replaceAll(cell -> shared.computeIfAbsent(cell, same -> same));
-                    rows.add(new RunRow(this, cells.toArray(new String[0])));
-                }
+        for (String line : lines) {
+            List<String> cells = Csv.cells(line);
+            if (indices.isEmpty()) {
+                cells.forEach(name -> indices.put(name, indices.size()));
+            } else if (cells.size() == indices.size()) {
+                cells.replaceAll(cell -> shared.computeIfAbsent(cell, same -> same));
+                rows.add(new RunRow(this, cells.toArray(new String[0])));
             }
+        }
+    }
+
+    /** Reads a table. */
+    static RunData read(CampaignPlan plan, Path table) throws IOException {
+        try (BufferedReader in = Files.newBufferedReader(table)) {
+            return new RunData(plan, in.lines()::iterator);
         }
     }
 

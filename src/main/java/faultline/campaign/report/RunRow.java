@@ -28,6 +28,12 @@ record RunRow(RunData data, String[] cells) {
         return text.isEmpty() ? OptionalInt.empty() : OptionalInt.of(text.equals("1") ? 1 : 0);
     }
 
+    /** Returns 1 if the robot touched nothing, 0 if it did; empty if the run broke. */
+    OptionalInt withoutContact() {
+        String text = text("collided");
+        return text.isEmpty() ? OptionalInt.empty() : OptionalInt.of(text.equals("1") ? 0 : 1);
+    }
+
     /** Returns what runs are independent of each other by: the world, or the block if there is one world only. */
     String cluster() {
         return text(data.worldCount() > 1 ? "world" : "block");

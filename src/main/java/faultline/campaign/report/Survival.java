@@ -4,15 +4,22 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
+import java.util.function.Function;
 
 /**
- * The share of runs in which the robot carried on.
+ * The share of runs with a result that is wanted, such as those in which the robot carried on.
  *
- * @param successes runs in which it did
+ * @param successes runs with the result
  * @param n runs that tell
  * @param interval of the share
  */
-record Survival(int successes, int n, Interval interval) {
+public record Survival(int successes, int n, Interval interval) {
+
+    /** Returns the share of some runs in which the robot carried on, see {@link #of(Collection, Function)}. */
+    static Survival of(Collection<RunRow> rows) {
+        return of(rows, RunRow::carriedOn);
+    }
 
     /**
      * Returns the share of some runs. Runs in one world are not independent; the interval is that of as many
@@ -20,19 +27,20 @@ record Survival(int successes, int n, Interval interval) {
      * of independent runs.
      *
      * @param rows the runs; those that do not tell are left out
+     * @param result returns 1 for a run with the result, 0 for one without it, empty for one that does not tell
      */
-    static Survival of(Collection<RunRow> rows) {
+    static Survival of(Collection<RunRow> rows, Function<RunRow, OptionalInt> result) {
         List<RunRow> telling =
-                rows.stream().filter(row -> row.carriedOn().isPresent()).toList();
+                rows.stream().filter(row -> result.apply(row).isPresent()).toList();
         if (telling.isEmpty()) {
             return new Survival(0, 0, new Interval(0, 1));
         }
         int n = telling.size();
         int successes =
-                telling.stream().mapToInt(row -> row.carriedOn().getAsInt()).sum();
+                telling.stream().mapToInt(row -> result.apply(row).getAsInt()).sum();
         double share = (double) successes / n;
         Map<String, Double> sums = new LinkedHashMap<>();
-        telling.forEach(row -> sums.merge(row.cluster(), row.carriedOn().getAsInt() - share, Double::sum));
+        telling.forEach(row -> sums.merge(row.cluster(), result.apply(row).getAsInt() - share, Double::sum));
         double worth = n / designEffect(n, sums, n * share * (1 - share));
         return new Survival(successes, n, Interval.wilson(worth * share, worth));
     }
@@ -55,7 +63,7 @@ record Survival(int successes, int n, Interval interval) {
     }
 
     /** Returns the share, 0 without runs. */
-    double share() {
+    public double share() {
         return n == 0 ? 0 : (double) successes / n;
     }
 }

@@ -50,6 +50,13 @@ public final class CampaignRunner {
          * @param runs how many this part has
          */
         void update(long made, long runs);
+
+        /**
+         * Called on the thread that writes, before {@link #update}, with each row of {@code runs.csv} that is made now.
+         *
+         * @param row without its line feed
+         */
+        default void rowAdded(String row) {}
     }
 
     /**
@@ -115,7 +122,9 @@ public final class CampaignRunner {
                     table.force();
                     forced = System.nanoTime();
                 }
-                table.add(get(ahead.poll()));
+                RunMaker.MadeRun made = get(ahead.poll());
+                table.add(made);
+                progress.rowAdded(made.row().stripTrailing());
                 progress.update(table.next() - first, end - first);
             }
         } finally {

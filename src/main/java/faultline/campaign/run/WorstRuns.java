@@ -1,8 +1,6 @@
 package faultline.campaign.run;
 
 import faultline.campaign.plan.CampaignPlan;
-import faultline.campaign.plan.PlannedRun;
-import faultline.engine.metrics.Expectation;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.BufferedReader;
@@ -73,32 +71,11 @@ public final class WorstRuns {
     }
 
     private Scenario replay(Entry entry) throws IOException {
-        PlannedRun run = plan.run(entry.run);
         try {
-            Scenario scenario = plan.scenario(run);
-            return new Scenario(
-                    scenario.name(),
-                    description(run, entry),
-                    false,
-                    scenario.setup().withDuration(entry.simulatedSeconds),
-                    Expectation.NONE);
+            return RunReplay.scenario(plan, entry.run, entry.outcome.word(), entry.simulatedSeconds);
         } catch (ScenarioException e) {
             throw new IOException("run " + entry.run + " cannot be replayed: " + e.getMessage(), e);
         }
-    }
-
-    private String description(PlannedRun run, Entry entry) {
-        StringBuilder text = new StringBuilder("Run " + run.index() + " of "
-                + plan.header().name() + ": world " + run.world() + ", seed " + run.seed());
-        for (int i = 0; i < run.cells().size(); i++) {
-            if (!run.cells().get(i).isEmpty()) {
-                text.append(", ")
-                        .append(plan.factorColumns().get(i).name())
-                        .append(' ')
-                        .append(run.cells().get(i));
-            }
-        }
-        return text + "; outcome " + entry.outcome.word();
     }
 
     private List<Entry> find() throws IOException {

@@ -19,6 +19,7 @@ import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 
 /** Opens and saves files, and asks the questions that this requires. */
@@ -103,6 +104,21 @@ public final class FileController {
         runIfChangesHandled(() -> documentStore.create(scenario));
     }
 
+    /** Opens a scenario that can be made again, so that it does not count as unsaved. */
+    public void openGenerated(Scenario scenario) {
+        runIfChangesHandled(() -> documentStore.openGenerated(scenario));
+    }
+
+    /**
+     * Returns the open scenario with all edits, the number being typed included; empty if none is open. The future
+     * completes on the event dispatch thread.
+     */
+    public Optional<CompletableFuture<Scenario>> editedScenario() {
+        // A number that cannot be applied does not count.
+        boolean ignored = commitPendingEdit.getAsBoolean();
+        return documentStore.editedScenario();
+    }
+
     private void revert() {
         if (workspace.isChanged()
                 && fileDialogs.showOptions("revert", Messages.get("revert.question"), "revert.revert", "unsaved.cancel")
@@ -166,6 +182,11 @@ public final class FileController {
     /** Asks for an export file; its suggested name follows that of the open file. */
     public Optional<Path> chooseExportFile(String action, String extension) {
         return fileDialogs.chooseFileToSave(action, suggestedFile(extension));
+    }
+
+    /** Asks for a folder that is empty or does not exist yet; its suggested name follows that of the open file. */
+    public Optional<Path> chooseNewFolder(String action, String ending) {
+        return fileDialogs.chooseNewFolder(action, suggestedFile(ending));
     }
 
     /** Returns the name of the open file, or of the scenario, with another ending. */

@@ -56,6 +56,31 @@ final class FileDialogs {
                 .filter(this::confirmReplace);
     }
 
+    /** Asks for a folder to write to, which is empty or does not exist; empty if cancelled. */
+    Optional<Path> chooseNewFolder(String action, Path suggestion) {
+        JFileChooser chooser = new EscapableFileChooser(folder);
+        chooser.setDialogTitle(Messages.get("files." + action));
+        chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
+        chooser.setSelectedFile(new File(folder, suggestion.getFileName().toString()));
+        if (suggestion.isAbsolute()) {
+            chooser.setSelectedFile(suggestion.toFile());
+        }
+        while (chooser.showSaveDialog(parent) == JFileChooser.APPROVE_OPTION) {
+            File chosen = chooser.getSelectedFile();
+            String[] content = chosen.list();
+            if (!chosen.exists() || content != null && content.length == 0) {
+                folder = chooser.getCurrentDirectory();
+                return Optional.of(chosen.toPath());
+            }
+            JOptionPane.showMessageDialog(
+                    parent,
+                    TextWrap.wrap(Messages.get("files.folder.used", chosen.getName())),
+                    Messages.get("files." + action),
+                    JOptionPane.WARNING_MESSAGE);
+        }
+        return Optional.empty();
+    }
+
     private JFileChooser createChooser(String action, String extension) {
         return createChooser(action, extension, extension);
     }

@@ -4,7 +4,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Wraps sentences for message boxes. */
-final class TextWrap {
+public final class TextWrap {
 
     private static final int MAX_LINE_LENGTH = 80;
     private static final Pattern LINE =
@@ -13,7 +13,7 @@ final class TextWrap {
     private TextWrap() {}
 
     /** Returns the sentence with line breaks so that lines have at most eighty characters; longer words are broken. */
-    static String wrap(String sentence) {
+    public static String wrap(String sentence) {
         StringBuilder lines = new StringBuilder();
         Matcher line = LINE.matcher(sentence);
         while (line.find()) {

@@ -4,6 +4,7 @@ import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.scenario.xml.XmlComments;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 
@@ -36,6 +37,19 @@ public final class DocumentStore {
     /** Opens a new scenario, which has no file yet. */
     public void create(Scenario scenario) {
         open(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, null, scenario));
+    }
+
+    /** Opens a scenario that has no file and that can be made again, so that it does not count as changed. */
+    public void openGenerated(Scenario scenario) {
+        open(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, scenario, scenario));
+    }
+
+    /**
+     * Returns the scenario as edited by all commands that have been sent; empty before the first session. The future
+     * completes on the event dispatch thread.
+     */
+    public Optional<CompletableFuture<Scenario>> editedScenario() {
+        return workspace.openDocument().map(OpenDocument::edited);
     }
 
     /** Opens the scenario that the file holds; edits are discarded. */

@@ -13,6 +13,7 @@ import faultline.gui.action.SpeedScale;
 import faultline.gui.action.ThemeAction;
 import faultline.gui.action.UiAction;
 import faultline.gui.action.ViewActions;
+import faultline.gui.batch.BatchActions;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.canvas.tool.MenuTarget;
 import faultline.gui.dialog.AppIcon;
@@ -157,6 +158,7 @@ public final class MainWindow extends JFrame {
                 .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_F6, InputEvent.SHIFT_DOWN_MASK)));
         runActions.addTo(actionRegistry);
         new ControllerChooser(this, workspace, runController, this::showNote).addTo(actionRegistry);
+        new BatchActions(this, fileController).addTo(actionRegistry);
         dialogs.addTo(actionRegistry);
         new PreferenceActions(this, preferences).addTo(actionRegistry);
         actionRegistry.add(new ThemeAction(this, canvas, preferences).action());

@@ -58,7 +58,7 @@ final class Menus {
     private JMenu createSimulationMenu() {
         JMenu simulation = createMenu(
                 "simulation",
-                "run step stepBack restart chooseController - keepGhost openGhost removeGhost - record -"
+                "run step stepBack restart chooseController batch - keepGhost openGhost removeGhost - record -"
                         + " slower faster realTime -");
         simulation.add(createSensorMenu());
         simulation.add(createPresetMenu());

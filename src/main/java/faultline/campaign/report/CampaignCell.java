@@ -1,0 +1,72 @@
+package faultline.campaign.report;
+
+import faultline.campaign.plan.CampaignPlan;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The runs of a campaign with one combination of levels, or with one of several.
+ *
+ * @param labels what the runs have in common, in the order of {@link #labelColumns}; {@link #ALL} for a sum
+ * @param runs their numbers
+ * @param carriedOn the share of those in which the robot carried on
+ * @param withoutContact the share of those in which it touched nothing
+ * @param coverageOrNaN the mean coverage, NaN if there is none
+ * @param distanceRmsOrNaN the mean distance error on straight walls, metres, NaN if there is none
+ */
+public record CampaignCell(
+        List<String> labels,
+        List<Long> runs,
+        Survival carriedOn,
+        Survival withoutContact,
+        double coverageOrNaN,
+        double distanceRmsOrNaN) {
+
+    /** The label of a cell that is a sum over all faults or sensors. */
+    public static final String ALL = CellTable.ALL;
+
+    public CampaignCell {
+        labels = List.copyOf(labels);
+        runs = List.copyOf(runs);
+    }
+
+    /** Returns the columns of {@code runs.csv} that the labels are of. */
+    public static List<String> labelColumns(CampaignPlan plan) {
+        return new CellTable(new RunData(plan, List.of())).labelColumns();
+    }
+
+    /**
+     * Returns the cells of a table, in the order in which their first runs come.
+     *
+     * @param plan of the campaign
+     * @param lines the header and the rows of {@code runs.csv}
+     */
+    public static List<CampaignCell> allOf(CampaignPlan plan, List<String> lines) {
+        List<CampaignCell> cells = new ArrayList<>();
+        new CellTable(new RunData(plan, lines)).groups().forEach((key, rows) -> {
+            int rung = key.size() - 1;
+            if (key.get(rung).equals(ALL)) {
+                cells.add(of(key.subList(0, rung), rows));
+            }
+        });
+        return cells;
+    }
+
+    private static CampaignCell of(List<String> labels, List<RunRow> rows) {
+        return new CampaignCell(
+                labels,
+                rows.stream().map(row -> Long.parseLong(row.text("run"))).toList(),
+                Survival.of(rows),
+                Survival.of(rows, RunRow::withoutContact),
+                mean(rows, "coverage"),
+                mean(rows, "distance_rms_m"));
+    }
+
+    private static double mean(List<RunRow> rows, String column) {
+        return rows.stream()
+                .flatMap(row -> row.number(column).stream().boxed())
+                .mapToDouble(Double::doubleValue)
+                .average()
+                .orElse(Double.NaN);
+    }
+}

@@ -1,0 +1,50 @@
+package faultline.campaign.run;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.PlannedRun;
+import faultline.engine.metrics.Expectation;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+
+/**
+ * Makes the scenario that replays a run of a campaign: it lasts as long, and comes to the trajectory hash of its row.
+ */
+public final class RunReplay {
+
+    private RunReplay() {}
+
+    /**
+     * Returns the scenario of a run.
+     *
+     * @param plan of the campaign
+     * @param index the number of the run
+     * @param outcome as in the table
+     * @param simulatedSeconds how long the run lasted
+     * @throws ScenarioException if the plan's values, each good by itself, make no good scenario together
+     */
+    public static Scenario scenario(CampaignPlan plan, long index, String outcome, double simulatedSeconds)
+            throws ScenarioException {
+        PlannedRun run = plan.run(index);
+        Scenario scenario = plan.scenario(run);
+        return new Scenario(
+                scenario.name(),
+                description(plan, run, outcome),
+                false,
+                scenario.setup().withDuration(simulatedSeconds),
+                Expectation.NONE);
+    }
+
+    private static String description(CampaignPlan plan, PlannedRun run, String outcome) {
+        StringBuilder text = new StringBuilder("Run " + run.index() + " of "
+                + plan.header().name() + ": world " + run.world() + ", seed " + run.seed());
+        for (int i = 0; i < run.cells().size(); i++) {
+            if (!run.cells().get(i).isEmpty()) {
+                text.append(", ")
+                        .append(plan.factorColumns().get(i).name())
+                        .append(' ')
+                        .append(run.cells().get(i));
+            }
+        }
+        return text + "; outcome " + outcome;
+    }
+}

@@ -1,0 +1,79 @@
+package faultline.gui.batch;
+
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.Keystrokes;
+import faultline.gui.action.UiAction;
+import faultline.gui.dialog.FileController;
+import faultline.gui.dialog.TextWrap;
+import faultline.gui.text.Messages;
+import faultline.scenario.Scenario;
+import java.awt.Component;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JOptionPane;
+
+/** The action that opens the batch of the open scenario, and what its dialog needs of the window. */
+public final class BatchActions {
+
+    private final Window owner;
+    private final FileController files;
+
+    /**
+     * Creates the actions of a window.
+     *
+     * @param owner the window
+     * @param files holds the open scenario, opens runs and asks for files
+     */
+    public BatchActions(Window owner, FileController files) {
+        this.owner = owner;
+        this.files = files;
+    }
+
+    /** Adds the actions to a registry. */
+    public void addTo(ActionRegistry actions) {
+        actions.add(UiAction.of("batch", this::showDialog).withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_B)));
+    }
+
+    /** Shows the dialog of the open scenario as it is now; a batch of another scenario keeps its own dialog. */
+    private void showDialog() {
+        files.editedScenario().ifPresent(edited -> edited.thenAccept(this::showDialog));
+    }
+
+    private void showDialog(Scenario open) {
+        Stream.of(owner.getOwnedWindows())
+                .filter(BatchDialog.class::isInstance)
+                .map(BatchDialog.class::cast)
+                .filter(dialog -> dialog.isShowing() && dialog.isFor(open))
+                .findFirst()
+                .ifPresentOrElse(BatchActions::bringToFront, () -> new BatchDialog(owner, open, this).setVisible(true));
+    }
+
+    private static void bringToFront(Window dialog) {
+        dialog.toFront();
+        dialog.requestFocus();
+    }
+
+    /** Opens a run in the window. */
+    void openRun(Scenario run) {
+        files.openGenerated(run);
+    }
+
+    /** Asks for the file of a plan; empty if cancelled. */
+    Optional<Path> choosePlanFile() {
+        return files.chooseExportFile("batchPlan", "-batch.xml");
+    }
+
+    /** Asks for the folder of results; empty if cancelled. */
+    Optional<Path> chooseResultsFolder() {
+        return files.chooseNewFolder("batchResults", "-batch");
+    }
+
+    /** Shows a sentence. */
+    void showProblem(Component parent, String sentence) {
+        JOptionPane.showMessageDialog(
+                parent, TextWrap.wrap(sentence), Messages.get("failed.title"), JOptionPane.WARNING_MESSAGE);
+    }
+}

@@ -1,0 +1,341 @@
+package faultline.gui.batch;
+
+import faultline.campaign.run.CampaignRunner;
+import faultline.campaign.run.RunReplay;
+import faultline.gui.document.BackgroundTasks;
+import faultline.gui.text.ErrorMessages;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.ScreenFit;
+import faultline.gui.theme.TextSize;
+import faultline.scenario.Scenario;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.FlowLayout;
+import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
+import javax.swing.Timer;
+
+/** A non-modal dialog that makes many runs of a scenario and shows their results. */
+final class BatchDialog extends JDialog {
+
+    private static final Dimension SIZE = new Dimension(860, 560);
+    private static final int POLL_MILLIS = 200;
+    private static final int PROGRESS_STEPS = 1000;
+
+    private final transient Scenario scenario;
+    private final transient BatchActions actions;
+    private final BatchForm form;
+    private final JTabbedPane tabs = new JTabbedPane();
+    private final JProgressBar progressBar = new JProgressBar(0, PROGRESS_STEPS);
+    private final JLabel status = new JLabel(" ");
+    private final JButton start = button("batch.start", this::start);
+    private final JButton cancel = button("batch.cancel", this::cancel);
+    private final JButton savePlan = button("batch.savePlan", this::savePlan);
+    private final JButton saveResults = button("batch.saveResults", this::saveResults);
+    private final JButton close = button("dialog.close", this::close);
+    private final Timer poll = new Timer(POLL_MILLIS, event -> update());
+    /** Null before the first batch. */
+    private transient BatchRun run;
+    /** Null until the plan of the batch has been read. */
+    private transient BatchResults results;
+
+    private transient ResultTabs resultTabs;
+    private boolean running;
+    private boolean saved = true;
+
+    /**
+     * Creates a dialog that is not yet visible.
+     *
+     * @param owner the window behind it
+     * @param scenario of all runs
+     * @param actions opens runs and asks for files
+     */
+    BatchDialog(Window owner, Scenario scenario, BatchActions actions) {
+        super(owner, Messages.get("batch.title", scenario.name()), ModalityType.MODELESS);
+        assert EventQueue.isDispatchThread();
+        this.scenario = scenario;
+        this.actions = actions;
+        form = new BatchForm(scenario);
+        tabs.addTab(Messages.get("batch.tab.plan"), null, form, Messages.get("batch.tab.plan.tip"));
+        tabs.getAccessibleContext().setAccessibleName(Messages.get("batch.tabs"));
+        JPanel content = new JPanel(new BorderLayout(0, 8));
+        content.setBorder(BorderFactory.createEmptyBorder(8, 12, 12, 12));
+        content.add(tabs, BorderLayout.CENTER);
+        content.add(createFooter(), BorderLayout.SOUTH);
+        setContentPane(content);
+        installClosing();
+        setRunning(false);
+        content.setPreferredSize(new Dimension(TextSize.scaled(SIZE.width), TextSize.scaled(SIZE.height)));
+        ScreenFit.pack(this);
+        setLocationRelativeTo(owner);
+    }
+
+    private void installClosing() {
+        setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent event) {
+                form.focusFirstField();
+            }
+
+            @Override
+            public void windowClosing(WindowEvent event) {
+                close();
+            }
+        });
+        getRootPane()
+                .registerKeyboardAction(
+                        event -> close(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        getRootPane().setDefaultButton(start);
+    }
+
+    private static JButton button(String key, Runnable action) {
+        JButton button = new JButton(Messages.get(key));
+        button.addActionListener(event -> action.run());
+        return button;
+    }
+
+    private JPanel createFooter() {
+        JPanel progress = new JPanel(new BorderLayout(12, 0));
+        progressBar.getAccessibleContext().setAccessibleName(Messages.get("batch.progress"));
+        progress.add(progressBar, BorderLayout.CENTER);
+        progress.add(status, BorderLayout.SOUTH);
+        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));
+        List.of(start, cancel, savePlan, saveResults, close).forEach(buttons::add);
+        JPanel footer = new JPanel(new BorderLayout(0, 8));
+        footer.add(progress, BorderLayout.CENTER);
+        footer.add(buttons, BorderLayout.SOUTH);
+        return footer;
+    }
+
+    /** Returns whether the dialog is for a scenario. */
+    boolean isFor(Scenario other) {
+        return scenario.equals(other);
+    }
+
+    private void setRunning(boolean now) {
+        running = now;
+        start.setEnabled(!now);
+        cancel.setEnabled(now);
+        saveResults.setEnabled(!now && results != null && results.size() > 0);
+    }
+
+    private Optional<BatchPlan> checkedPlan() {
+        Optional<String> problem = form.findProblem();
+        problem.ifPresent(this::showProblem);
+        return problem.isEmpty() ? Optional.of(form.plan()) : Optional.empty();
+    }
+
+    private void start() {
+        if (!confirmLoss("batch.loss.start")) {
+            return;
+        }
+        checkedPlan().ifPresent(plan -> {
+            discardRun();
+            BatchRun started = new BatchRun(plan, form.jobs());
+            run = started;
+            saved = true;
+            setRunning(true);
+            status.setText(Messages.get("batch.checking"));
+            progressBar.setIndeterminate(true);
+            poll.start();
+            BackgroundTasks.runBeforeExit(
+                    started::make, result -> ended(started, result), failure -> failed(started, failure));
+        });
+    }
+
+    private void cancel() {
+        if (running) {
+            run.progress().cancel();
+            status.setText(Messages.get("batch.cancelling"));
+        }
+    }
+
+    private void ended(BatchRun ended, CampaignRunner.Result result) {
+        if (!isDisplayable()) {
+            delete(ended);
+            return;
+        }
+        update();
+        stopProgress();
+        status.setText(Messages.get(
+                result.isComplete() ? "batch.done" : "batch.cancelled",
+                Long.toString(result.made()),
+                Long.toString(result.runs()),
+                Long.toString(result.broken()),
+                BatchTime.text(ended.count().seconds())));
+    }
+
+    private void failed(BatchRun failed, Throwable failure) {
+        if (!isDisplayable()) {
+            delete(failed);
+            return;
+        }
+        stopProgress();
+        status.setText(" ");
+        showFailure(failure);
+    }
+
+    private void stopProgress() {
+        poll.stop();
+        progressBar.setIndeterminate(false);
+        setRunning(false);
+    }
+
+    /** Shows what the batch has come to since the last call. */
+    private void update() {
+        if (results == null && run.planOrNull() != null) {
+            results = new BatchResults(run.planOrNull());
+            resultTabs = new ResultTabs(tabs, results, this::open);
+            resultTabs.select();
+        }
+        if (results != null) {
+            int before = results.size();
+            for (List<String> row = run.takeRow(); row != null; row = run.takeRow()) {
+                results.add(row);
+            }
+            saved = saved && results.size() == before;
+            resultTabs.update(before, run.cells());
+            showProgress(run.count());
+        }
+    }
+
+    private void showProgress(BatchRun.Count count) {
+        progressBar.setIndeterminate(false);
+        progressBar.setValue((int) (PROGRESS_STEPS * count.made() / Math.max(1, count.runs())));
+        if (run.progress().isActive()) {
+            status.setText(Messages.get(
+                    "batch.status",
+                    Long.toString(count.made()),
+                    Long.toString(count.runs()),
+                    BatchTime.text(count.secondsLeft())));
+        }
+    }
+
+    /** Opens a run in the window. */
+    private void open(int index) {
+        if (results.value(index, "simulated_s").isEmpty()) {
+            showProblem(Messages.get("batch.broken", results.value(index, "failure")));
+            return;
+        }
+        BatchResults shown = results;
+        BackgroundTasks.run(
+                () -> RunReplay.scenario(
+                        shown.plan(),
+                        index,
+                        shown.value(index, "outcome"),
+                        Double.parseDouble(shown.value(index, "simulated_s"))),
+                actions::openRun,
+                this::showFailure);
+    }
+
+    private void savePlan() {
+        checkedPlan().ifPresent(plan -> actions.choosePlanFile()
+                .ifPresent(file -> write(
+                        file,
+                        () -> {
+                            plan.save(file);
+                            return file;
+                        },
+                        () -> {})));
+    }
+
+    private void saveResults() {
+        BatchRun ended = run;
+        actions.chooseResultsFolder()
+                .ifPresent(folder -> write(
+                        folder,
+                        () -> {
+                            ended.saveResults(folder);
+                            return folder;
+                        },
+                        () -> saved = true));
+    }
+
+    private void write(Path target, Callable<Path> work, Runnable onWritten) {
+        BackgroundTasks.runBeforeExit(
+                work,
+                written -> {
+                    onWritten.run();
+                    status.setText(Messages.get("saved", String.valueOf(target.getFileName())));
+                },
+                this::showFailure);
+    }
+
+    private void showFailure(Throwable failure) {
+        showProblem(ErrorMessages.describe(failure));
+    }
+
+    private void showProblem(String sentence) {
+        actions.showProblem(this, sentence);
+    }
+
+    /** Returns whether there is nothing to lose, or the user does not mind. */
+    private boolean confirmLoss(String question) {
+        return saved
+                || JOptionPane.showConfirmDialog(
+                                this,
+                                Messages.get(question),
+                                getTitle(),
+                                JOptionPane.OK_CANCEL_OPTION,
+                                JOptionPane.WARNING_MESSAGE)
+                        == JOptionPane.OK_OPTION;
+    }
+
+    private void close() {
+        if (confirmLoss("batch.loss.close")) {
+            dispose();
+        }
+    }
+
+    private void discardRun() {
+        if (run != null) {
+            delete(run);
+        }
+        if (resultTabs != null) {
+            resultTabs.remove();
+        }
+        results = null;
+        resultTabs = null;
+    }
+
+    private static void delete(BatchRun ended) {
+        BackgroundTasks.runBeforeExit(
+                () -> {
+                    ended.delete();
+                    return ended;
+                },
+                done -> {},
+                failure -> {});
+    }
+
+    /** Cancels the batch and deletes its files. */
+    @Override
+    public void dispose() {
+        poll.stop();
+        if (run != null) {
+            run.progress().cancel();
+            if (!running) {
+                delete(run);
+            }
+            run = null;
+        }
+        super.dispose();
+    }
+}

@@ -1,0 +1,221 @@
+package faultline.gui.batch;
+
+import faultline.control.ControllerSpec;
+import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.NamedChoice;
+import faultline.gui.panel.NumberSpinner;
+import faultline.gui.panel.TitledSection;
+import faultline.gui.text.Messages;
+import faultline.io.DecimalText;
+import faultline.robot.RobotSpec;
+import faultline.scenario.Scenario;
+import faultline.sensor.SensorSpec;
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.GridBagLayout;
+import java.awt.GridLayout;
+import java.awt.Rectangle;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.stream.Stream;
+import javax.swing.BorderFactory;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+
+/** The fields of a batch: seeds, times, controller, sensors and faults. */
+final class BatchForm extends JPanel {
+
+    private static final int COLUMNS = 9;
+    private static final int MAX_JOBS = 1024;
+    /** The greatest seed of a plan. */
+    private static final double MAX_SEED = 1e12;
+
+    private static final int WHEEL_STEP = 16;
+    private static final double EARLIEST_SHARE = 0.1;
+    private static final double LATEST_SHARE = 0.5;
+
+    private final Scenario scenario;
+    private final NumberSpinner seeds = number("0", 1, 1_000_000, 1, "batch.seeds");
+    private final NumberSpinner firstSeed = number("0", -MAX_SEED, MAX_SEED, 1, "batch.firstSeed");
+    private final NumberSpinner duration = number("0.0##", 0.001, 1e6, 10, "batch.duration");
+    private final JCheckBox untilVerdict = new JCheckBox(Messages.get("batch.untilVerdict"));
+    private final NamedChoice<DiagnosisChoice> diagnosis = new NamedChoice<>(
+            DiagnosisChoice.values(), value -> Messages.get("batch.diagnosis." + value), ignored -> updateCount());
+    private final NumberSpinner jobs = number("0", 1, MAX_JOBS, 1, "batch.jobs");
+    private final JTextField onset = new JTextField(COLUMNS);
+    private final JCheckBox healthy = new JCheckBox(Messages.get("batch.healthy"), true);
+    private final List<JCheckBox> sensors;
+    private final FaultChoices faults;
+    private final JLabel count = new JLabel(" ");
+    private int row;
+
+    /** Creates a form for a scenario. */
+    BatchForm(Scenario scenario) {
+        super(new BorderLayout());
+        this.scenario = scenario;
+        RobotSpec robot = scenario.setup().robot();
+        sensors = robot.sensors().stream().map(this::createSensorBox).toList();
+        faults = new FaultChoices(this::updateCount);
+        setInitialValues();
+        JPanel columns = new JPanel(new BorderLayout());
+        columns.add(
+                atTop(
+                        new TitledSection(Messages.get("batch.section.runs"), createRunFields()),
+                        new TitledSection(Messages.get("batch.section.sensors"), createSensorFields())),
+                BorderLayout.LINE_START);
+        columns.add(atTop(new TitledSection(Messages.get("batch.section.faults"), faults)), BorderLayout.CENTER);
+        JScrollPane scroll = new JScrollPane(columns);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        TabKeys.leaveToTabs(scroll);
+        scroll.getVerticalScrollBar().setUnitIncrement(WHEEL_STEP);
+        add(scroll, BorderLayout.CENTER);
+        showFocused(columns);
+        updateCount();
+    }
+
+    private void setInitialValues() {
+        double seconds = scenario.setup().duration();
+        seeds.setWorldValue(10);
+        long seed = scenario.setup().seed();
+        firstSeed.setWorldValue(Math.abs(seed) <= MAX_SEED ? seed : 1);
+        duration.setWorldValue(seconds);
+        jobs.setWorldValue(Runtime.getRuntime().availableProcessors());
+        double earliest = Math.rint(EARLIEST_SHARE * seconds);
+        double latest = Math.max(earliest + 1, Math.rint(LATEST_SHARE * seconds));
+        onset.setText(DecimalText.format(earliest) + ".." + DecimalText.format(latest));
+        diagnosis.setEnabled(scenario.setup().controller() instanceof ControllerSpec.WallFollowing);
+    }
+
+    private JCheckBox createSensorBox(SensorSpec sensor) {
+        JCheckBox box = new JCheckBox(sensor.id(), true);
+        box.addActionListener(event -> updateCount());
+        return box;
+    }
+
+    private NumberSpinner number(String pattern, double min, double max, double step, String key) {
+        NumberSpinner spinner = new NumberSpinner(pattern, min, max, step, ignored -> updateCount())
+                .withName(Messages.get(key))
+                .withColumns(COLUMNS)
+                .keepInvalidText();
+        spinner.passEnterOn();
+        return spinner;
+    }
+
+    private JPanel createRunFields() {
+        JPanel fields = new JPanel(new GridBagLayout());
+        addField(fields, "batch.seeds", seeds, "");
+        addField(fields, "batch.firstSeed", firstSeed, "");
+        addField(fields, "batch.duration", duration, "s");
+        untilVerdict.setToolTipText(Messages.get("batch.untilVerdict.tip"));
+        fields.add(untilVerdict, FormConstraints.fillRow(0, row++));
+        diagnosis.getAccessibleContext().setAccessibleName(Messages.get("batch.diagnosis"));
+        fields.add(FormConstraints.label("batch.diagnosis", diagnosis), FormConstraints.cell(0, row));
+        fields.add(diagnosis, FormConstraints.fillRow(1, row++));
+        addField(fields, "batch.jobs", jobs, "");
+        onset.setToolTipText(Messages.get("batch.syntax"));
+        onset.getAccessibleContext().setAccessibleName(Messages.get("batch.onset"));
+        onset.getDocument().addDocumentListener(new TextListener(this::updateCount));
+        addField(fields, "batch.onset", onset, "s");
+        healthy.addActionListener(event -> updateCount());
+        fields.add(healthy, FormConstraints.fillRow(0, row++));
+        fields.add(count, FormConstraints.fillRow(0, row++));
+        return fields;
+    }
+
+    private void addField(JPanel fields, String key, JComponent field, String unit) {
+        fields.add(FormConstraints.label(key, field), FormConstraints.cell(0, row));
+        fields.add(field, FormConstraints.cell(1, row));
+        fields.add(new JLabel(unit), FormConstraints.fillCell(2, row));
+        row++;
+    }
+
+    private JPanel createSensorFields() {
+        JPanel boxes = new JPanel(new GridLayout(0, 2));
+        sensors.forEach(boxes::add);
+        return boxes;
+    }
+
+    private static JPanel atTop(JComponent... sections) {
+        JPanel column = new JPanel(new GridBagLayout());
+        for (int i = 0; i < sections.length; i++) {
+            column.add(sections[i], FormConstraints.fillRow(0, i));
+        }
+        JPanel top = new JPanel(new BorderLayout());
+        top.add(column, BorderLayout.NORTH);
+        return top;
+    }
+
+    /** Scrolls to the field that has the focus. */
+    private static void showFocused(Container fields) {
+        for (Component part : fields.getComponents()) {
+            if (part instanceof JComponent field) {
+                field.addFocusListener(new FocusAdapter() {
+                    @Override
+                    public void focusGained(FocusEvent event) {
+                        field.scrollRectToVisible(new Rectangle(field.getSize()));
+                    }
+                });
+                showFocused(field);
+            }
+        }
+    }
+
+    private void updateCount() {
+        // Fields call this while they are created.
+        if (faults != null) {
+            OptionalLong runs = plan().runCount();
+            count.setText(
+                    runs.isPresent()
+                            ? Messages.get("batch.count", Long.toString(runs.getAsLong()))
+                            : Messages.get("batch.invalid"));
+        }
+    }
+
+    /** Moves the focus to the first field. */
+    void focusFirstField() {
+        seeds.textField().requestFocusInWindow();
+    }
+
+    /** Returns the plan of the fields. */
+    BatchPlan plan() {
+        return new BatchPlan(
+                scenario,
+                (long) firstSeed.doubleValue(),
+                (int) seeds.doubleValue(),
+                duration.doubleValue(),
+                untilVerdict.isSelected(),
+                diagnosis.isEnabled() ? diagnosis.getItemAt(diagnosis.getSelectedIndex()) : DiagnosisChoice.SCENARIO,
+                healthy.isSelected(),
+                faults.chosen(),
+                onset.getText().strip(),
+                sensors.stream()
+                        .filter(JCheckBox::isSelected)
+                        .map(JCheckBox::getText)
+                        .toList());
+    }
+
+    /** Returns how many threads make the runs. */
+    int jobs() {
+        return (int) jobs.doubleValue();
+    }
+
+    /** Commits what is being typed, and returns what is wrong with the fields; empty if nothing is. */
+    Optional<String> findProblem() {
+        Optional<NumberSpinner> invalid = Stream.of(seeds, firstSeed, duration, jobs)
+                .filter(field -> !field.commitValidEdit())
+                .findFirst();
+        if (invalid.isPresent()) {
+            invalid.get().textField().requestFocusInWindow();
+            return invalid.map(NumberSpinner::getToolTipText);
+        }
+        return plan().runCount().isPresent() ? Optional.empty() : Optional.of(Messages.get("batch.syntax"));
+    }
+}

@@ -1,0 +1,191 @@
+package faultline.gui.batch;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.report.CampaignCell;
+import faultline.campaign.run.CampaignFolder;
+import faultline.campaign.run.CampaignRunner;
+import faultline.campaign.run.Csv;
+import faultline.campaign.run.ResultColumns;
+import faultline.campaign.run.Shard;
+import faultline.gui.document.TaskProgress;
+import faultline.scenario.xml.ScenarioException;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.stream.Stream;
+
+/**
+ * Makes the runs of a batch in a temporary folder. {@link #make} is called on a background thread; everything else is
+ * safe on any thread.
+ */
+final class BatchRun {
+
+    /** The cells are computed again at most this often, and for at most a tenth of the time, nanoseconds. */
+    private static final long CELL_INTERVAL = 400_000_000;
+
+    private static final int CELL_COST_FACTOR = 10;
+
+    private final BatchPlan batch;
+    private final int jobs;
+    private final TaskProgress progress = new TaskProgress();
+    private final Queue<List<String>> newRows = new ConcurrentLinkedQueue<>();
+    private final List<String> lines = new ArrayList<>();
+    private volatile Path folder;
+    private volatile CampaignPlan plan;
+    private volatile List<CampaignCell> cells = List.of();
+    private volatile Count count = new Count(0, 0, 0);
+    private long nextCells;
+
+    /**
+     * How far a batch has come.
+     *
+     * @param made how many runs are in the table
+     * @param runs how many there are, 0 while that is unknown
+     * @param seconds since the first run began
+     */
+    record Count(long made, long runs, double seconds) {
+
+        /** Returns the seconds that the rest will take if it is as fast as the runs so far, NaN before the first. */
+        double secondsLeft() {
+            return made == 0 ? Double.NaN : seconds / made * (runs - made);
+        }
+    }
+
+    BatchRun(BatchPlan batch, int jobs) {
+        this.batch = batch;
+        this.jobs = jobs;
+    }
+
+    /** Returns the progress, by which the batch is cancelled. */
+    TaskProgress progress() {
+        return progress;
+    }
+
+    /** Returns the plan; null until it has been read. */
+    CampaignPlan planOrNull() {
+        return plan;
+    }
+
+    Count count() {
+        return count;
+    }
+
+    /** Returns the newest cells. */
+    List<CampaignCell> cells() {
+        return cells;
+    }
+
+    /** Returns the next row that has not been taken yet, as its cells; null if there is none now. */
+    List<String> takeRow() {
+        return newRows.poll();
+    }
+
+    /**
+     * Makes the runs; if the batch is cancelled, those that are finished are kept.
+     *
+     * @throws ScenarioException with everything that is wrong with the plan
+     * @throws IOException if the temporary folder cannot be used
+     */
+    CampaignRunner.Result make() throws IOException, ScenarioException {
+        folder = Files.createTempDirectory("faultline-batch-");
+        CampaignPlan read = batch.prepare(folder);
+        lines.add(Csv.row(ResultColumns.of(read).stream()
+                        .map(column -> column.name())
+                        .toList())
+                .stripTrailing());
+        count = new Count(0, read.runCount(), 0);
+        plan = read;
+        CampaignRunner runner = new CampaignRunner(read, new CampaignFolder(results()), Shard.ALL, jobs);
+        CampaignRunner.Result result = runner.run(false, new RowCollector(), () -> !progress.isActive());
+        cells = computeCells();
+        return result;
+    }
+
+    /** Computes the cells: sums come last, after the first block of runs, so that no cell changes its place. */
+    private List<CampaignCell> computeCells() {
+        List<CampaignCell> all = CampaignCell.allOf(plan, lines);
+        List<CampaignCell> ordered =
+                new ArrayList<>(all.stream().filter(cell -> !isSum(cell)).toList());
+        if (lines.size() > plan.cellCount()) {
+            all.stream().filter(this::isSum).filter(this::isSumOfSeveral).forEach(ordered::add);
+        }
+        return ordered;
+    }
+
+    private boolean isSum(CampaignCell cell) {
+        return cell.labels().contains(CampaignCell.ALL);
+    }
+
+    /** Returns whether a sum differs from the cells that it is made of. The last labels are those of the fault. */
+    private boolean isSumOfSeveral(CampaignCell cell) {
+        int sensor = cell.labels().size() - 1;
+        boolean onlySensor =
+                batch.sensors().size() == 1 && cell.labels().get(sensor).equals(CampaignCell.ALL);
+        boolean onlyKind =
+                batch.faults().size() == 1 && cell.labels().get(sensor - 1).equals(CampaignCell.ALL);
+        return !onlySensor && !onlyKind;
+    }
+
+    private Path results() {
+        return folder.resolve("results");
+    }
+
+    /** Collects the rows as they are written. */
+    private final class RowCollector implements CampaignRunner.Progress {
+        private final long start = System.nanoTime();
+
+        @Override
+        public void rowAdded(String row) {
+            lines.add(row);
+            newRows.add(Csv.cells(row));
+        }
+
+        @Override
+        public void update(long made, long runs) {
+            long now = System.nanoTime();
+            count = new Count(made, runs, (now - start) / 1e9);
+            if (now >= nextCells) {
+                cells = computeCells();
+                long end = System.nanoTime();
+                nextCells = end + Math.max(CELL_INTERVAL, CELL_COST_FACTOR * (end - now));
+            }
+        }
+    }
+
+    /**
+     * Copies the tables, the plan and the replays to a folder, which is created. The batch must have ended.
+     *
+     * @throws IOException if a file cannot be written
+     */
+    void saveResults(Path target) throws IOException {
+        Files.createDirectories(target);
+        for (Path file : new CampaignFolder(results()).files()) {
+            Path copy = target.resolve(results().relativize(file).toString());
+            Files.createDirectories(copy.getParent());
+            Files.copy(file, copy);
+        }
+    }
+
+    /** Deletes the temporary folder, after the batch has ended. */
+    void delete() throws IOException {
+        if (folder != null) {
+            try (Stream<Path> files = Files.walk(folder)) {
+                files.sorted(Comparator.reverseOrder()).forEach(BatchRun::deleteFile);
+            }
+        }
+    }
+
+    private static void deleteFile(Path file) {
+        try {
+            Files.delete(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

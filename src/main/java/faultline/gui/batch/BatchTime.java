@@ -1,0 +1,28 @@
+package faultline.gui.batch;
+
+import faultline.gui.text.Messages;
+
+/** How long something takes, in words that are as precise as an estimate. */
+final class BatchTime {
+
+    private static final double MINUTE = 60;
+    private static final double HOUR = 3600;
+
+    /** Below this many of a unit, the smaller unit is used. */
+    private static final double FEW = 2;
+
+    private BatchTime() {}
+
+    /** Returns a time in seconds, minutes or hours; NaN gives an ellipsis. */
+    static String text(double seconds) {
+        if (Double.isNaN(seconds)) {
+            return "…";
+        }
+        if (seconds < FEW * MINUTE) {
+            return Messages.get("batch.seconds", Long.toString(Math.round(seconds)));
+        }
+        return seconds < FEW * HOUR
+                ? Messages.get("batch.minutes", Long.toString(Math.round(seconds / MINUTE)))
+                : Messages.get("batch.hours", Long.toString(Math.round(seconds / HOUR)));
+    }
+}

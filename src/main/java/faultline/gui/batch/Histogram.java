@@ -1,0 +1,54 @@
+package faultline.gui.batch;
+
+import faultline.geometry.Vector2;
+import faultline.paint.chart.Axis;
+import faultline.paint.chart.Chart;
+import faultline.paint.chart.Series;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.DoubleStream;
+
+/** How often values occur, as a chart with bars of equal width. */
+final class Histogram {
+
+    private static final int MIN_BARS = 5;
+    private static final int MAX_BARS = 40;
+
+    private Histogram() {}
+
+    /**
+     * Returns the chart of some values.
+     *
+     * @param title above the chart
+     * @param quantity of the values, with the unit
+     * @param frequency what the bars count
+     * @param values at least one, all finite
+     */
+    static Chart chart(String title, String quantity, String frequency, double[] values) {
+        Axis x = Axis.covering(quantity, Arrays.stream(values));
+        long[] counts = counts(x, values);
+        double highest = Arrays.stream(counts).max().orElse(1);
+        Axis y = Axis.covering(frequency, DoubleStream.of(0, Math.max(1, highest)));
+        List<Vector2> upper = new ArrayList<>();
+        for (int i = 0; i < counts.length; i++) {
+            upper.add(new Vector2(x.valueAt((double) i / counts.length), counts[i]));
+            upper.add(new Vector2(x.valueAt((i + 1.0) / counts.length), counts[i]));
+        }
+        List<Vector2> lower = List.of(new Vector2(x.low(), 0), new Vector2(x.high(), 0));
+        List<Vector2> outline = new ArrayList<>(upper);
+        outline.add(0, new Vector2(x.low(), 0));
+        outline.add(new Vector2(x.high(), 0));
+        return new Chart(title, x, y, List.of(new Series.Band("", upper, lower, 0), new Series.Line("", outline, 0)));
+    }
+
+    /** Returns how many values each bar has; the last one includes its upper bound. */
+    static long[] counts(Axis x, double[] values) {
+        int bars = (int) Math.max(MIN_BARS, Math.min(MAX_BARS, Math.ceil(2 * Math.cbrt(values.length))));
+        long[] counts = new long[bars];
+        for (double value : values) {
+            counts[(int) Math.min(bars - 1L, (long) (bars * x.fractionOf(value)))]++;
+        }
+        return counts;
+    }
+}

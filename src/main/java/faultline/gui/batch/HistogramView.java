@@ -1,0 +1,135 @@
+package faultline.gui.batch;
+
+import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.NamedChoice;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Antialiasing;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
+import faultline.paint.chart.Chart;
+import faultline.paint.chart.ChartPainter;
+import faultline.paint.surface.ChartStyle;
+import faultline.paint.surface.GraphicsSurface;
+import faultline.paint.surface.PixelRectangle;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.FlowLayout;
+import java.awt.Graphics;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Arrays;
+import java.util.function.Function;
+import javax.accessibility.AccessibleContext;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+
+/** A histogram of a number of the runs, with a choice of the number and its median and range in words. */
+final class HistogramView extends JPanel {
+
+    private static final Dimension MIN_SIZE = new Dimension(420, 260);
+    private static final MathContext THREE_DIGITS = new MathContext(3);
+
+    private final NamedChoice<Quantity> choice = new NamedChoice<>(
+            Quantity.values(), quantity -> Messages.get("batch.quantity." + quantity), ignored -> showChosen());
+    private final JLabel summary = new JLabel(" ");
+    private final Canvas canvas = new Canvas();
+    private final transient Function<Quantity, double[]> values;
+
+    /** A number of a run. */
+    enum Quantity {
+        COVERAGE("coverage", 1),
+        DISTANCE_RMS("distance_rms_m", 1000),
+        FOLLOW_RMS("follow_rms_m", 1000);
+
+        private final String column;
+        private final double scale;
+
+        Quantity(String column, double scale) {
+            this.column = column;
+            this.scale = scale;
+        }
+
+        /** Returns its column in {@code runs.csv}. */
+        String column() {
+            return column;
+        }
+    }
+
+    /**
+     * Creates a view.
+     *
+     * @param values returns the values of a number, of those runs that have it
+     */
+    HistogramView(Function<Quantity, double[]> values) {
+        super(new BorderLayout(0, 6));
+        this.values = values;
+        setBorder(BorderFactory.createEmptyBorder(8, 8, 0, 8));
+        choice.getAccessibleContext().setAccessibleName(Messages.get("batch.quantity"));
+        JPanel heading = new JPanel(new FlowLayout(FlowLayout.LEADING, 8, 0));
+        heading.add(FormConstraints.label("batch.quantity", choice));
+        heading.add(choice);
+        heading.add(summary);
+        add(heading, BorderLayout.NORTH);
+        add(canvas, BorderLayout.CENTER);
+    }
+
+    /** Shows the values as they are now. */
+    void showChosen() {
+        Quantity quantity = choice.getItemAt(choice.getSelectedIndex());
+        double[] found = Arrays.stream(values.apply(quantity))
+                .map(value -> value * quantity.scale)
+                .sorted()
+                .toArray();
+        summary.setText(
+                found.length == 0
+                        ? Messages.get("batch.histogram.none")
+                        : Messages.get(
+                                "batch.histogram.summary",
+                                Integer.toString(found.length),
+                                text(found[(found.length - 1) / 2]),
+                                text(found[0]),
+                                text(found[found.length - 1])));
+        String name = Messages.get("batch.quantity." + quantity);
+        canvas.chart = found.length == 0 ? null : Histogram.chart("", name, Messages.get("batch.runs"), found);
+        canvas.getAccessibleContext().setAccessibleName(name + ": " + summary.getText());
+        canvas.repaint();
+    }
+
+    private static String text(double value) {
+        return new BigDecimal(value).round(THREE_DIGITS).toPlainString();
+    }
+
+    /** Paints the chart. */
+    private static final class Canvas extends JComponent {
+        private transient Chart chart;
+
+        Canvas() {
+            setPreferredSize(MIN_SIZE);
+        }
+
+        @Override
+        protected void paintComponent(Graphics graphics) {
+            graphics.setColor(Theme.current().palette().canvas());
+            graphics.fillRect(0, 0, getWidth(), getHeight());
+            double scale = TextSize.imageScale(getWidth(), getHeight(), MIN_SIZE);
+            if (chart != null) {
+                Antialiasing.paint(graphics, g -> {
+                    g.scale(scale, scale);
+                    ChartStyle style = Theme.current() == Theme.DARK ? ChartStyle.DARK : ChartStyle.LIGHT;
+                    PixelRectangle area = new PixelRectangle(0, 0, getWidth() / scale, getHeight() / scale);
+                    ChartPainter.paint(new GraphicsSurface(g), chart, area, style);
+                });
+            }
+        }
+
+        @Override
+        public AccessibleContext getAccessibleContext() {
+            if (accessibleContext == null) {
+                accessibleContext = new AccessibleJComponent() {};
+            }
+            return accessibleContext;
+        }
+    }
+}

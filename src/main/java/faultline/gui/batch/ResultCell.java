@@ -1,0 +1,81 @@
+package faultline.gui.batch;
+
+import faultline.gui.text.Messages;
+import faultline.io.DecimalText;
+import java.math.BigDecimal;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * A cell of a table of results. Numbers are sorted by their values and before texts.
+ *
+ * @param text what is shown
+ * @param number the value of a number, NaN for a text
+ */
+record ResultCell(String text, double number) implements Comparable<ResultCell> {
+
+    /** Shown for a value that does not exist. */
+    static final String NONE = "–";
+
+    private static final double MILLIMETRES = 1000;
+
+    /** Returns the cell of a text. */
+    static ResultCell ofText(String text) {
+        return new ResultCell(text, Double.NaN);
+    }
+
+    /** Returns the cell of a number with some decimals; NaN for none. */
+    static ResultCell ofNumber(double number, int decimals) {
+        return Double.isNaN(number)
+                ? ofText(NONE)
+                : new ResultCell(String.format(Locale.ROOT, "%." + decimals + "f", number), number);
+    }
+
+    /** Returns the cell of a length in millimetres, given in metres. */
+    static ResultCell ofMillimetres(double metres) {
+        return ofNumber(metres * MILLIMETRES, 1);
+    }
+
+    /**
+     * Returns the cell of a value of {@code runs.csv}.
+     *
+     * @param column the name of its column
+     * @param value empty for none
+     */
+    static ResultCell of(String column, String value) {
+        Optional<BigDecimal> number = column.equals("trajectory_hash") ? Optional.empty() : DecimalText.parse(value);
+        if (column.equals("distance_rms_m")) {
+            return ofMillimetres(number.map(BigDecimal::doubleValue).orElse(Double.NaN));
+        }
+        return number.map(known -> new ResultCell(value, known.doubleValue()))
+                .orElseGet(() -> ofText(word(column, value)));
+    }
+
+    /** Returns the word of the user's language for a value of a column, or the value itself. */
+    static String word(String column, String value) {
+        String prefix = column.endsWith("_kind") ? "fault." : "batch.value.";
+        return Stream.of("batch.value." + column + "." + value, prefix + value, "batch.value." + value)
+                .filter(Messages::contains)
+                .findFirst()
+                .map(Messages::get)
+                .orElse(value);
+    }
+
+    boolean isNumber() {
+        return !Double.isNaN(number);
+    }
+
+    @Override
+    public int compareTo(ResultCell other) {
+        if (!isNumber() && !other.isNumber()) {
+            return text.compareTo(other.text);
+        }
+        return Double.compare(number, other.number);
+    }
+
+    @Override
+    public String toString() {
+        return text;
+    }
+}

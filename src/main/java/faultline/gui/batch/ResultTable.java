@@ -1,0 +1,212 @@
+package faultline.gui.batch;
+
+import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.function.IntConsumer;
+import java.util.function.IntPredicate;
+import javax.swing.AbstractAction;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.RowFilter;
+import javax.swing.SwingConstants;
+import javax.swing.border.Border;
+import javax.swing.table.AbstractTableModel;
+import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableRowSorter;
+
+/** A sortable table of results, which grows while they are made. A double click or Enter opens a row. */
+final class ResultTable extends JTable {
+
+    private static final int ROW_HEIGHT = 22;
+    private static final int MAX_SAMPLED_ROWS = 40;
+    private static final int CELL_PADDING = 18;
+    private static final int MAX_COLUMN_WIDTH = 260;
+
+    private final Model model;
+    private final transient TableRowSorter<Model> sorter;
+
+    /** The rows of a table; they are only added and replaced. */
+    private static final class Model extends AbstractTableModel {
+        private final List<String> titles;
+        private final List<List<ResultCell>> rows = new ArrayList<>();
+
+        Model(List<String> titles) {
+            this.titles = List.copyOf(titles);
+        }
+
+        @Override
+        public int getRowCount() {
+            return rows.size();
+        }
+
+        @Override
+        public int getColumnCount() {
+            return titles.size();
+        }
+
+        @Override
+        public String getColumnName(int column) {
+            return titles.get(column);
+        }
+
+        @Override
+        public Class<?> getColumnClass(int column) {
+            return ResultCell.class;
+        }
+
+        @Override
+        public Object getValueAt(int row, int column) {
+            return rows.get(row).get(column);
+        }
+    }
+
+    /**
+     * Creates an empty table.
+     *
+     * @param name the accessible name
+     * @param columns the names of the columns in {@code runs.csv}
+     * @param onOpen receives the index of the row that is opened, in the order in which rows were added
+     */
+    ResultTable(String name, List<String> columns, IntConsumer onOpen) {
+        model = new Model(columns.stream().map(ResultTable::title).toList());
+        sorter = new TableRowSorter<>(model);
+        setModel(model);
+        sorter.setSortsOnUpdates(true);
+        setRowSorter(sorter);
+        getAccessibleContext().setAccessibleName(name);
+        setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        setDefaultRenderer(ResultCell.class, new Renderer());
+        setShowVerticalLines(false);
+        setIntercellSpacing(new Dimension(0, 1));
+        setAutoResizeMode(AUTO_RESIZE_OFF);
+        setRowHeight(TextSize.scaled(ROW_HEIGHT));
+        setFillsViewportHeight(true);
+        TabKeys.leaveToTabs(this);
+        // Tab moves on to the buttons, not to the next cell: cells cannot be edited.
+        setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+        setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
+        if (getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
+            headings.setHorizontalAlignment(SwingConstants.LEADING);
+        }
+        installOpening(onOpen);
+        fitColumns();
+    }
+
+    private static String title(String column) {
+        String key = "batch.column." + column;
+        return Messages.contains(key) ? Messages.get(key) : column.replace('_', ' ');
+    }
+
+    private void installOpening(IntConsumer onOpen) {
+        addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                int row = rowAtPoint(event.getPoint());
+                if (event.getClickCount() == 2 && row >= 0) {
+                    onOpen.accept(convertRowIndexToModel(row));
+                }
+            }
+        });
+        getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ENTER"), "open");
+        getActionMap().put("open", new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                selectedIndex().ifPresent(onOpen::accept);
+            }
+        });
+    }
+
+    /** Returns the index of the selected row, in the order in which rows were added. */
+    OptionalInt selectedIndex() {
+        int row = getSelectedRow();
+        return row < 0 ? OptionalInt.empty() : OptionalInt.of(convertRowIndexToModel(row));
+    }
+
+    /** Adds rows at the end. */
+    void addRows(List<List<ResultCell>> rows) {
+        if (!rows.isEmpty()) {
+            int first = model.rows.size();
+            model.rows.addAll(rows);
+            model.fireTableRowsInserted(first, model.rows.size() - 1);
+            if (first < MAX_SAMPLED_ROWS) {
+                fitColumns();
+            }
+        }
+    }
+
+    /** Replaces the rows by as many or more; the selection stays. */
+    void setRows(List<List<ResultCell>> rows) {
+        int known = model.rows.size();
+        for (int i = 0; i < known; i++) {
+            model.rows.set(i, rows.get(i));
+        }
+        if (known > 0) {
+            model.fireTableRowsUpdated(0, known - 1);
+        }
+        addRows(rows.subList(known, rows.size()));
+    }
+
+    /** Shows only some rows, given by their indices in the order in which they were added. */
+    void showRows(IntPredicate shown) {
+        sorter.setRowFilter(new RowFilter<>() {
+            @Override
+            public boolean include(Entry<? extends Model, ? extends Integer> entry) {
+                return shown.test(entry.getIdentifier());
+            }
+        });
+    }
+
+    /** Makes each column as wide as its heading and its first rows. */
+    private void fitColumns() {
+        for (int column = 0; column < getColumnCount(); column++) {
+            int width = width(getTableHeader()
+                    .getDefaultRenderer()
+                    .getTableCellRendererComponent(this, getColumnName(column), false, false, -1, column));
+            for (int row = 0; row < Math.min(MAX_SAMPLED_ROWS, model.getRowCount()); row++) {
+                Component cell = getDefaultRenderer(ResultCell.class)
+                        .getTableCellRendererComponent(this, model.getValueAt(row, column), false, false, row, column);
+                width = Math.max(width, width(cell));
+            }
+            getColumnModel().getColumn(column).setPreferredWidth(Math.min(TextSize.scaled(MAX_COLUMN_WIDTH), width));
+        }
+    }
+
+    private static int width(Component cell) {
+        return cell.getPreferredSize().width + TextSize.scaled(CELL_PADDING);
+    }
+
+    /** Fills the width of a wide window, and scrolls in a narrow one. */
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+        return getPreferredSize().width < getParent().getWidth();
+    }
+
+    /** Numbers stand at the end of their column. */
+    private static final class Renderer extends DefaultTableCellRenderer {
+        private static final Border PADDING = BorderFactory.createEmptyBorder(0, 6, 0, 6);
+
+        @Override
+        public Component getTableCellRendererComponent(
+                JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+            super.getTableCellRendererComponent(table, value, selected, focused, row, column);
+            ResultCell cell = (ResultCell) value;
+            boolean trailing = cell.isNumber() || cell.text().equals(ResultCell.NONE);
+            setBorder(PADDING);
+            setHorizontalAlignment(trailing ? SwingConstants.TRAILING : SwingConstants.LEADING);
+            return this;
+        }
+    }
+}

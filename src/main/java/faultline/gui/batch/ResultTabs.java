@@ -1,0 +1,119 @@
+package faultline.gui.batch;
+
+import faultline.campaign.report.CampaignCell;
+import faultline.gui.text.Messages;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.IntConsumer;
+import java.util.stream.LongStream;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
+import javax.swing.event.ListSelectionEvent;
+
+/**
+ * The cells, the runs and the histogram of a batch. The selected cell limits the runs and the histogram to its runs.
+ */
+final class ResultTabs {
+
+    private final JTabbedPane tabs;
+    private final BatchResults results;
+    private final ResultTable cellTable;
+    private final ResultTable runTable;
+    private final HistogramView histogram;
+    private final int firstTab;
+    private List<CampaignCell> cells = List.of();
+    private Set<Long> shownRuns;
+
+    /**
+     * Adds the tabs of a batch behind those that are there.
+     *
+     * @param tabs shows them
+     * @param results of the batch
+     * @param onOpen receives the number of a run that the user opens
+     */
+    ResultTabs(JTabbedPane tabs, BatchResults results, IntConsumer onOpen) {
+        this.tabs = tabs;
+        this.results = results;
+        firstTab = tabs.getTabCount();
+        cellTable = new ResultTable(Messages.get("batch.tab.cells"), results.cellColumns(), this::showRuns);
+        runTable = new ResultTable(Messages.get("batch.tab.runs"), results.runColumns(), onOpen);
+        histogram = new HistogramView(quantity -> results.numbers(quantity.column(), selectedRuns()));
+        cellTable.setToolTipText(Messages.get("batch.tab.cells.tip"));
+        runTable.setToolTipText(Messages.get("batch.tab.runs.tip"));
+        cellTable.getSelectionModel().addListSelectionListener(this::cellSelected);
+        addTab("batch.tab.cells", new JScrollPane(cellTable));
+        addTab("batch.tab.runs", new JScrollPane(runTable));
+        addTab("batch.tab.histogram", histogram);
+        histogram.showChosen();
+    }
+
+    private void addTab(String key, JComponent view) {
+        if (view instanceof JScrollPane scroll) {
+            scroll.setBorder(BorderFactory.createEmptyBorder());
+            TabKeys.leaveToTabs(scroll);
+        }
+        tabs.addTab(Messages.get(key), null, view, Messages.get(key + ".tip"));
+    }
+
+    /** Removes the tabs. */
+    void remove() {
+        while (tabs.getTabCount() > firstTab) {
+            tabs.removeTabAt(firstTab);
+        }
+    }
+
+    /** Shows the cells. */
+    void select() {
+        tabs.setSelectedIndex(firstTab);
+        cellTable.requestFocusInWindow();
+    }
+
+    /** Shows rows that were added to the results, and the newest cells. */
+    void update(int firstNewRun, List<CampaignCell> newCells) {
+        List<List<ResultCell>> rows = new ArrayList<>();
+        for (int run = firstNewRun; run < results.size(); run++) {
+            rows.add(results.runRow(run));
+        }
+        runTable.addRows(rows);
+        if (newCells != cells) {
+            cells = newCells;
+            cellTable.setRows(cells.stream().map(results::cellRow).toList());
+            filterRuns();
+            histogram.showChosen();
+        }
+    }
+
+    private void cellSelected(ListSelectionEvent event) {
+        if (!event.getValueIsAdjusting()) {
+            filterRuns();
+            histogram.showChosen();
+        }
+    }
+
+    private List<Long> selectedRuns() {
+        return cellTable.selectedIndex().isPresent()
+                ? cells.get(cellTable.selectedIndex().getAsInt()).runs()
+                : LongStream.range(0, results.size()).boxed().toList();
+    }
+
+    private void filterRuns() {
+        Set<Long> runs = cellTable.selectedIndex().isPresent() ? new HashSet<>(selectedRuns()) : null;
+        if (runs == null && shownRuns == null) {
+            return;
+        }
+        shownRuns = runs;
+        runTable.showRows(runs == null ? row -> true : row -> runs.contains((long) row));
+    }
+
+    private void showRuns(int cell) {
+        tabs.setSelectedIndex(firstTab + 1);
+        runTable.requestFocusInWindow();
+        if (runTable.getRowCount() > 0) {
+            runTable.setRowSelectionInterval(0, 0);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+package faultline.gui.batch;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.ComponentFinder;
+import faultline.scenario.Scenario;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.stream.Collectors;
+import javax.swing.AbstractButton;
+import javax.swing.JLabel;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class BatchFormTest {
+
+    private Scenario scenario;
+    private BatchForm form;
+
+    @BeforeEach
+    void create() throws Exception {
+        scenario = Scenario.load(Path.of("scenarios/corridor-with-visitor.xml"));
+        form = callOnEdt(() -> new BatchForm(scenario));
+    }
+
+    private void click(String text) {
+        runOnEdt(() -> ComponentFinder.findAll(form, AbstractButton.class)
+                .filter(button -> text.equals(button.getText()))
+                .findFirst()
+                .orElseThrow()
+                .doClick());
+    }
+
+    private void type(String name, String text) {
+        runOnEdt(() -> ComponentFinder.find(form, JTextField.class, name).setText(text));
+    }
+
+    private BatchPlan plan() {
+        return callOnEdt(form::plan);
+    }
+
+    private String labels() {
+        return callOnEdt(() ->
+                ComponentFinder.findAll(form, JLabel.class).map(JLabel::getText).collect(Collectors.joining("|")));
+    }
+
+    @Test
+    void theFirstPlanIsOneOfTheOpenScenario() {
+        BatchPlan plan = plan();
+        assertEquals(scenario, plan.scenario());
+        assertEquals(scenario.setup().duration(), plan.duration());
+        assertEquals(scenario.setup().seed(), plan.firstSeed());
+        assertEquals(
+                scenario.setup().robot().sensors().stream()
+                        .map(sensor -> sensor.id())
+                        .toList(),
+                plan.sensors());
+        assertEquals(List.of(new BatchPlan.FaultValues("stuck", "0.2..0.8")), plan.faults());
+        assertEquals(Optional.empty(), callOnEdt(form::findProblem));
+        long expected = 10L * (plan.sensors().size() + 1);
+        assertTrue(labels().contains("|" + expected + " runs"), labels());
+    }
+
+    @Test
+    void allKindsHaveValuesThatTheScenarioTakes() throws Exception {
+        click("All");
+        click("Default values");
+        assertEquals(17, plan().faults().size());
+        assertTrue(plan().faults().contains(new BatchPlan.FaultValues("stuck", "0.4")));
+        click("Drawn values");
+        Path folder = Files.createTempDirectory("faultline-test-");
+        try {
+            assertEquals(plan().runCount().orElseThrow(), plan().prepare(folder).runCount());
+        } finally {
+            for (String file : List.of("plan.xml", "scenario-1.xml")) {
+                Files.delete(folder.resolve(file));
+            }
+            Files.delete(folder);
+        }
+    }
+
+    @Test
+    void severalValuesMakeMoreRunsAndAWrongOneIsReported() {
+        int sensors = plan().sensors().size();
+        type("Start of the fault", "5 10 20");
+        assertEquals(OptionalLong.of(10L * (3L * sensors + 1)), plan().runCount());
+        type("Value of the fault: stuck", "0.1..0.5/5");
+        assertEquals(OptionalLong.of(10L * (15L * sensors + 1)), plan().runCount());
+        type("Start of the fault", "5..");
+        assertTrue(callOnEdt(form::findProblem).isPresent());
+        assertTrue(labels().contains("A value has the wrong form"), labels());
+    }
+}

@@ -1,0 +1,195 @@
+package faultline.gui.batch;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.campaign.plan.CampaignPlan;
+import faultline.campaign.plan.PlanFiles;
+import faultline.campaign.report.CampaignCell;
+import faultline.campaign.run.CampaignFolder;
+import faultline.campaign.run.CampaignRunner;
+import faultline.campaign.run.RunReplay;
+import faultline.campaign.run.Shard;
+import faultline.engine.session.Session;
+import faultline.geometry.Pose;
+import faultline.gui.Await;
+import faultline.scenario.Scenario;
+import faultline.scenario.xml.ScenarioException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The runs of a batch are those of the command {@code campaign} with the same plan. */
+class BatchRunTest {
+
+    private static final List<BatchPlan.FaultValues> FAULTS = List.of(
+            new BatchPlan.FaultValues("stuck", "0.2..0.7"),
+            new BatchPlan.FaultValues("off", ""),
+            new BatchPlan.FaultValues("noise", "0.01 0.05"));
+
+    @TempDir
+    private Path folder;
+
+    /** The yard with the robot elsewhere than in its file. */
+    private static Scenario editedYard() throws ScenarioException {
+        Scenario yard = Scenario.load(Path.of("scenarios/yard.xml"));
+        Pose start = yard.setup().start();
+        return yard.withSetup(yard.setup()
+                .withStart(new Pose(start.x() + 0.07, start.y() - 0.03, start.heading() + 0.4))
+                .withDuration(8));
+    }
+
+    private static BatchPlan plan(DiagnosisChoice diagnosis, double duration) throws ScenarioException {
+        return new BatchPlan(
+                editedYard(), 31, 2, duration, false, diagnosis, true, FAULTS, "1..3", List.of("front", "left"));
+    }
+
+    private static byte[] runsOf(CampaignPlan plan, Path out) throws Exception {
+        CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(out), Shard.ALL, 1);
+        assertTrue(runner.run(false, (made, runs) -> {}, () -> false).isComplete());
+        return Files.readAllBytes(out.resolve("runs.csv"));
+    }
+
+    @Test
+    void theSavedPlanGivesTheTableOfTheWindow() throws Exception {
+        BatchPlan plan = plan(DiagnosisChoice.BOTH, 5);
+        assertEquals(36, plan.runCount().orElseThrow());
+        BatchRun run = new BatchRun(plan, 2);
+        assertEquals(new CampaignRunner.Result(36, 36, 0), run.make());
+        run.saveResults(folder.resolve("results"));
+        plan.save(folder.resolve("study.xml"));
+        byte[] expected = Files.readAllBytes(folder.resolve("results/runs.csv"));
+        assertArrayEquals(expected, runsOf(PlanFiles.read(folder.resolve("study.xml")), folder.resolve("again")));
+        assertArrayEquals(
+                expected,
+                runsOf(PlanFiles.read(folder.resolve("results/plan/plan.xml")), folder.resolve("fromCopy")),
+                "the copy of the plan beside the results can be run too");
+        run.delete();
+    }
+
+    @Test
+    void aSecondPlanReplacesNoOtherScenario() throws Exception {
+        BatchPlan plan = plan(DiagnosisChoice.SCENARIO, 5);
+        Path other = Files.writeString(folder.resolve("study-scenario.xml"), "mine");
+        plan.save(folder.resolve("study.xml"));
+        plan.save(folder.resolve("study.xml"));
+        assertEquals("mine", Files.readString(other));
+        try (var files = Files.list(folder)) {
+            assertEquals(
+                    List.of("study-scenario-2.xml", "study-scenario.xml", "study.xml"),
+                    files.map(file -> file.getFileName().toString()).sorted().toList());
+        }
+        assertEquals(18, PlanFiles.read(folder.resolve("study.xml")).runCount());
+    }
+
+    @Test
+    void everyRunOpensWithTheTrajectoryOfItsRow() throws Exception {
+        BatchRun run = new BatchRun(plan(DiagnosisChoice.OFF, 4), 2);
+        run.make();
+        BatchResults results = results(run);
+        for (int index : new int[] {0, 3, results.size() - 1}) {
+            Scenario scenario = RunReplay.scenario(
+                    results.plan(),
+                    index,
+                    results.value(index, "outcome"),
+                    Double.parseDouble(results.value(index, "simulated_s")));
+            assertEquals(results.value(index, "trajectory_hash"), hashInSession(scenario), "run " + index);
+        }
+        run.delete();
+    }
+
+    private static BatchResults results(BatchRun run) {
+        BatchResults results = new BatchResults(run.planOrNull());
+        for (List<String> row = run.takeRow(); row != null; row = run.takeRow()) {
+            results.add(row);
+        }
+        return results;
+    }
+
+    /** Runs a scenario as the window does. */
+    private static String hashInSession(Scenario scenario) {
+        long ticks = scenario.setup().ticks();
+        try (Session session = Session.start(scenario.setup())) {
+            session.setSpeed(Double.POSITIVE_INFINITY);
+            session.pauseAt(ticks);
+            session.resume();
+            Await.until("the end of the run", () -> session.frame().snapshot().tick() == ticks);
+            return String.format(
+                    Locale.ROOT,
+                    "%016x",
+                    session.frame().recording().hashTrace().hashAt(ticks));
+        }
+    }
+
+    @Test
+    void aCancelledBatchKeepsWholeRowsAndCanGoOn() throws Exception {
+        BatchPlan plan = plan(DiagnosisChoice.SCENARIO, 2);
+        BatchRun run = new BatchRun(plan, 1);
+        Thread canceller = new Thread(() -> {
+            while (run.count().made() < 3) {
+                Thread.onSpinWait();
+            }
+            run.progress().cancel();
+        });
+        canceller.start();
+        CampaignRunner.Result result = run.make();
+        canceller.join();
+        assertFalse(result.isComplete());
+        assertTrue(result.made() >= 3);
+        assertEquals(result.made(), results(run).size());
+        Path saved = folder.resolve("results");
+        run.saveResults(saved);
+        String table = Files.readString(saved.resolve("runs.csv"));
+        assertEquals(result.made() + 1, table.lines().count());
+        assertTrue(table.endsWith("\n"));
+        CampaignRunner rest = new CampaignRunner(run.planOrNull(), new CampaignFolder(saved), Shard.ALL, 2);
+        assertTrue(rest.run(true, (made, runs) -> {}, () -> false).isComplete());
+        run.delete();
+    }
+
+    @Test
+    void cellsHaveTheirRunsAndSumsComeLast() throws Exception {
+        BatchRun run = new BatchRun(plan(DiagnosisChoice.SCENARIO, 2), 2);
+        run.make();
+        List<CampaignCell> cells = run.cells();
+        // No fault, three kinds on two sensors; each kind, each sensor, all.
+        assertEquals(1 + 6 + 3 + 2 + 1, cells.size());
+        assertEquals(List.of("none", ""), cells.get(0).labels());
+        assertEquals(List.of(0L, 9L), cells.get(0).runs());
+        List<CampaignCell> sums = cells.subList(7, cells.size());
+        assertTrue(sums.stream().allMatch(cell -> cell.labels().contains(CampaignCell.ALL)));
+        CampaignCell total = sums.stream()
+                .filter(cell -> cell.labels().equals(List.of(CampaignCell.ALL, CampaignCell.ALL)))
+                .findFirst()
+                .orElseThrow();
+        assertEquals(16, total.runs().size());
+        assertEquals(16, total.withoutContact().n());
+        run.delete();
+    }
+
+    @Test
+    void aPlanThatTheScenarioCannotTakeIsReportedAndMakesNoRun() throws Exception {
+        BatchPlan plan = new BatchPlan(
+                editedYard(),
+                1,
+                1,
+                5,
+                false,
+                DiagnosisChoice.SCENARIO,
+                false,
+                List.of(new BatchPlan.FaultValues("dropout", "1.5")),
+                "1",
+                List.of("front"));
+        BatchRun run = new BatchRun(plan, 1);
+        ScenarioException problem = assertThrows(ScenarioException.class, run::make);
+        assertTrue(problem.getMessage().contains("1.5"), problem.getMessage());
+        assertEquals(0, run.count().runs());
+        run.delete();
+    }
+}

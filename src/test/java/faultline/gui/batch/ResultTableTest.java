@@ -1,0 +1,92 @@
+package faultline.gui.batch;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.paint.chart.Axis;
+import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class ResultTableTest {
+
+    private final List<Integer> opened = new ArrayList<>();
+    private ResultTable table;
+
+    @BeforeEach
+    void create() {
+        table = callOnEdt(() -> new ResultTable("Runs", List.of("outcome", "coverage"), opened::add));
+        add("lost", "0.9");
+        add("collided", "0.125");
+        add("carried_on", "");
+        add("lost", "0.5");
+    }
+
+    private void add(String outcome, String coverage) {
+        runOnEdt(() -> table.addRows(
+                List.of(List.of(ResultCell.of("outcome", outcome), ResultCell.of("coverage", coverage)))));
+    }
+
+    private List<String> column(int column) {
+        return callOnEdt(() -> IntStream.range(0, table.getRowCount())
+                .mapToObj(row -> String.valueOf(table.getValueAt(row, column)))
+                .toList());
+    }
+
+    @Test
+    void numbersAreSortedByValueAndNewRowsJoinTheOrder() {
+        runOnEdt(() -> table.getRowSorter().toggleSortOrder(1));
+        assertEquals(List.of("0.125", "0.5", "0.9", ""), column(1));
+        add("lost", "0.25");
+        assertEquals(List.of("0.125", "0.25", "0.5", "0.9", ""), column(1));
+        assertEquals("collided", column(0).get(0));
+        assertEquals("lost the wall", column(0).get(1));
+    }
+
+    @Test
+    void enterOpensTheSelectedRowWhateverTheOrder() {
+        runOnEdt(() -> {
+            table.getRowSorter().toggleSortOrder(1);
+            table.setRowSelectionInterval(0, 0);
+            SwingUtilities.notifyAction(
+                    table.getActionMap().get("open"),
+                    KeyStroke.getKeyStroke("ENTER"),
+                    new KeyEvent(table, 0, 0, 0, KeyEvent.VK_ENTER, '\n'),
+                    table,
+                    0);
+        });
+        assertEquals(List.of(1), opened);
+    }
+
+    @Test
+    void theSelectionStaysWhileRowsAreReplacedAndHidden() {
+        runOnEdt(() -> {
+            table.getRowSorter().toggleSortOrder(1);
+            table.setRowSelectionInterval(1, 1);
+            table.setRows(List.of(row("a", "0.9"), row("b", "0.8"), row("c", "0.7"), row("d", "0.1"), row("e", "1")));
+        });
+        assertEquals(OptionalInt.of(3), callOnEdt(table::selectedIndex));
+        runOnEdt(() -> table.showRows(row -> row > 2));
+        assertEquals(List.of("d", "e"), column(0));
+        assertEquals(OptionalInt.of(3), callOnEdt(table::selectedIndex));
+    }
+
+    private static List<ResultCell> row(String name, String number) {
+        return List.of(ResultCell.ofText(name), ResultCell.of("coverage", number));
+    }
+
+    @Test
+    void aHistogramCountsEveryValueOnce() {
+        double[] values = {0, 0.05, 0.1, 0.5, 0.95, 1, 1};
+        long[] counts = Histogram.counts(Axis.linear("", 0, 1), values);
+        assertArrayEquals(new long[] {3, 0, 1, 0, 3}, counts);
+    }
+}
