@@ -33,7 +33,7 @@ final class RunCommand {
         Scenario scenario = options.applyTo(Scenario.load(options.file()));
         requireController(scenario, options.controller().isPresent());
         try (RunOutputs outputs = new RunOutputs(options)) {
-            RunResult result = runKeepingOutputs(scenario, options, outputs);
+            RunResult result = keepOutputs(scenario, outputs, () -> runOnce(scenario, options, outputs));
             outputs.finish(scenario);
             if (options.json()) {
                 return printJson(scenario, result, options.child().truth());
@@ -45,15 +45,25 @@ final class RunCommand {
         }
     }
 
-    private RunResult runKeepingOutputs(Scenario scenario, RunOptions options, RunOutputs outputs) throws IOException {
+    /** Something that runs a scenario. */
+    interface Run {
+        RunResult make() throws IOException;
+    }
+
+    /** Runs a scenario; if only its result cannot be computed, the outputs are completed before the failure. */
+    static RunResult keepOutputs(Scenario scenario, RunOutputs outputs, Run run) throws IOException {
         try {
-            return options.controller().isPresent()
-                    ? runChosen(options.controller().get(), scenario, options, outputs)
-                    : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+            return run.make();
         } catch (HeadlessRun.ResultFailedException e) {
             outputs.finish(scenario);
             throw e;
         }
+    }
+
+    private RunResult runOnce(Scenario scenario, RunOptions options, RunOutputs outputs) throws IOException {
+        return options.controller().isPresent()
+                ? runChosen(options.controller().get(), scenario, options, outputs)
+                : HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
     }
 
     /** Throws an exception if a scenario wants a controller from outside, and none is chosen. */

@@ -1,11 +1,15 @@
 package faultline.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
+import faultline.engine.RunFailedException;
+import faultline.engine.metrics.HeadlessRun;
+import faultline.scenario.Scenario;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -201,5 +205,40 @@ class OutputFilesTest {
         assertEquals(0, new CommandLine(new CommandOutput(none, none)).run(arguments));
         String header = Files.readAllLines(trace).get(0);
         assertTrue(header.endsWith(",collided,'=HYPERLINK(x).true,'=HYPERLINK(x).reading"), header);
+    }
+
+    @Test
+    void theOutputsAreKeptWhenTheResultCannotBeComputed() throws Exception {
+        Path trace = folder.resolve("trace.csv");
+        Path journal = folder.resolve("journal.xml");
+        RunOptions options = RunOptions.parse(List.of(
+                SCENARIO.toString(), "--until", "1", "--trace", trace.toString(), "--journal", journal.toString()));
+        Scenario scenario = options.applyTo(Scenario.load(SCENARIO));
+        try (RunOutputs outputs = new RunOutputs(options)) {
+            assertThrows(
+                    HeadlessRun.ResultFailedException.class,
+                    () -> RunCommand.keepOutputs(scenario, outputs, () -> {
+                        HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+                        throw new HeadlessRun.ResultFailedException(new StackOverflowError());
+                    }));
+        }
+        assertEquals(102, Files.readAllLines(trace).size());
+        assertEquals(scenario.name(), Scenario.load(journal).name());
+    }
+
+    @Test
+    void aRunThatBreaksLeavesTheOldFiles() throws Exception {
+        Path trace = Files.writeString(folder.resolve("trace.csv"), "old");
+        RunOptions options = RunOptions.parse(List.of(SCENARIO.toString(), "--trace", trace.toString()));
+        Scenario scenario = options.applyTo(Scenario.load(SCENARIO));
+        try (RunOutputs outputs = new RunOutputs(options)) {
+            assertThrows(
+                    RunFailedException.class,
+                    () -> RunCommand.keepOutputs(scenario, outputs, () -> {
+                        HeadlessRun.run(scenario.setup(), options.mode(), outputs.observers());
+                        throw new RunFailedException("no wheels", null);
+                    }));
+        }
+        assertEquals("old", Files.readString(trace));
     }
 }

@@ -110,7 +110,8 @@ public final class HeadlessRun {
 
         private static final long serialVersionUID = 1L;
 
-        ResultFailedException(Throwable cause) {
+        /** Creates the exception for a coverage that cannot be computed. */
+        public ResultFailedException(Throwable cause) {
             super("its coverage could not be computed: " + cause, cause);
         }
     }
@@ -118,7 +119,7 @@ public final class HeadlessRun {
     private static double coverage(WallFollowingMetrics wall) {
         try {
             return wall.coverage().orElse(Double.NaN);
-        } catch (RuntimeException | OutOfMemoryError e) {
+        } catch (RuntimeException | VirtualMachineError e) {
             throw new ResultFailedException(e);
         }
     }

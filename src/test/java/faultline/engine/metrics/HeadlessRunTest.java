@@ -1,6 +1,7 @@
 package faultline.engine.metrics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
@@ -51,5 +52,24 @@ class HeadlessRunTest {
         RunResult result = HeadlessRun.run(setup(), ControllerMode.DIRECT, List.of());
         assertTrue(result.coverage().isEmpty());
         assertTrue(result.distanceRms().isEmpty());
+    }
+
+    @Test
+    void aCoverageThatCannotBeComputedFailsTheRunAfterItsEnd() {
+        List<Long> ticks = new ArrayList<>();
+        SimulationSetup setup = setup().withController(ControllerSpec.WallFollowing.DEFAULT)
+                .withTick(0.01)
+                .withDuration(20);
+        HeadlessRun.ResultFailedException failure = assertThrows(
+                HeadlessRun.ResultFailedException.class,
+                // Without circuits there is no coverage.
+                () -> HeadlessRun.run(
+                        setup,
+                        ControllerMode.DIRECT,
+                        List.of(simulation -> ticks.add(simulation.ticks())),
+                        () -> false,
+                        null));
+        assertTrue(failure.getMessage().startsWith("its coverage could not be computed: "), failure.getMessage());
+        assertEquals(2000, ticks.get(ticks.size() - 1));
     }
 }

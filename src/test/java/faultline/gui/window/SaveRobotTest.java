@@ -23,6 +23,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Saving, reverting and closing in a real window, after an obstacle was dragged. */
 @ExtendWith(EdtChecker.class)
@@ -123,6 +125,28 @@ class SaveRobotTest {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
         driver.waitForTitle("office.xml");
         assertEquals(after, saved(file));
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void anExportThatIsTheOpenScenarioByALinkIsRefused(boolean hard) throws IOException {
+        byte[] original = Files.readAllBytes(file);
+        Path link = folder.resolve("drawing.svg");
+        if (hard) {
+            Files.createLink(link, file);
+        } else {
+            Files.createSymbolicLink(link, file);
+        }
+        driver.chooseLater("exportSvg");
+        driver.enterFile("Export drawing", link);
+        driver.clickButton("Replace file", "OK");
+        JDialog dialog = driver.dialog("Faultline");
+        assertTrue(
+                WindowDriver.text(dialog).contains("this is the open scenario itself; expected another file"),
+                WindowDriver.text(dialog));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+        assertArrayEquals(original, Files.readAllBytes(file));
     }
 
     @Test

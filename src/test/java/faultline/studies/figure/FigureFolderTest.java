@@ -1,0 +1,49 @@
+package faultline.studies.figure;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.paint.surface.SvgTheme;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Files of figures that are links. */
+class FigureFolderTest {
+
+    @TempDir
+    private Path folder;
+
+    private FigureFolder figures() throws IOException {
+        return FigureFolder.create(folder, SvgTheme.LIGHT);
+    }
+
+    private static final CsvTable TABLE = new CsvTable("a");
+
+    @ParameterizedTest
+    @ValueSource(strings = {"other.csv", "./other.csv", "../figures/other.csv", "missing.csv"})
+    void aTableThatIsAnotherFileOfTheFolderByALinkIsRefused(String target) throws IOException {
+        folder = Files.createDirectory(folder.resolve("figures"));
+        Path other = Files.writeString(folder.resolve("other.csv"), "precious");
+        Files.createSymbolicLink(folder.resolve("table.csv"), Path.of(target));
+        IOException refusal = assertThrows(IOException.class, () -> figures().writeCsv("table", TABLE));
+        assertTrue(
+                refusal.getMessage()
+                        .endsWith("table.csv: this is a link to another file of the folder; expected a file"),
+                refusal.getMessage());
+        assertEquals("precious", Files.readString(other));
+    }
+
+    @Test
+    void anImageThatIsAnotherFileOfTheFolderByALinkIsRefused() throws IOException {
+        Files.createSymbolicLink(folder.resolve("image.png"), Path.of("other.png"));
+        BufferedImage image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+        assertThrows(IOException.class, () -> figures().writePng("image", image));
+    }
+}
