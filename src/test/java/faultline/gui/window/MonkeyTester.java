@@ -206,7 +206,7 @@ final class MonkeyTester {
         if (!panes.isEmpty()) {
             runOnEdt(() -> {
                 JTabbedPane pane = any(panes);
-                pane.setSelectedIndex(random.nextInt(3));
+                pane.setSelectedIndex(random.nextInt(pane.getTabCount()));
             });
         }
     }

@@ -1,9 +1,11 @@
 package faultline.gui.window;
 
+import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.gui.ComponentFinder;
 import faultline.gui.DurationStatistics;
 import faultline.gui.EdtChecker;
 import faultline.gui.EventThreadMeter;
@@ -13,6 +15,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import javax.swing.JTabbedPane;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
@@ -49,6 +52,27 @@ class ResponsivenessRobotTest {
     @Test
     void theWindowStaysResponsiveDuringAMinuteOfRandomInput() {
         assertEquals(List.of(), longBusyPeriods());
+    }
+
+    @Test
+    void theFirstDisplayOfATabIsShort() throws IOException, ScenarioException {
+        try (WindowDriver driver = CrowdedHall.open(folder);
+                EventThreadMeter meter = EventThreadMeter.start()) {
+            List<JTabbedPane> panes = callOnEdt(() -> ComponentFinder.findAll(driver.window(), JTabbedPane.class)
+                    .toList());
+            for (JTabbedPane pane : panes) {
+                for (int tab = pane.getTabCount() - 1; tab >= 0; tab--) {
+                    int shown = tab;
+                    runOnEdt(() -> pane.setSelectedIndex(shown));
+                    driver.robot().waitForPaint();
+                }
+            }
+            assertEquals(
+                    List.of(),
+                    meter.drain().stream()
+                            .filter(stretch -> stretch.cpu() > MAX_BUSY_MILLIS)
+                            .toList());
+        }
     }
 
     /** Returns the periods that exceeded the bound in a minute of use of a new window. */
