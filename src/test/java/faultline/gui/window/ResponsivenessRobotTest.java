@@ -58,8 +58,8 @@ class ResponsivenessRobotTest {
     void theFirstDisplayOfATabIsShort() throws IOException, ScenarioException {
         try (WindowDriver driver = CrowdedHall.open(folder);
                 EventThreadMeter meter = EventThreadMeter.start()) {
-            List<JTabbedPane> panes = callOnEdt(() -> ComponentFinder.findAll(driver.window(), JTabbedPane.class)
-                    .toList());
+            List<JTabbedPane> panes = callOnEdt(() ->
+                    ComponentFinder.findAll(driver.window(), JTabbedPane.class).toList());
             for (JTabbedPane pane : panes) {
                 for (int tab = pane.getTabCount() - 1; tab >= 0; tab--) {
                     int shown = tab;
