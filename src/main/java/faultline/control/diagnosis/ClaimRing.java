@@ -5,14 +5,16 @@ package faultline.control.diagnosis;
  */
 final class ClaimRing {
 
+    /** A power of two. */
     private static final int SIZE = 32;
+
     private static final int FIELDS = 7;
 
     private final double[] data = new double[SIZE * FIELDS];
     private int count;
 
     void add(double x, double y, double axis, double axisCos, double axisSin, double reading, double clock) {
-        int slot = count++ % SIZE * FIELDS;
+        int slot = (count++ & SIZE - 1) * FIELDS;
         data[slot] = x;
         data[slot + 1] = y;
         data[slot + 2] = axis;
@@ -28,7 +30,7 @@ final class ClaimRing {
     }
 
     private double field(int age, int field) {
-        return data[(count - 1 - age) % SIZE * FIELDS + field];
+        return data[(count - 1 - age & SIZE - 1) * FIELDS + field];
     }
 
     double x(int age) {

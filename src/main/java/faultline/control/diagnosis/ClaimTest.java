@@ -34,7 +34,8 @@ final class ClaimTest {
         double axisSin = claims.axisSin(age);
         double reading = claims.reading(age);
         int all = asked;
-        for (int i = 0; i < ConeTable.SAMPLES; i++) {
+        int i = sensor.openSample();
+        for (int tested = 0; tested < ConeTable.SAMPLES; tested++) {
             double cos = table.cos(i, axisCos, axisSin);
             double sin = table.sin(i, axisCos, axisSin);
             double aside = ARC_MARGIN * ConeTable.outward(i);
@@ -44,9 +45,11 @@ final class ClaimTest {
                     oldest,
                     asked);
             if (by == 0) {
+                sensor.noteOpenSample(i);
                 return POSSIBLE;
             }
             all &= by;
+            i = i + 1 < ConeTable.SAMPLES ? i + 1 : 0;
         }
         return all;
     }
@@ -66,13 +69,15 @@ final class ClaimTest {
         double axisCos = claims.axisCos(0);
         double axisSin = claims.axisSin(0);
         double reading = claims.reading(0);
-        int found = 0;
+        boolean found = false;
         for (int i = 0; i < ConeTable.SAMPLES; i++) {
             double x = claims.x(0) + reading * table.cos(i, axisCos, axisSin);
             double y = claims.y(0) + reading * table.sin(i, axisCos, axisSin);
-            found |= grid.hitBy(EvidenceGrid.cellOf(x), EvidenceGrid.cellOf(y), oldest, others);
-            grid.markHit(sensor.index(), x, y, now);
+            int column = EvidenceGrid.cellOf(x);
+            int row = EvidenceGrid.cellOf(y);
+            found = found || grid.hitBy(column, row, oldest, others) != 0;
+            grid.markHit(sensor.index(), column, row, now);
         }
-        return found != 0;
+        return found;
     }
 }

@@ -16,9 +16,11 @@ final class HealthReport {
     /** A suspected sensor with no more evidence than this is trusted again. */
     private static final double HARMLESS = 0.2;
 
+    private final double[] shares;
     private List<SensorHealth> health;
 
     HealthReport(RobotSpec robot) {
+        shares = new double[robot.sensors().size()];
         health = robot.sensors().stream()
                 .map(sensor -> SensorHealth.trusted(sensor.id()))
                 .toList();
@@ -34,6 +36,10 @@ final class HealthReport {
      */
     void update(int sensor, SensorFinding finding, double share, long tick) {
         SensorHealth before = health.get(sensor);
+        if (share == shares[sensor] && finding == before.finding()) {
+            return;
+        }
+        shares[sensor] = share;
         double evidence = Math.min(10, Math.floor(10 * share)) / 10;
         if (before.finding() != finding || before.evidence() != evidence) {
             SensorTrust trust = trust(before.trust(), finding, evidence);

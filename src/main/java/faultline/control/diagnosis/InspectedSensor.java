@@ -41,6 +41,7 @@ final class InspectedSensor {
     private Rows rows = Rows.ODD;
     private int inspections;
     private int markedInspections;
+    private int openSample;
 
     InspectedSensor(int index, MountedCone cone) {
         this.index = index;
@@ -80,6 +81,19 @@ final class InspectedSensor {
         int passed = inspections - markedInspections;
         markedInspections = inspections;
         return passed;
+    }
+
+    /**
+     * Returns the sample of its claimed arc that no one had seen free when it was tested last: the next test most
+     * likely ends there too.
+     */
+    int openSample() {
+        return openSample;
+    }
+
+    /** Notes a sample of its claimed arc that no one has seen free. */
+    void noteOpenSample(int sample) {
+        openSample = sample;
     }
 
     void countInspection() {

@@ -210,15 +210,21 @@ public final class SensorDiagnosis {
     }
 
     private void retest(InspectedSensor sensor) {
+        if (!alert) {
+            retest(sensor, RETESTS[sensor.inspections() % RETESTS.length]);
+            return;
+        }
+        for (int age : RETESTS) {
+            retest(sensor, age);
+        }
+    }
+
+    private void retest(InspectedSensor sensor, int age) {
         ClaimRing ring = sensor.claims();
-        for (int i = 0; i < RETESTS.length; i++) {
-            int age = RETESTS[i];
-            boolean due = alert || i == sensor.inspections() % RETESTS.length;
-            if (due && ring.has(age) && ring.reading(age) >= 0) {
-                double since = clock.ticks() - ring.clock(age);
-                if (since > 1 && since < MEMORY) {
-                    test(sensor, age, (int) ring.clock(age) + 1);
-                }
+        if (ring.has(age) && ring.reading(age) >= 0) {
+            double since = clock.ticks() - ring.clock(age);
+            if (since > 1 && since < MEMORY) {
+                test(sensor, age, (int) ring.clock(age) + 1);
             }
         }
     }
@@ -259,7 +265,7 @@ public final class SensorDiagnosis {
      * @param y metres
      */
     public void doubt(double x, double y) {
-        grid.markHit(sensors.length, x, y, clock.moment());
+        grid.markHit(sensors.length, EvidenceGrid.cellOf(x), EvidenceGrid.cellOf(y), clock.moment());
     }
 
     /**

@@ -55,6 +55,7 @@ final class SignalTest {
     private double lastSpike = Double.NaN;
     private double flips;
     private double spikes;
+    private boolean quiet;
 
     SignalTest(MountedCone cone) {
         this.cone = cone;
@@ -63,18 +64,20 @@ final class SignalTest {
 
     /** Takes a reading after a piece of motion. */
     SensorFinding test(double reading, double rolled, double turned) {
+        if (quiet && reading == Reading.NOTHING) {
+            return SensorFinding.NONE;
+        }
         if (Reading.isOff(reading)) {
             before = Double.NaN;
+            quiet = false;
             return SensorFinding.OFF;
-        }
-        if (reading == Reading.NOTHING && before == Reading.NOTHING && isQuiet()) {
-            return SensorFinding.NONE;
         }
         boolean stuck = isStuck(reading, rolled, turned);
         learnSpikes(reading);
         learnScatter(reading);
         learnFlips(reading);
         before = reading;
+        quiet = isQuiet();
         if (stuck) {
             return SensorFinding.STUCK;
         }
@@ -86,7 +89,8 @@ final class SignalTest {
 
     /** Returns whether another reading of nothing after one of nothing changes nothing. */
     private boolean isQuiet() {
-        return flips < QUIET
+        return before == Reading.NOTHING
+                && flips < QUIET
                 && spikes < QUIET
                 && scatter <= MAX_SCATTER
                 && turn == 0

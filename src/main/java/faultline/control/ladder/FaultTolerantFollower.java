@@ -110,7 +110,7 @@ public final class FaultTolerantFollower implements Controller {
 
     private Decision drive(Observation observation, double dt) {
         return switch (rung.strategy()) {
-            case SIX_STATES -> watched(sixStates.decide(masked(observation)));
+            case SIX_STATES -> watched(sixStates.decide(masked(observation), verdict()));
             case MAP -> {
                 mapFollower.decide(observation.robot(), dt);
                 yield decision(observation.robot(), mapFollower.v(), mapFollower.omega(), mapFollower.state());
@@ -134,6 +134,11 @@ public final class FaultTolerantFollower implements Controller {
         Telemetry now = decision.telemetry();
         Telemetry before = last.telemetry();
         boolean six = rung.strategy() == Rung.Strategy.SIX_STATES;
+        if (six && earlierTransitions == 0 && now.diagnosis() == verdict()) {
+            // The first follower still drives; what it shows is complete.
+            sinceTick = now.sinceTick();
+            return decision;
+        }
         boolean changed = !now.state().equals(before.state());
         int transitions = six ? earlierTransitions + now.transitions() : before.transitions() + (changed ? 1 : 0);
         if (six && changed && transitions == before.transitions()) {

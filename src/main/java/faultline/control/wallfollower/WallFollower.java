@@ -103,6 +103,17 @@ public final class WallFollower implements Controller {
 
     @Override
     public Decision decide(Observation observation) {
+        return decide(observation, Telemetry.Diagnosis.NONE);
+    }
+
+    /**
+     * Decides as {@link #decide(Observation)} does, and shows the result of a diagnosis.
+     *
+     * @param observation the newest
+     * @param diagnosis which sensors are trusted
+     * @return the decision
+     */
+    public Decision decide(Observation observation, Telemetry.Diagnosis diagnosis) {
         estimate.update(observation);
         behaviour.processReading();
         for (Transition transition : TRANSITIONS) {
@@ -112,7 +123,7 @@ public final class WallFollower implements Controller {
             }
         }
         behaviour.command();
-        return estimate.odometer().decision(estimate.robot(), spec.side(), telemetry());
+        return estimate.odometer().decision(estimate.robot(), spec.side(), telemetry(diagnosis));
     }
 
     @Override
@@ -137,7 +148,7 @@ public final class WallFollower implements Controller {
         return Math.abs(estimate.odometer().heading() - entryHeading) > MAX_SPIN;
     }
 
-    private Telemetry telemetry() {
+    private Telemetry telemetry(Telemetry.Diagnosis diagnosis) {
         EdgeTimer timing = alignment.edgeTimer();
         return new Telemetry(
                 state,
@@ -150,6 +161,6 @@ public final class WallFollower implements Controller {
                         steering.proportional(),
                         steering.derivative()),
                 new Telemetry.EdgeTimes(timing.tF3(), timing.tF4(), timing.tP()),
-                Telemetry.Diagnosis.NONE);
+                diagnosis);
     }
 }

@@ -37,7 +37,7 @@ class EvidenceGridTest {
     @Test
     void whatIsOlderThanAskedForDoesNotCount() {
         EvidenceGrid grid = new EvidenceGrid(2);
-        grid.markHit(1, 0.01, 0.01, 100);
+        grid.markHit(1, 0, 0, 100);
         assertEquals(2, grid.hitBy(0, 0, 100, 3));
         assertEquals(0, grid.hitBy(0, 0, 101, 3));
         assertEquals(0, grid.hitBy(0, 0, 100, 1));
