@@ -19,4 +19,10 @@ public record Frame(
         double leftVolts,
         double rightVolts,
         RobotPath path,
-        long trajectoryHash) {}
+        long trajectoryHash) {
+
+    /** Returns this frame with its path as part of a later path of the same run. */
+    public Frame withPrefixOf(RobotPath later) {
+        return new Frame(snapshot, telemetry, leftVolts, rightVolts, later.prefix(path), trajectoryHash);
+    }
+}

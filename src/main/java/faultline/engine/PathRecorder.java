@@ -27,6 +27,7 @@ final class PathRecorder {
     private ChunkLog<PathChunk> log = newLog();
     private int size;
     private int thinned;
+    private PathThinning nextThinning = new PathThinning();
     private double tolerance = INITIAL_TOLERANCE;
     private double lastX;
     private double lastY;
@@ -71,8 +72,12 @@ final class PathRecorder {
         }
         log = newLog();
         size = 0;
-        IntStream.concat(IntStream.range(0, head), kept.stream().mapToInt(i -> i))
-                .forEach(i -> add(all.x(i), all.y(i), all.tag(i)));
+        int[] indexes = IntStream.concat(IntStream.range(0, head), kept.stream().mapToInt(i -> i))
+                .toArray();
+        for (int i : indexes) {
+            add(all.x(i), all.y(i), all.tag(i));
+        }
+        nextThinning = nextThinning.happened(indexes);
         thinned = size;
     }
 
@@ -82,6 +87,6 @@ final class PathRecorder {
 
     /** Returns the path so far. */
     RobotPath view() {
-        return new RobotPath(log.view());
+        return new RobotPath(log.view(), nextThinning);
     }
 }

@@ -10,8 +10,11 @@ public final class RobotPath {
 
     private final ChunkLog.View<PathChunk> points;
 
-    RobotPath(ChunkLog.View<PathChunk> points) {
+    private final PathThinning nextThinning;
+
+    RobotPath(ChunkLog.View<PathChunk> points, PathThinning nextThinning) {
         this.points = points;
+        this.nextThinning = nextThinning;
     }
 
     /** Returns the number of points, at least 1. */
@@ -49,6 +52,16 @@ public final class RobotPath {
                         .blockOverlaps(
                                 points.offset(index), box.getMinX(), box.getMinY(), box.getMaxX(), box.getMaxY());
         return outside ? PathChunk.BLOCK_SIZE : 0;
+    }
+
+    /**
+     * Returns the part of this path that an earlier path of the same run covered. It shares its points with this path,
+     * while the earlier path may hold points that have been dropped since.
+     */
+    public RobotPath prefix(RobotPath earlier) {
+        int size = earlier.nextThinning.sizeAfter(earlier.size(), nextThinning);
+        return new RobotPath(
+                new ChunkLog.View<>(points.chunks(), points.chunkSize(), points.first(), size), nextThinning);
     }
 
     /** Returns whether this path begins with all points of an earlier path of the same run. */

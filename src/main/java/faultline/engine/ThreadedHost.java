@@ -24,6 +24,8 @@ final class ThreadedHost implements ControllerHost {
     static final double DECISION_TIMEOUT = 10;
 
     private static final double NANOS_PER_SECOND = 1e9;
+    /** How long a controller that has not answered may take to end after it was interrupted. */
+    private static final long GRACE_MILLIS = 500;
 
     private final Controller controller;
     private final ExecutorService executor;
@@ -60,10 +62,26 @@ final class ThreadedHost implements ControllerHost {
                     "the controller broke at tick " + tick + ": " + broken.getCause(), broken.getCause());
         } catch (TimeoutException silent) {
             throw new RunFailedException(
-                    "the controller has not answered for " + timeout + " s at tick " + tick, silent);
+                    "the controller has not answered for " + timeout + " s at tick " + tick + fateOfThread(), silent);
         } catch (InterruptedException ended) {
             Thread.currentThread().interrupt();
             throw new RunFailedException("the run was interrupted at tick " + tick, ended);
+        }
+    }
+
+    /**
+     * Interrupts the controller. Java cannot stop a thread that does not end by itself; it is a daemon, so the process
+     * can end all the same.
+     */
+    private String fateOfThread() {
+        executor.shutdownNow();
+        try {
+            return executor.awaitTermination(GRACE_MILLIS, TimeUnit.MILLISECONDS)
+                    ? ""
+                    : "; it ignores interruption, so its thread goes on until the program ends";
+        } catch (InterruptedException ended) {
+            Thread.currentThread().interrupt();
+            return "";
         }
     }
 

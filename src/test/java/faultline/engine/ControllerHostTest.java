@@ -3,6 +3,7 @@ package faultline.engine;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.Controller;
 import faultline.control.ControllerState;
@@ -12,6 +13,7 @@ import faultline.control.Telemetry;
 import faultline.robot.RobotSpec;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -23,6 +25,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 class ControllerHostTest {
 
     private static final Observation AT_TICK_7 = new Observation(7, 0.01, RobotSpec.DEFAULT, new double[8]);
+
+    private static final Decision ANSWER = new Decision(1, 2, Telemetry.ofState(ControllerState.of("TEST")));
 
     @ParameterizedTest
     @EnumSource(ControllerMode.class)
@@ -68,6 +72,34 @@ class ControllerHostTest {
             RunFailedException failure = assertThrows(RunFailedException.class, link::await);
             assertEquals("the controller has not answered for 0.05 s at tick 7", failure.getMessage());
         }
+    }
+
+    @Test
+    void aControllerThatIgnoresInterruptionIsNamedAndDisturbsNoOtherRun() throws InterruptedException {
+        AtomicReference<Thread> busy = new AtomicReference<>();
+        AtomicBoolean released = new AtomicBoolean();
+        Controller deaf = observation -> {
+            busy.set(Thread.currentThread());
+            while (!released.get()) {
+                Thread.yield();
+            }
+            return ANSWER;
+        };
+        try (ControllerHost link = new ThreadedHost(deaf, 0.05)) {
+            submit(link);
+            RunFailedException failure = assertThrows(RunFailedException.class, link::await);
+            assertEquals(
+                    "the controller has not answered for 0.05 s at tick 7; it ignores interruption, so its thread goes"
+                            + " on until the program ends",
+                    failure.getMessage());
+        }
+        assertTrue(busy.get().isAlive() && busy.get().isDaemon(), "the process can end all the same");
+        try (ControllerHost next = ControllerHost.create(observation -> ANSWER, ControllerMode.OWN_THREAD)) {
+            submit(next);
+            assertEquals(ANSWER, next.await());
+        }
+        released.set(true);
+        busy.get().join();
     }
 
     @Test

@@ -8,6 +8,8 @@ import faultline.control.FollowerState;
 import faultline.geometry.Vector2;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class PathRecorderTest {
@@ -78,6 +80,40 @@ class PathRecorderTest {
             worst = Math.max(worst, distanceToStart(path, tail, roomLoop(s)));
         }
         assertTrue(worst < 0.004, "off by " + worst + " m");
+    }
+
+    @Test
+    void thePartOfAThinnedPathThatAnEarlierOneCoveredEndsWhereThatEnded() {
+        List<RobotPath> earlier = new ArrayList<>();
+        List<Vector2> ends = new ArrayList<>();
+        int points = 4 * PathRecorder.MAX_POINTS;
+        for (int i = 0; i < points; i++) {
+            Vector2 at = roomLoop(i * STEP);
+            recorder.record(at.x(), at.y(), PathTag.NONE);
+            if (i % 40_009 == 0) {
+                earlier.add(recorder.view());
+                ends.add(at);
+            }
+        }
+        RobotPath newest = recorder.view();
+        for (int i = 0; i < earlier.size(); i++) {
+            RobotPath part = newest.prefix(earlier.get(i));
+            assertTrue(newest.isContinuationOf(part), "shares its points");
+            assertTrue(part.size() <= earlier.get(i).size());
+            int last = part.size() - 1;
+            // The next point that is kept is not before the end.
+            int next = Math.min(part.size(), newest.size() - 1);
+            assertEquals(
+                    0,
+                    Line2D.ptSegDist(
+                            newest.x(last),
+                            newest.y(last),
+                            newest.x(next),
+                            newest.y(next),
+                            ends.get(i).x(),
+                            ends.get(i).y()),
+                    0.004);
+        }
     }
 
     @Test

@@ -1,6 +1,7 @@
 package faultline.engine.recording;
 
 import faultline.engine.Frame;
+import faultline.engine.RobotPath;
 
 /** Keeps frames at evenly spaced ticks; if there are too many, every second one is dropped. */
 final class KeyframeRecorder {
@@ -22,10 +23,25 @@ final class KeyframeRecorder {
         if (size == MAX_FRAMES) {
             thin();
         }
+        if (size > 0 && !frame.path().isContinuationOf(frames[size - 1].path())) {
+            sharePath(frame.path());
+        }
         if (isDue(frame.snapshot().tick())) {
             frames[size] = frame;
             size++;
         }
+    }
+
+    /**
+     * Lets every frame share the points of a path that has been thinned, because the frames would hold those of each
+     * time that it was. Replaces the array, because views hold the old one.
+     */
+    private void sharePath(RobotPath path) {
+        Frame[] shared = new Frame[MAX_FRAMES];
+        for (int i = 0; i < size; i++) {
+            shared[i] = frames[i].withPrefixOf(path);
+        }
+        frames = shared;
     }
 
     /** Replaces the array, because views hold the old one. */
