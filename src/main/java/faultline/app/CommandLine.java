@@ -11,7 +11,6 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
-import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -119,10 +118,7 @@ final class CommandLine {
                     + String.join(", ", commands.keySet()) + " or a scenario file"
                     + DidYouMean.hint(first, commands.keySet()));
         }
-        if (args.size() > 1) {
-            throw new UsageException("the window takes one scenario file, not also " + MessageText.quoted(args.get(1)));
-        }
-        return new WindowCommand(output).run(Path.of(first));
+        return new WindowCommand(output).run(args);
     }
 
     private static boolean looksLikeFile(String argument) throws UsageException {

@@ -14,6 +14,8 @@ import faultline.engine.metrics.RunResult;
 import faultline.external.ChildSource;
 import faultline.external.ControllerChoice;
 import faultline.external.ControllerStartException;
+import faultline.gui.GuiLauncher;
+import faultline.gui.document.ControllerSelection;
 import faultline.io.AtomicFile;
 import faultline.io.FileTarget;
 import faultline.io.MessageText;
@@ -27,12 +29,13 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /** {@code compare}: runs several controllers in the same scenario with the same seeds. */
 final class CompareCommand {
 
     private static final List<String> OPTION_NAMES = List.of("--seeds", "--out", "--until", "--jar", "--patience");
-    private static final List<String> FLAG_NAMES = List.of("--truth");
+    private static final List<String> FLAG_NAMES = List.of("--truth", "--open");
     private static final int MAX_SEEDS = 10_000;
 
     private final CommandOutput output;
@@ -72,6 +75,10 @@ final class CompareCommand {
                 .isPresent()) {
             throw new UsageException("an output is the scenario itself; expected another file");
         }
+        boolean open = arguments.has("--open");
+        if (open) {
+            WindowCommand.requireDisplay("--open");
+        }
         int seeds = seeds(arguments);
         Scenario loaded = Scenario.load(file);
         Scenario scenario = loaded.withSetup(RunOptions.duration(arguments).apply(loaded.setup()));
@@ -80,7 +87,33 @@ final class CompareCommand {
         for (String choice : choices) {
             compared.add(runAll(choice, scenario, seeds, options, replay(page, compared.size() + 1), replays));
         }
-        return write(new ControllerComparison(scenario, compared), compared, page, replays);
+        ControllerComparison comparison =
+                new ControllerComparison(scenario, compared, windowCommands(file, choices, options));
+        int code = write(comparison, compared, page, replays);
+        if (open && code == ExitCode.SUCCESS) {
+            GuiLauncher.open(
+                    file,
+                    new ControllerSelection(choices.get(0), options.jars()),
+                    new ControllerSelection(choices.get(1), options.jars()));
+        }
+        return code;
+    }
+
+    /** Returns the commands that show the first controller in the window with each other one as its ghost. */
+    private static List<String> windowCommands(Path file, List<String> choices, ControllerOptions options) {
+        if (options.truth()) {
+            // The window gives the ground truth to no controller.
+            return List.of();
+        }
+        String jar = options.jars().stream()
+                .map(path -> " --jar " + ShellText.quoted(path.toString()))
+                .collect(Collectors.joining());
+        return choices.stream()
+                .skip(1)
+                .map(ghost -> "java -jar target/faultline.jar " + ShellText.quoted(file.toString()) + " --controller "
+                        + ShellText.quoted(choices.get(0)) + " " + WindowCommand.GHOST_OPTION + " "
+                        + ShellText.quoted(ghost) + jar)
+                .toList();
     }
 
     private static int seeds(Arguments arguments) throws UsageException {
@@ -159,6 +192,7 @@ final class CompareCommand {
         output.println(comparison.lines());
         output.println("page: " + page);
         output.println("table: " + table(page));
+        comparison.windowCommands().forEach(command -> output.println("window: " + command));
         replays.keySet().forEach(replay -> output.println("replay: " + replay));
         return compared.stream().allMatch(runs -> runs.broken().isEmpty()) ? ExitCode.SUCCESS : ExitCode.RUN_FAILED;
     }

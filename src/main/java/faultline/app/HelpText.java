@@ -10,6 +10,9 @@ final class HelpText {
             Faultline: a wall-following robot whose infrared sensors fail.
 
             faultline [FILE]               open the window, with a scenario file or the default scenario
+              --controller WHICH           driven by a child process, such as "python3 my.py", or one in Java
+              --ghost-controller WHICH     with a ghost beside it that another controller drives
+              --jar FILE.jar               find controllers in Java in this file as well
             faultline run FILE [OPTION]... run a scenario without a window and print its summary
               --until S                    for S seconds in place of the file's duration
               --seed N                     with seed N in place of the file's
@@ -30,6 +33,7 @@ final class HelpText {
                                            run each controller in the scenario; make a table and a page
               --seeds N                    with N seeds from the file's on (default: 1)
               --until, --jar, --patience, --truth   as for run
+              --open                       show the first two in the window, the second as a ghost
             faultline serve FILE [--truth] step a scenario from outside, over standard input and output
             faultline controller FILE      act as the child of --controller, with the controller of a scenario
             faultline import MAP --out FILE make a scenario of a floor plan: a map_server YAML file or an image

@@ -1,5 +1,7 @@
 package faultline.app;
 
+import java.util.List;
+
 /** The entry point of the program. */
 public final class Main {
 
@@ -12,7 +14,9 @@ public final class Main {
      * @param args as described by {@code --help}
      */
     public static void main(String[] args) {
-        if (args.length > 0 && (args[0].equals("run") || args[0].equals("compare"))) {
+        if (args.length > 0
+                && (args[0].equals("run") || args[0].equals("compare"))
+                && !List.of(args).contains("--open")) {
             // Image output needs no display and must not fail if the configured one does not answer.
             System.setProperty("java.awt.headless", "true");
         }

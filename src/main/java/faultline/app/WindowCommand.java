@@ -1,6 +1,8 @@
 package faultline.app;
 
 import faultline.gui.GuiLauncher;
+import faultline.gui.document.ControllerSelection;
+import faultline.io.MessageText;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.AWTError;
@@ -16,6 +18,11 @@ final class WindowCommand {
 
     private static final String DEFAULT_SCENARIO = "office.xml";
 
+    /** The option that names the controller of a robot beside the one that is driven. */
+    static final String GHOST_OPTION = "--ghost-controller";
+
+    private static final List<String> OPTION_NAMES = List.of("--controller", GHOST_OPTION, "--jar");
+
     private final CommandOutput output;
 
     WindowCommand(CommandOutput output) {
@@ -28,9 +35,40 @@ final class WindowCommand {
                 () -> GuiLauncher.open(Optional.empty()), Scenario.loadShipped(DEFAULT_SCENARIO), DEFAULT_SCENARIO);
     }
 
-    /** Opens a file. The file is read first, so that its problems are reported here and not in a window. */
-    int run(Path file) throws ScenarioException {
-        return openWindow(() -> GuiLauncher.open(Optional.of(file)), Scenario.load(file), file.toString());
+    /**
+     * Opens a file, with other controllers if the arguments name any. The file is read first, so that its problems are
+     * reported here and not in a window.
+     */
+    int run(List<String> given) throws UsageException, ScenarioException {
+        Arguments arguments = new Arguments(given, OPTION_NAMES);
+        if (arguments.files().size() > 1) {
+            throw new UsageException("the window takes one scenario file, not also "
+                    + MessageText.quoted(arguments.files().get(1)));
+        }
+        Path file = Arguments.parsePath(arguments.files().get(0));
+        Scenario scenario = Scenario.load(file);
+        if (given.size() == 1) {
+            return openWindow(() -> GuiLauncher.open(Optional.of(file)), scenario, file.toString());
+        }
+        requireDisplay("--controller");
+        Optional<String> controller = arguments.value("--controller");
+        Optional<String> ghost = arguments.value(GHOST_OPTION);
+        List<Path> jars = ControllerOptions.parse(arguments, true).jars();
+        if (controller.isEmpty() && ghost.isEmpty()) {
+            throw new UsageException("--jar needs --controller WHICH");
+        }
+        GuiLauncher.open(
+                file,
+                controller.map(text -> new ControllerSelection(text, jars)).orElse(ControllerSelection.SCENARIO),
+                ghost.map(text -> new ControllerSelection(text, jars)).orElse(null));
+        return ExitCode.SUCCESS;
+    }
+
+    /** Throws an exception if there is no display for something that needs one. */
+    static void requireDisplay(String what) throws UsageException {
+        if (!hasDisplay()) {
+            throw new UsageException(what + " needs a display here, and there is none");
+        }
     }
 
     /** Opens the window and closes it after its first frame. */

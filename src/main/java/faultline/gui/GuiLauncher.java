@@ -1,6 +1,7 @@
 package faultline.gui;
 
 import faultline.gui.dialog.UncaughtExceptionDialog;
+import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.RecoveryStore;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
@@ -9,6 +10,7 @@ import faultline.gui.window.MainWindow;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 /** Opens the window. */
 public final class GuiLauncher {
@@ -25,7 +27,20 @@ public final class GuiLauncher {
      */
     public static void open(Optional<Path> file) {
         Thread.setDefaultUncaughtExceptionHandler(new UncaughtExceptionDialog());
-        EventQueue.invokeLater(() -> openOnEventThread(file));
+        EventQueue.invokeLater(() -> openOnEventThread(file, window -> openScenario(window, file)));
+    }
+
+    /**
+     * Opens the window asynchronously with a scenario and controllers. There must be a display.
+     *
+     * @param file the scenario to open
+     * @param controller drives the robot
+     * @param ghostOrNull drives another robot, which is shown beside it; null for none
+     */
+    public static void open(Path file, ControllerSelection controller, ControllerSelection ghostOrNull) {
+        Thread.setDefaultUncaughtExceptionHandler(new UncaughtExceptionDialog());
+        EventQueue.invokeLater(
+                () -> openOnEventThread(Optional.of(file), window -> window.open(file, controller, ghostOrNull)));
     }
 
     /**
@@ -36,7 +51,8 @@ public final class GuiLauncher {
      */
     public static void openUntilFirstPaint(Optional<Path> file, Runnable painted) {
         EventQueue.invokeLater(() -> {
-            MainWindow window = createWindow(WindowPreferences.forCurrentUser(), file);
+            MainWindow window = createWindow(WindowPreferences.forCurrentUser());
+            openScenario(window, file);
             window.onFirstPaint(() -> {
                 painted.run();
                 window.dispose();
@@ -44,20 +60,24 @@ public final class GuiLauncher {
         });
     }
 
-    private static MainWindow createWindow(WindowPreferences preferences, Optional<Path> file) {
+    private static MainWindow createWindow(WindowPreferences preferences) {
         Messages.setLanguage(preferences.language());
         SwingMessages.install();
         preferences.textSize().install();
         preferences.theme().install();
         MainWindow window = new MainWindow(preferences);
         window.setVisible(true);
-        file.ifPresentOrElse(window::open, () -> window.openShipped(DEFAULT_SCENARIO));
         return window;
     }
 
-    private static void openOnEventThread(Optional<Path> file) {
+    private static void openScenario(MainWindow window, Optional<Path> file) {
+        file.ifPresentOrElse(window::open, () -> window.openShipped(DEFAULT_SCENARIO));
+    }
+
+    private static void openOnEventThread(Optional<Path> file, Consumer<MainWindow> opener) {
         WindowPreferences preferences = WindowPreferences.forCurrentUser();
-        MainWindow window = createWindow(preferences, file);
+        MainWindow window = createWindow(preferences);
+        opener.accept(window);
         // One question at a time: the gallery does not cover the recovery prompt.
         window.enableRecovery(RecoveryStore.forCurrentUser(), () -> {
             if (file.isEmpty() && preferences.isGalleryShownAtStart()) {

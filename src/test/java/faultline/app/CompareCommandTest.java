@@ -3,7 +3,9 @@ package faultline.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.awt.GraphicsEnvironment;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -17,6 +19,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Controllers are compared in one scenario; the table, the page and the replays agree with single runs. */
 class CompareCommandTest {
@@ -93,6 +96,39 @@ class CompareCommandTest {
         assertTrue(html.contains("<code>wall-follower</code>"));
         assertEquals(2 * 3, html.split("stroke-linejoin=\"round\" d=\"M", -1).length - 1 - legendLines(html), "paths");
         assertTrue(html.length() < 300_000, () -> html.length() + " characters");
+    }
+
+    @Test
+    void theOutputAndThePageNameTheCommandThatShowsTheGhost() throws Exception {
+        CommandResult result = compare("--controller", "wall-follower", "--controller", "none", "--until", "1");
+        String command = "java -jar target/faultline.jar scenarios/noisy-sensors.xml --controller wall-follower"
+                + " --ghost-controller none";
+        assertTrue(result.out.lines().anyMatch(("window: " + command)::equals), result.out);
+        assertTrue(Files.readString(page()).contains("<code>" + command + "</code>"));
+    }
+
+    @Test
+    void theWindowTakesControllersButOnlyWithADisplay() {
+        assumeTrue(GraphicsEnvironment.isHeadless());
+        CommandResult misspelt = command(SCENARIO, "--controller", "none", "--ghost-controler", "wall-follower");
+        assertEquals(2, misspelt.code);
+        assertTrue(misspelt.err.contains("did you mean \"--ghost-controller\""), misspelt.err);
+        CommandResult window = command(SCENARIO, "--controller", "none", "--ghost-controller", "wall-follower");
+        assertEquals(2, window.code);
+        assertTrue(window.err.contains("--controller needs a display here"), window.err);
+        CommandResult compared = compare("--controller", "wall-follower", "--controller", "none", "--open");
+        assertEquals(2, compared.code);
+        assertTrue(compared.err.contains("--open needs a display here"), compared.err);
+        assertFalse(Files.exists(page()), "no run is made in vain");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"none", "python3 my.py", "sh -c 'exit 5'", "a \"b\" $HOME `c` \\ it's!", "", "ü*?"})
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "needs a shell")
+    void aShellUnderstandsTheQuotedWordsOfACommand(String word) throws Exception {
+        Process shell = new ProcessBuilder("sh", "-c", "printf %s " + ShellText.quoted(word)).start();
+        assertEquals(word, new String(shell.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        assertEquals(0, shell.waitFor());
     }
 
     /** The lines of the legends, and those of the intervals, which are drawn like paths. */

@@ -15,16 +15,24 @@ public final class ControllerComparison {
 
     private final Scenario scenario;
     private final List<ControllerRuns> controllers;
+    private final List<String> windowCommands;
 
     /**
      * Creates a comparison.
      *
      * @param scenario the scenario of all runs
      * @param controllers at least one, each with the same seeds
+     * @param windowCommands show pairs of the controllers in the window
      */
-    public ControllerComparison(Scenario scenario, List<ControllerRuns> controllers) {
+    public ControllerComparison(Scenario scenario, List<ControllerRuns> controllers, List<String> windowCommands) {
         this.scenario = scenario;
         this.controllers = List.copyOf(controllers);
+        this.windowCommands = List.copyOf(windowCommands);
+    }
+
+    /** Returns the commands that show pairs of the controllers in the window. */
+    public List<String> windowCommands() {
+        return windowCommands;
     }
 
     /** Returns one row for each run. */
@@ -95,7 +103,7 @@ public final class ControllerComparison {
     /** Returns the page. */
     public String html() {
         String title = "Controllers in " + (scenario.name().isEmpty() ? "a scenario" : scenario.name());
-        return Html.page(title, scenario.description(), paths() + numbers() + spread() + broken());
+        return Html.page(title, scenario.description(), paths() + numbers() + spread() + inTheWindow() + broken());
     }
 
     private String paths() {
@@ -126,6 +134,18 @@ public final class ControllerComparison {
             charts.append(ComparisonChart.spread(metric, controllers));
         }
         return Html.section("Spread", charts + "</div>\n" + ComparisonChart.legend(controllers));
+    }
+
+    private String inTheWindow() {
+        List<List<String>> rows = windowCommands.stream()
+                .map(command -> List.of("<code>" + Html.escape(command) + "</code>"))
+                .toList();
+        return rows.isEmpty()
+                ? ""
+                : Html.section(
+                        "In the window",
+                        Html.paragraph("The first controller drives, and another one drives a ghost beside it.")
+                                + Html.table("worst", List.of("command"), rows));
     }
 
     private String broken() {

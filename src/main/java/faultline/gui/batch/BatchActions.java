@@ -3,8 +3,10 @@ package faultline.gui.batch;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.UiAction;
+import faultline.gui.dialog.ControllerChooser;
 import faultline.gui.dialog.FileController;
 import faultline.gui.dialog.TextWrap;
+import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import java.awt.Component;
@@ -20,16 +22,19 @@ public final class BatchActions {
 
     private final Window owner;
     private final FileController files;
+    private final ControllerChooser controllers;
 
     /**
      * Creates the actions of a window.
      *
      * @param owner the window
      * @param files holds the open scenario, opens runs and asks for files
+     * @param controllers selects the controller of the runs of the window
      */
-    public BatchActions(Window owner, FileController files) {
+    public BatchActions(Window owner, FileController files, ControllerChooser controllers) {
         this.owner = owner;
         this.files = files;
+        this.controllers = controllers;
     }
 
     /** Adds the actions to a registry. */
@@ -56,9 +61,12 @@ public final class BatchActions {
         dialog.requestFocus();
     }
 
-    /** Opens a run in the window. */
+    /** Opens a run in the window, with the controller that it was made with: the scenario's. */
     void openRun(Scenario run) {
-        files.openGenerated(run);
+        files.runIfChangesHandled(() -> {
+            controllers.select(ControllerSelection.SCENARIO);
+            files.openGeneratedWithoutAsking(run);
+        });
     }
 
     /** Asks for the file of a plan; empty if cancelled. */

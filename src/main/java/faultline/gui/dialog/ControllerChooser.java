@@ -1,12 +1,10 @@
 package faultline.gui.dialog;
 
-import faultline.engine.SimulationSetup;
-import faultline.external.ChildSource;
-import faultline.external.ControllerChoice;
-import faultline.external.ExternalController;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.UiAction;
 import faultline.gui.document.BackgroundTasks;
+import faultline.gui.document.ComparisonController;
+import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
@@ -19,14 +17,15 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import javax.swing.Timer;
 
 /**
- * Lets the user choose a controller for the runs of the window: the scenario's own, one in Java, or a command. Each
- * restart loads it again, and a note says when one of its files has changed.
+ * Lets the user choose a controller for the runs of the window, or for a ghost: the scenario's own, one in Java, or a
+ * command. Each restart loads it again, and a note says when one of its files has changed.
  */
 public final class ControllerChooser implements WorkspaceListener {
 
@@ -35,12 +34,17 @@ public final class ControllerChooser implements WorkspaceListener {
     private final Window owner;
     private final Workspace workspace;
     private final RunController runController;
+    private final ComparisonController comparison;
     private final Consumer<String> note;
     /** The newest line of a child's standard error that is not shown yet. */
     private final AtomicReference<String> unshownLine = new AtomicReference<>();
 
     private final Timer watch = new Timer(WATCH_MILLIS, event -> checkFiles());
-    private ControllerDialog.Choice choice = ControllerDialog.Choice.SCENARIO;
+    private ControllerSelection choice = ControllerSelection.SCENARIO;
+    private ControllerSelection ghostChoice = ControllerSelection.SCENARIO;
+    /** Whether the ghost starts with the next session. */
+    private boolean ghostPending;
+
     private Map<Path, FileTime> files = Map.of();
     /** Read by the threads that start runs. */
     private volatile String scenarioName = "";
@@ -51,38 +55,54 @@ public final class ControllerChooser implements WorkspaceListener {
      * @param owner the window
      * @param workspace whose runs get the controller
      * @param runController restarts the run
+     * @param comparison shows a run with another controller as a ghost
      * @param note shows a sentence to the user
      */
-    public ControllerChooser(Window owner, Workspace workspace, RunController runController, Consumer<String> note) {
+    public ControllerChooser(
+            Window owner,
+            Workspace workspace,
+            RunController runController,
+            ComparisonController comparison,
+            Consumer<String> note) {
         this.owner = owner;
         this.workspace = workspace;
         this.runController = runController;
+        this.comparison = comparison;
         this.note = note;
         workspace.addListener(this);
     }
 
-    /** Adds the action that opens the dialog. */
+    /** Adds the actions that choose the controller of the run and that of a ghost. */
     public void addTo(ActionRegistry actions) {
         actions.add(UiAction.of(
-                "chooseController",
-                () -> new ControllerDialog(choice).showDialog(owner).ifPresent(this::choose)));
+                "chooseController", () -> ask("chooseController", choice).ifPresent(chosen -> {
+                    select(chosen);
+                    runController.restart();
+                })));
+        actions.add(UiAction.of(
+                "compareController", () -> ask("compareController", ghostChoice).ifPresent(chosen -> {
+                    ghostChoice = chosen;
+                    comparison.compareWith(chosen, this::showErrorLine);
+                })));
     }
 
-    private void choose(ControllerDialog.Choice chosen) {
+    private Optional<ControllerSelection> ask(String key, ControllerSelection now) {
+        return new ControllerDialog(Messages.get(key + ".title"), now).showDialog(owner);
+    }
+
+    /** Selects the controller of all runs from the next session on. */
+    public void select(ControllerSelection chosen) {
         choice = chosen;
-        workspace.setControllerChoice(setup -> apply(chosen, setup));
-        runController.restart();
+        workspace.setControllerChoice(setup -> chosen.applyTo(setup, scenarioName, this::showErrorLine));
     }
 
-    private SimulationSetup apply(ControllerDialog.Choice chosen, SimulationSetup setup) {
-        if (chosen.isScenarios()) {
-            return setup;
+    /** Selects the controllers of the scenario that is opened next and of a ghost beside it, null for none. */
+    public void select(ControllerSelection chosen, ControllerSelection ghostOrNull) {
+        select(chosen);
+        ghostPending = ghostOrNull != null;
+        if (ghostPending) {
+            ghostChoice = ghostOrNull;
         }
-        ChildSource.Terms terms = new ChildSource.Terms(
-                "faultline", scenarioName, ExternalController.Timeouts.DEFAULT, false, this::showErrorLine);
-        return ControllerChoice.withJars(
-                chosen.jars(),
-                () -> ControllerChoice.apply(chosen.text(), setup, new ChildSource(chosen.text(), terms)));
     }
 
     /** Shows the newest line of those that come faster than they can be shown. */
@@ -99,8 +119,12 @@ public final class ControllerChooser implements WorkspaceListener {
 
     @Override
     public void sessionStarted() {
+        if (ghostPending) {
+            ghostPending = false;
+            comparison.compareWith(ghostChoice, this::showErrorLine);
+        }
         watch.stop();
-        ControllerDialog.Choice chosen = choice;
+        ControllerSelection chosen = choice;
         if (!chosen.isScenarios()) {
             BackgroundTasks.run(
                     () -> times(chosen.files()),
@@ -114,7 +138,7 @@ public final class ControllerChooser implements WorkspaceListener {
 
     private void checkFiles() {
         if (owner.isDisplayable()) {
-            ControllerDialog.Choice chosen = choice;
+            ControllerSelection chosen = choice;
             BackgroundTasks.run(() -> times(chosen.files()), this::compare, failure -> {});
         } else {
             watch.stop();

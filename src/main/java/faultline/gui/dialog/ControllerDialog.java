@@ -1,17 +1,14 @@
 package faultline.gui.dialog;
 
-import faultline.external.CommandWords;
 import faultline.external.ControllerChoice;
+import faultline.gui.document.ControllerSelection;
 import faultline.gui.text.Messages;
 import java.awt.BorderLayout;
 import java.awt.Component;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JDialog;
@@ -28,50 +25,11 @@ final class ControllerDialog {
 
     private final JComboBox<String> field = new JComboBox<>();
     private final List<Path> jars = new ArrayList<>();
+    private final String title;
 
-    /**
-     * What the user has chosen.
-     *
-     * @param text a name or a command, empty for the scenario's own controller
-     * @param jars files with controllers in Java
-     */
-    record Choice(String text, List<Path> jars) {
-
-        /** The controller that the scenario names. */
-        static final Choice SCENARIO = new Choice("", List.of());
-
-        Choice {
-            jars = List.copyOf(jars);
-        }
-
-        boolean isScenarios() {
-            return text.isEmpty();
-        }
-
-        /** Returns the files that the controller consists of, as far as the choice names them. */
-        List<Path> files() {
-            return Stream.concat(jars.stream(), words().flatMap(Choice::file)).toList();
-        }
-
-        private Stream<String> words() {
-            try {
-                return CommandWords.split(text).stream();
-            } catch (IllegalArgumentException unfinished) {
-                return Stream.empty();
-            }
-        }
-
-        private static Stream<Path> file(String word) {
-            try {
-                return Stream.of(Path.of(word)).filter(Files::isRegularFile);
-            } catch (InvalidPathException noPath) {
-                return Stream.empty();
-            }
-        }
-    }
-
-    /** Creates a dialog that shows a choice. */
-    ControllerDialog(Choice now) {
+    /** Creates a dialog with a title that shows a selection. */
+    ControllerDialog(String title, ControllerSelection now) {
+        this.title = title;
         jars.addAll(now.jars());
         field.setEditable(true);
         field.setPrototypeDisplayValue(EXAMPLE.repeat(2));
@@ -91,7 +49,7 @@ final class ControllerDialog {
     }
 
     /** Shows the dialog and waits for the answer; empty if cancelled. */
-    Optional<Choice> showDialog(Component parent) {
+    Optional<ControllerSelection> showDialog(Component parent) {
         JPanel panel = new JPanel(new BorderLayout(GAP, GAP));
         JLabel label = new JLabel(Messages.get("chooseController.label"));
         label.setLabelFor(field);
@@ -110,7 +68,7 @@ final class ControllerDialog {
                 field.getEditor().selectAll();
             }
         };
-        JDialog dialog = pane.createDialog(parent, Messages.get("chooseController.title"));
+        JDialog dialog = pane.createDialog(parent, title);
         dialog.setVisible(true);
         dialog.dispose();
         return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue())
@@ -118,9 +76,9 @@ final class ControllerDialog {
                 : Optional.empty();
     }
 
-    private Choice selected() {
+    private ControllerSelection selected() {
         String text = String.valueOf(field.getEditor().getItem()).strip();
-        return new Choice(text.equals(Messages.get("chooseController.scenarios")) ? "" : text, jars);
+        return new ControllerSelection(text.equals(Messages.get("chooseController.scenarios")) ? "" : text, jars);
     }
 
     private void chooseFile(Component parent) {

@@ -104,9 +104,9 @@ public final class FileController {
         runIfChangesHandled(() -> documentStore.create(scenario));
     }
 
-    /** Opens a scenario that can be made again, so that it does not count as unsaved. */
-    public void openGenerated(Scenario scenario) {
-        runIfChangesHandled(() -> documentStore.openGenerated(scenario));
+    /** Opens a scenario that can be made again, so that it does not count as unsaved; discards unsaved changes. */
+    public void openGeneratedWithoutAsking(Scenario scenario) {
+        documentStore.openGenerated(scenario);
     }
 
     /**

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 
 /**
  * Compares the run with a reference run and finds the first tick in which they differ. Opening another scenario removes
@@ -54,6 +55,25 @@ public final class ComparisonController implements WorkspaceListener {
             Scenario scenario = Scenario.load(file);
             SimulationSetup setup = scenario.setup();
             return replay(scenario.name(), new Journal(setup, List.of(), setup.ticks()), progress);
+        });
+    }
+
+    /**
+     * Runs the edited scenario from its start to its duration with another controller and makes that the reference run,
+     * asynchronously.
+     *
+     * @param controller of the reference run
+     * @param errors receives each line that a controller in another process writes to standard error
+     */
+    public void compareWith(ControllerSelection controller, Consumer<String> errors) {
+        workspace.openDocument().ifPresent(now -> {
+            CompletableFuture<Scenario> edited = now.edited();
+            start(now.document().displayPath(), progress -> {
+                Scenario scenario = edited.join();
+                SimulationSetup setup = controller.applyTo(scenario.setup(), scenario.name(), errors);
+                String name = controller.isScenarios() ? scenario.name() : controller.text();
+                return replay(name, new Journal(setup, List.of(), setup.ticks()), progress);
+            });
         });
     }
 

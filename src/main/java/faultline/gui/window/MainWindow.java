@@ -24,6 +24,7 @@ import faultline.gui.dialog.ProgressDialogs;
 import faultline.gui.dialog.SpeedDialog;
 import faultline.gui.document.Autosave;
 import faultline.gui.document.ComparisonController;
+import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.FileWatch;
 import faultline.gui.document.RecoveryPrompt;
 import faultline.gui.document.RecoveryStore;
@@ -60,6 +61,10 @@ public final class MainWindow extends JFrame {
 
     private final transient Workspace workspace = new Workspace();
     private final transient RunController runController = new RunController(workspace);
+    private final transient ComparisonController comparisonController =
+            new ComparisonController(workspace, runController.navigator());
+    private final transient ControllerChooser controllerChooser =
+            new ControllerChooser(this, workspace, runController, comparisonController, this::showNote);
     private final transient UndoController undoController =
             new UndoController(runController::send, this::updateEditActions);
     private final transient ScenarioEditor scenarioEditor = new ScenarioEditor(runController, undoController);
@@ -98,8 +103,7 @@ public final class MainWindow extends JFrame {
                 speed,
                 runController.navigator()::seek,
                 new TimelineEditor(workspace, runController, undoController));
-        comparisonActions = new ComparisonActions(
-                new ComparisonController(workspace, runController.navigator()), mainPanel::setReferenceRun);
+        comparisonActions = new ComparisonActions(comparisonController, mainPanel::setReferenceRun);
         exportController.setChart(mainPanel.instruments().chart()::content);
         comparisonActions.addTo(actionRegistry, fileController::chooseReferenceRunFile);
         setJMenuBar(Menus.createMenuBar(actionRegistry));
@@ -157,8 +161,8 @@ public final class MainWindow extends JFrame {
         actionRegistry.add(UiAction.of("previousArea", () -> mainPanel.focusArea(-1))
                 .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_F6, InputEvent.SHIFT_DOWN_MASK)));
         runActions.addTo(actionRegistry);
-        new ControllerChooser(this, workspace, runController, this::showNote).addTo(actionRegistry);
-        new BatchActions(this, fileController).addTo(actionRegistry);
+        controllerChooser.addTo(actionRegistry);
+        new BatchActions(this, fileController, controllerChooser).addTo(actionRegistry);
         dialogs.addTo(actionRegistry);
         new PreferenceActions(this, preferences).addTo(actionRegistry);
         actionRegistry.add(new ThemeAction(this, canvas, preferences).action());
@@ -240,6 +244,12 @@ public final class MainWindow extends JFrame {
     /** Opens a scenario file asynchronously. */
     public void open(Path file) {
         fileController.openWithoutAsking(file);
+    }
+
+    /** Opens a scenario file asynchronously, with a controller, and that of a ghost beside it, null for none. */
+    public void open(Path file, ControllerSelection controller, ControllerSelection ghostOrNull) {
+        controllerChooser.select(controller, ghostOrNull);
+        open(file);
     }
 
     /** Opens a shipped scenario asynchronously, given the name of its file. */

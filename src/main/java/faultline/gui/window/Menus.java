@@ -58,8 +58,8 @@ final class Menus {
     private JMenu createSimulationMenu() {
         JMenu simulation = createMenu(
                 "simulation",
-                "run step stepBack restart chooseController batch - keepGhost openGhost removeGhost - record -"
-                        + " slower faster realTime -");
+                "run step stepBack restart chooseController batch"
+                        + " - keepGhost openGhost compareController removeGhost - record - slower faster realTime -");
         simulation.add(createSensorMenu());
         simulation.add(createPresetMenu());
         return simulation;

@@ -4,8 +4,13 @@ import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
+import faultline.engine.ControllerMode;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
@@ -131,6 +136,33 @@ class ComparisonControllerTest {
         assertTrue(LongStream.rangeClosed(CHANGED, TICKS)
                 .allMatch(tick -> reference.hashTrace().hashAt(tick)
                         != frame.recording().hashTrace().hashAt(tick)));
+    }
+
+    private ReferenceRun ghostWith(ControllerSelection selection, String name) {
+        runOnEdt(() -> controller.compareWith(selection, line -> {}));
+        waitFor("the ghost", comparison -> comparison
+                .filter(made -> name.equals(made.name()))
+                .isPresent());
+        return callOnEdt(() -> update().orElseThrow().run());
+    }
+
+    private static long finalHash(SimulationSetup setup) {
+        return HeadlessRun.run(setup, ControllerMode.DIRECT, List.of()).trajectoryHash();
+    }
+
+    @Test
+    void anotherControllerDrivesTheGhostThroughTheEditedScenario() {
+        runOnEdt(() -> run.send(List.of(new Command.SwitchSensor("left", false)), results -> {}));
+        ReferenceRun still = ghostWith(new ControllerSelection("none", List.of()), "none");
+        SimulationSetup edited =
+                callOnEdt(() -> workspace.scenario().orElseThrow().setup());
+        assertEquals(edited.ticks(), still.lastTick());
+        assertEquals(
+                finalHash(edited.withController(new ControllerSpec.None())),
+                still.hashTrace().hashAt(still.lastTick()));
+        ReferenceRun follower = ghostWith(new ControllerSelection("wall-follower", List.of()), "wall-follower");
+        assertEquals(finalHash(edited), follower.hashTrace().hashAt(follower.lastTick()));
+        assertNotEquals(finalHash(edited), still.hashTrace().hashAt(still.lastTick()));
     }
 
     @Test

@@ -7,18 +7,25 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
+import faultline.engine.session.ReferenceRun;
+import faultline.geometry.Pose;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.document.ControllerSelection;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.theme.FlatSliderUI;
 import faultline.gui.theme.Theme;
+import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import faultline.world.Command;
 import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.IntStream;
+import javax.swing.JComboBox;
+import javax.swing.JDialog;
 import javax.swing.JSlider;
 import javax.swing.JTable;
 import org.junit.jupiter.api.AfterEach;
@@ -79,6 +86,41 @@ class ComparisonRobotTest {
         goThereByTheEventLog();
         driver.waitForFrame("the run is there", frame -> frame.snapshot().tick() == expected);
         assertEquals(expected, callOnEdt(this::mark));
+    }
+
+    private ReferenceRun ghost() {
+        return callOnEdt(() -> driver.canvas().renderRequest(Palette.LIGHT).orElseThrow().references().stream()
+                .findFirst()
+                .orElseThrow()
+                .run());
+    }
+
+    @Test
+    void aScenarioOpensWithAControllerAndTheGhostOfAnother() {
+        Pose start = driver.frame().snapshot().pose();
+        runOnEdt(() -> driver.window()
+                .open(
+                        OFFICE,
+                        new ControllerSelection("none", List.of()),
+                        new ControllerSelection("wall-follower", List.of())));
+        driver.waitForReferenceRun();
+        step(40);
+        assertEquals(start, driver.frame().snapshot().pose());
+        assertNotEquals(start, ghost().pose(40));
+    }
+
+    @Test
+    void theGhostMayHaveAnotherControllerThanTheRun() {
+        Pose start = driver.frame().snapshot().pose();
+        driver.chooseLater("compareController");
+        JDialog dialog = driver.dialog("Controller of the ghost");
+        runOnEdt(() -> ComponentFinder.findAll(dialog, JComboBox.class)
+                .findFirst()
+                .orElseThrow()
+                .setSelectedItem("none"));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.waitForReferenceRun();
+        assertEquals(start, ghost().pose(1000));
     }
 
     /** Returns the first difference of two runs without the window. */

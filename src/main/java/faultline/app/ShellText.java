@@ -1,0 +1,16 @@
+package faultline.app;
+
+/** Quotes words of commands that a user may paste into a shell. */
+final class ShellText {
+
+    private ShellText() {}
+
+    /** Returns a word as it is if the shell takes it so, or in quotes. */
+    static String quoted(String word) {
+        if (word.matches("[\\w./:=@%+-]+")) {
+            return word;
+        }
+        boolean plain = word.chars().noneMatch(c -> "\"$`\\!".indexOf(c) >= 0);
+        return plain ? '"' + word + '"' : "'" + word.replace("'", "'\\''") + "'";
+    }
+}

@@ -1,0 +1,72 @@
+package faultline.gui.document;
+
+import faultline.engine.SimulationSetup;
+import faultline.external.ChildSource;
+import faultline.external.CommandWords;
+import faultline.external.ControllerChoice;
+import faultline.external.ExternalController;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+
+/**
+ * A controller that the user has chosen for runs of the window.
+ *
+ * @param text a name or a command, empty for the scenario's own controller
+ * @param jars files with controllers in Java
+ */
+public record ControllerSelection(String text, List<Path> jars) {
+
+    /** The controller that the scenario names. */
+    public static final ControllerSelection SCENARIO = new ControllerSelection("", List.of());
+
+    public ControllerSelection {
+        jars = List.copyOf(jars);
+    }
+
+    /** Returns whether this is the scenario's own controller. */
+    public boolean isScenarios() {
+        return text.isEmpty();
+    }
+
+    /**
+     * Returns a setup with this controller. Any thread may call it.
+     *
+     * @param setup names another controller
+     * @param scenarioName for a controller in another process
+     * @param errors receives each line that such a controller writes to standard error, on a thread of its own
+     */
+    public SimulationSetup applyTo(SimulationSetup setup, String scenarioName, Consumer<String> errors) {
+        if (isScenarios()) {
+            return setup;
+        }
+        ChildSource.Terms terms =
+                new ChildSource.Terms("faultline", scenarioName, ExternalController.Timeouts.DEFAULT, false, errors);
+        return ControllerChoice.withJars(jars, () -> ControllerChoice.apply(text, setup, new ChildSource(text, terms)));
+    }
+
+    /** Returns the files that the controller consists of, as far as the selection names them. */
+    public List<Path> files() {
+        return Stream.concat(jars.stream(), words().flatMap(ControllerSelection::file))
+                .toList();
+    }
+
+    private Stream<String> words() {
+        try {
+            return CommandWords.split(text).stream();
+        } catch (IllegalArgumentException unfinished) {
+            return Stream.empty();
+        }
+    }
+
+    private static Stream<Path> file(String word) {
+        try {
+            return Stream.of(Path.of(word)).filter(Files::isRegularFile);
+        } catch (InvalidPathException noPath) {
+            return Stream.empty();
+        }
+    }
+}
