@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 
 /** The sections on faults: the survival matrix, and how soon faults are detected. */
 final class FaultSections {
@@ -152,9 +153,10 @@ final class FaultSections {
         return Html.section(
                 "Minimum sets of sensors",
                 Html.paragraph("A set is sufficient if the robot carries on in at least 85 % of its runs, minimum if no"
-                                + " smaller set inside it is sufficient. " + countSufficient(sets) + " of "
-                                + sets.size()
-                                + " sets are sufficient.")
+                                + " smaller set inside it is sufficient. " + count(sets, FaultSections::isSufficient)
+                                + " of " + sets.size() + " sets are sufficient. It is certain if its whole 95 %"
+                                + " interval lies there, which takes 22 runs or more; "
+                                + count(sets, FaultSections::isCertain) + " are certain.")
                         + minimumTable(sets)
                         + "<h3>All sets</h3>\n"
                         + Html.table(
@@ -163,12 +165,16 @@ final class FaultSections {
                                 bySize(sets)));
     }
 
-    private static long countSufficient(Map<String, Survival> sets) {
-        return sets.values().stream().filter(FaultSections::isSufficient).count();
+    private static long count(Map<String, Survival> sets, Predicate<Survival> condition) {
+        return sets.values().stream().filter(condition).count();
     }
 
     private static boolean isSufficient(Survival survival) {
         return survival.n() > 0 && survival.share() >= SUFFICIENT;
+    }
+
+    private static boolean isCertain(Survival survival) {
+        return survival.interval().low() >= SUFFICIENT;
     }
 
     private static Set<String> sensors(String set) {
@@ -187,11 +193,14 @@ final class FaultSections {
                         .thenComparing(set -> -sets.get(set).share())
                         .thenComparing(set -> set))
                 .map(set -> List.of(
-                        Html.escape(set), String.valueOf(sensors(set).size()), Html.survivalCell(sets.get(set))))
+                        Html.escape(set),
+                        String.valueOf(sensors(set).size()),
+                        isCertain(sets.get(set)) ? "yes" : "no",
+                        Html.survivalCell(sets.get(set))))
                 .toList();
         return rows.isEmpty()
                 ? Html.paragraph("No set is sufficient.")
-                : Html.table("numbers", List.of("minimum set", "sensors", "carried on"), rows);
+                : Html.table("numbers", List.of("minimum set", "sensors", "certain", "carried on"), rows);
     }
 
     private static List<List<String>> bySize(Map<String, Survival> sets) {

@@ -28,7 +28,7 @@ final class Svg {
                 low, high, 60 * survival.share());
     }
 
-    /** Returns a histogram of some values. */
+    /** Returns a histogram of some values, with their number below. */
     static String histogram(String title, double[] values, int bins) {
         double low = java.util.Arrays.stream(values).min().orElse(0);
         double high = java.util.Arrays.stream(values).max().orElse(1);
@@ -40,7 +40,7 @@ final class Svg {
         }
         int most = java.util.Arrays.stream(counts).max().orElse(1);
         Axes axes = Axes.nice(nice.xLow, nice.xHigh, 0, most);
-        StringBuilder out = axes.open(title, title, "runs");
+        StringBuilder out = axes.open(title, title + ", n " + values.length, "runs");
         for (int i = 0; i < bins; i++) {
             double left = axes.x(nice.xLow + i * width);
             double right = axes.x(nice.xLow + (i + 1) * width);

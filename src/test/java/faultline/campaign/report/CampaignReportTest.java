@@ -58,6 +58,8 @@ class CampaignReportTest {
         String html = report("<masks sensors=\"front left\"/>");
         assertTrue(headings(html).contains("Minimum sets of sensors"));
         assertTrue(html.contains("<th scope=\"row\">0</th><td>1</td>"), "the empty set");
+        assertTrue(html.contains("; 0 are certain."), "two runs are too few to be certain");
+        assertTrue(html.contains(">simulated_s, n 16<"), "a distribution says of how many runs it is");
     }
 
     @Test
