@@ -26,6 +26,7 @@ public final class DeadReckoning {
     private double turned;
     private double way;
     private double turning;
+    private double curvature;
 
     /**
      * Lets voltages act for some ticks.
@@ -49,7 +50,7 @@ public final class DeadReckoning {
             leftSpeed = motor.step(leftSpeed, leftVolts, decay);
             rightSpeed = motor.step(rightSpeed, rightVolts, decay);
             double step = v() * dt;
-            double turn = omega(robot) * dt;
+            double turn = omega(robot) * dt + curvature * step;
             // The direction at the middle of the arc, to second order in the turn of a tick.
             double half = turn / 2;
             double shrink = 1 - half * half / 2;
@@ -61,6 +62,11 @@ public final class DeadReckoning {
             way += Math.abs(step);
             turning += Math.abs(turn);
         }
+    }
+
+    /** Takes how much more to the left the robot drives than its motors say, 1/m. */
+    void setCurvature(double perMetre) {
+        curvature = perMetre;
     }
 
     /** Turns the heading; by a small angle without trigonometric functions, to their last digits. */

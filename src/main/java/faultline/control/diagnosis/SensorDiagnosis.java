@@ -44,9 +44,11 @@ public final class SensorDiagnosis {
 
     private final double side;
     private final DeadReckoning reckoning = new DeadReckoning();
+    private final CurvatureEstimate curvature = new CurvatureEstimate();
     private final MotionClock clock = new MotionClock();
     private RobotSpec robot;
     private InspectedSensor[] sensors = {};
+    private WallLine wallLine;
     private EvidenceGrid grid;
     private ClaimTest claimTest;
     private Verdicts verdicts;
@@ -87,12 +89,23 @@ public final class SensorDiagnosis {
         clock.advance(reckoning.rolled(), reckoning.turned(), dt);
         lastReadings = observation.readings();
         testSignals();
+        learnCurvature();
         alert = !verdicts.allTrusted() || time - verdicts.lastSuspicion() < SUSPICION;
         untilInspection -= dt;
         while (untilInspection < STEP / 2 && sensors.length > 0) {
             inspectNext();
             untilInspection += STEP;
         }
+    }
+
+    /** Learns beside straight walls how much more the path bends than the motors say. */
+    private void learnCurvature() {
+        curvature.update(
+                wallLine.distance(lastReadings),
+                wallLine.sag(lastReadings),
+                reckoning.rolled(),
+                reckoning.turned() - curvature.curvature() * reckoning.rolled());
+        reckoning.setCurvature(curvature.curvature());
     }
 
     private void inspectNext() {
@@ -122,6 +135,7 @@ public final class SensorDiagnosis {
                 sensors[i] = new InspectedSensor(i, cone);
             }
         }
+        wallLine = new WallLine(sensors);
         verdicts = same ? verdicts : new Verdicts(sensors);
     }
 

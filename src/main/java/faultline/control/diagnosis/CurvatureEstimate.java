@@ -1,0 +1,117 @@
+package faultline.control.diagnosis;
+
+import java.util.Arrays;
+
+/**
+ * Learns by how much the robot's path bends more than it believes, because wheels or motors of its sides differ. Beside
+ * a straight wall the distance r and the believed heading h are bound by r' = -sin h, so r plus the integral of h is a
+ * straight line over the way; where the path bends by k more than believed, it is a parabola with second derivative -k.
+ */
+final class CurvatureEstimate {
+
+    /** Means over three legs of this length give a sample, metres. */
+    private static final double LEG = 0.15;
+
+    /** The median of so many samples counts: corners and things at the wall spoil some. */
+    private static final int SAMPLES = 7;
+
+    /** Wheels and a track that are each off by 5 % bend the path by up to 0.55; corners more, 1/m. */
+    private static final double MAX_SAMPLE = 0.8;
+
+    /** Less than this is taken for none, so that nothing changes where belief and truth agree, 1/m. */
+    private static final double NEGLIGIBLE = 0.1;
+
+    /** The robot may turn this much over the legs of a sample, radians. */
+    private static final double MAX_TURNING = StrictMath.toRadians(20);
+
+    /**
+     * A wall is straight if what the sensor reads is this near to the line through what others see ahead and behind,
+     * metres: on the way round a disc of 1 m it is 0.04.
+     */
+    private static final double MAX_SAG = 0.015;
+
+    private final double[] samples = new double[SAMPLES];
+    private int count;
+    private double curvature;
+
+    private final double[] means = new double[3];
+    private final double[] turnings = new double[3];
+    private final double[] sags = new double[3];
+    private int legs;
+    private double legSum;
+    private double legWay;
+    private int legCount;
+    private double legTurning;
+    private double legSag;
+    private double heading;
+    private double integral;
+
+    /** Returns how much more to the left the path bends than believed, 1/m, 0 if that is negligible. */
+    double curvature() {
+        return curvature;
+    }
+
+    /**
+     * Takes a reading after a piece of motion.
+     *
+     * @param reading of the sensor that faces the wall, metres
+     * @param sag by how much it exceeds the distance to the line through what others see ahead and behind, metres; not
+     *     a number where there is no such line
+     * @param rolled as believed, metres
+     * @param turned as believed, without the correction, radians
+     */
+    void update(double reading, double sag, double rolled, double turned) {
+        if (Double.isNaN(sag)) {
+            legs = 0;
+            beginLeg();
+            heading = 0;
+            integral = 0;
+            return;
+        }
+        heading += turned;
+        integral += heading * rolled;
+        legWay += Math.abs(rolled);
+        legTurning += Math.abs(turned);
+        legSag += sag;
+        legSum += reading + integral;
+        legCount++;
+        if (legWay >= LEG) {
+            endLeg();
+        }
+    }
+
+    private void beginLeg() {
+        legSum = 0;
+        legWay = 0;
+        legCount = 0;
+        legTurning = 0;
+        legSag = 0;
+    }
+
+    private void endLeg() {
+        int last = legs++ % 3;
+        means[last] = legSum / legCount;
+        turnings[last] = legTurning;
+        sags[last] = Math.abs(legSag / legCount);
+        double length = legWay;
+        beginLeg();
+        boolean straight = Math.max(sags[0], Math.max(sags[1], sags[2])) < MAX_SAG;
+        if (legs >= 3 && straight && turnings[0] + turnings[1] + turnings[2] < MAX_TURNING) {
+            double bend = means[last] - 2 * means[(last + 2) % 3] + means[(last + 1) % 3];
+            addSample(-bend / (length * length));
+        }
+    }
+
+    private void addSample(double sample) {
+        if (Math.abs(sample) > MAX_SAMPLE) {
+            return;
+        }
+        samples[count++ % SAMPLES] = sample;
+        if (count >= SAMPLES) {
+            double[] sorted = samples.clone();
+            Arrays.sort(sorted);
+            double median = sorted[SAMPLES / 2];
+            curvature = Math.abs(median) < NEGLIGIBLE ? 0 : median;
+        }
+    }
+}

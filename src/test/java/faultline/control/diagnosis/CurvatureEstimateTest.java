@@ -1,0 +1,67 @@
+package faultline.control.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.sensor.Reading;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class CurvatureEstimateTest {
+
+    private static final double STEP = 0.003;
+
+    private final CurvatureEstimate estimate = new CurvatureEstimate();
+    private double y = -0.27;
+    private double heading;
+
+    /** Drives along a wall at y = 0 and steers by its distance; the path bends by more than is believed. */
+    private void drive(double way, double trueBend, double noise) {
+        SplittableRandom random = new SplittableRandom(11);
+        for (double done = 0; done < way; done += STEP) {
+            double reading = -y + noise * (2 * random.nextDouble() - 1);
+            double believedTurn = STEP * (12 * (-y - 0.25) - 7 * heading);
+            y += STEP * Math.sin(heading);
+            heading += believedTurn + trueBend * STEP;
+            estimate.update(reading, 0.002, STEP, believedTurn);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {-0.45, -0.2, 0.17, 0.5})
+    void aBendThatIsNotBelievedIsLearntFromAStraightWall(double bend) {
+        drive(4, bend, 0.004);
+        assertEquals(bend, estimate.curvature(), 0.06);
+    }
+
+    @Test
+    void nothingIsCorrectedWhereBeliefAndTruthAgree() {
+        drive(4, 0, 0.004);
+        assertEquals(0, estimate.curvature());
+        drive(4, 0.05, 0);
+        assertEquals(0, estimate.curvature());
+    }
+
+    @Test
+    void cornersAndGapsDoNotSpoilIt() {
+        for (int i = 0; i < 12; i++) {
+            drive(1.2, 0.3, 0);
+            estimate.update(Reading.NOTHING, Double.NaN, STEP, 0);
+            y = -0.25;
+            heading = 0;
+            for (int j = 0; j < 120; j++) {
+                estimate.update(0.25, 0.002, STEP, 3 * STEP);
+            }
+        }
+        assertEquals(0.3, estimate.curvature(), 0.06);
+    }
+
+    @Test
+    void aRoundWallTeachesNothing() {
+        for (int i = 0; i < 2000; i++) {
+            estimate.update(0.25, 0.04, STEP, -0.7 * STEP);
+        }
+        assertEquals(0, estimate.curvature());
+    }
+}

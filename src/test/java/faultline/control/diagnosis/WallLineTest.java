@@ -1,0 +1,74 @@
+package faultline.control.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.control.SensorFinding;
+import faultline.geometry.Pose;
+import faultline.geometry.Vector2;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class WallLineTest {
+
+    private static final InspectedSensor[] SENSORS = sensors();
+
+    private static InspectedSensor[] sensors() {
+        return IntStream.range(0, 8)
+                .mapToObj(i -> new InspectedSensor(
+                        i, MountedCone.of(RobotSpec.DEFAULT.sensors().get(i), 1)))
+                .toArray(InspectedSensor[]::new);
+    }
+
+    /** Returns what the sensors read beside a disc, by looking along many rays in each cone. */
+    private static double[] besideDisc(double heading, double radius) {
+        Pose robot = new Pose(0, 0, heading);
+        Vector2 centre = new Vector2(0, 0.35 + radius);
+        double[] readings = new double[SENSORS.length];
+        for (int i = 0; i < readings.length; i++) {
+            MountedCone cone = SENSORS[i].cone();
+            Vector2 apex = robot.toParent(new Vector2(cone.x(), cone.y()));
+            double least = Reading.NOTHING;
+            for (double off = -cone.half(); off <= cone.half(); off += cone.half() / 400) {
+                least = Math.min(least, ray(apex, heading + cone.bearing() + off, centre, radius));
+            }
+            readings[i] = least > cone.range() ? Reading.NOTHING : least;
+        }
+        return readings;
+    }
+
+    private static double ray(Vector2 from, double direction, Vector2 centre, double radius) {
+        double dx = centre.x() - from.x();
+        double dy = centre.y() - from.y();
+        double along = dx * Math.cos(direction) + dy * Math.sin(direction);
+        double square = radius * radius - (dx * dx + dy * dy - along * along);
+        return square < 0 || along < 0 ? Reading.NOTHING : along - Math.sqrt(square);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {-5, 0, 3, 7})
+    void beforeAWallThatIsAlmostStraightThereIsNoSag(double degrees) {
+        double sag = new WallLine(SENSORS).sag(besideDisc(Math.toRadians(degrees), 500));
+        assertEquals(0, sag, 0.012);
+    }
+
+    @Test
+    void beforeARoundWallTheMiddleIsNearer() {
+        double sag = new WallLine(SENSORS).sag(besideDisc(0, 1));
+        assertTrue(sag < -0.03, "sag " + sag);
+    }
+
+    @Test
+    void withoutOneOfTheThreeThereIsNoLine() {
+        double[] readings = besideDisc(0, 500);
+        readings[1] = Reading.NOTHING;
+        assertTrue(Double.isNaN(new WallLine(SENSORS).sag(readings)));
+        InspectedSensor[] distrusted = sensors();
+        distrusted[2].distrust(SensorFinding.NOISY, 1);
+        assertTrue(Double.isNaN(new WallLine(distrusted).sag(besideDisc(0, 500))));
+    }
+}
