@@ -22,6 +22,13 @@ public record RoomRules(int minCorner, int visitors) {
     /** Inner corners of 60 degrees and more, no visitors. */
     public static final RoomRules DEFAULT = new RoomRules(60, 0);
 
+    /**
+     * Creates the rules.
+     *
+     * @param minCorner the sharpest inner corner, degrees, from {@link #MIN_CORNER} to {@link #MAX_CORNER}
+     * @param visitors how many moving obstacles; a room without enough space has fewer
+     * @throws IllegalArgumentException if a value is outside its limits
+     */
     public RoomRules {
         if (minCorner < MIN_CORNER || minCorner > MAX_CORNER || visitors < 0 || visitors > MAX_VISITORS) {
             throw new IllegalArgumentException("corners of " + minCorner + " degrees, " + visitors + " visitors");

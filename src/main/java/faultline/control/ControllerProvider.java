@@ -8,13 +8,14 @@ import java.util.Map;
  */
 public interface ControllerProvider {
 
-    /** Returns the name by which the command line and scenario files choose the controller, such as {@code bug2}. */
+    /** {@return the name by which the command line and scenario files choose the controller, such as {@code bug2}} */
     String name();
 
     /**
      * Makes a controller for one run. The same settings must give a controller that decides the same.
      *
      * @param settings what the scenario file says, by name; empty if it says nothing
+     * @return a new controller
      */
     Controller create(Map<String, String> settings);
 }

@@ -20,12 +20,13 @@ public interface ControllerSource {
      * Starts a controller. One that is {@link AutoCloseable} is closed with the run.
      *
      * @param run what it is started for
+     * @return the controller
      */
     Controller start(Run run);
 
     /**
-     * Returns whether its controllers end a run themselves if no decision comes. Others are called on a thread of their
-     * own, which the simulation does not wait for longer than its own limit.
+     * {@return whether its controllers end a run themselves if no decision comes} Others are called on a thread of
+     * their own, which the simulation does not wait for longer than its own limit.
      */
     boolean limitsAnswerTime();
 }

@@ -8,12 +8,12 @@ import java.util.OptionalDouble;
 /** Describes which controller drives the robot, and its settings: a scenario's {@code controller} element. */
 public sealed interface ControllerSpec {
 
-    /** Returns the distance from the wall that is wanted, metres; empty for a robot that follows none. */
+    /** {@return the distance from the wall that is wanted, metres; empty for a robot that follows none} */
     default OptionalDouble wantedDistance() {
         return OptionalDouble.empty();
     }
 
-    /** Returns how often it decides, seconds; 0 for every tick. */
+    /** {@return how often it decides, seconds; 0 for every tick} */
     default double period() {
         return 0;
     }
@@ -50,42 +50,81 @@ public sealed interface ControllerSpec {
         public static final WallFollowing DEFAULT =
                 new WallFollowing(0.25, WallSide.LEFT, 0, TimingRule.EQUAL_READINGS, true);
 
-        /** Settings with diagnosis. */
+        /**
+         * Creates settings with diagnosis and automatic gains.
+         *
+         * @param distance the distance between the robot's centre and the wall, in metres, positive
+         * @param side the side of the robot on which the wall is
+         * @param period the time between two decisions, in seconds; 0 for every tick
+         * @param timingRule the timing rule
+         */
         public WallFollowing(double distance, WallSide side, double period, TimingRule timingRule) {
             this(distance, side, period, timingRule, true);
         }
 
-        /** Settings with automatic gains. */
+        /**
+         * Creates settings with automatic gains.
+         *
+         * @param distance the distance between the robot's centre and the wall, in metres, positive
+         * @param side the side of the robot on which the wall is
+         * @param period the time between two decisions, in seconds; 0 for every tick
+         * @param timingRule the timing rule
+         * @param diagnosis whether the follower watches its sensors
+         */
         public WallFollowing(double distance, WallSide side, double period, TimingRule timingRule, boolean diagnosis) {
             this(distance, side, period, timingRule, diagnosis, GainRule.AUTOMATIC);
         }
 
-        /** Returns the same settings with another distance, metres. */
+        /**
+         * {@return the same settings with another distance, metres}
+         *
+         * @param metres the distance, in metres, positive
+         */
         public WallFollowing withDistance(double metres) {
             return new WallFollowing(metres, side, period, timingRule, diagnosis, gainRule);
         }
 
-        /** Returns the same settings for a wall on another side. */
+        /**
+         * {@return the same settings for a wall on another side}
+         *
+         * @param newSide the side of the wall
+         */
         public WallFollowing withSide(WallSide newSide) {
             return new WallFollowing(distance, newSide, period, timingRule, diagnosis, gainRule);
         }
 
-        /** Returns the same settings with another timing rule. */
+        /**
+         * {@return the same settings with another timing rule}
+         *
+         * @param rule the timing rule
+         */
         public WallFollowing withTimingRule(TimingRule rule) {
             return new WallFollowing(distance, side, period, rule, diagnosis, gainRule);
         }
 
-        /** Returns the same settings with another choice of gains. */
+        /**
+         * {@return the same settings with another choice of gains}
+         *
+         * @param rule the choice of the gains
+         */
         public WallFollowing withGainRule(GainRule rule) {
             return new WallFollowing(distance, side, period, timingRule, diagnosis, rule);
         }
 
-        /** Returns whether a running follower can take other settings and go on from its state. */
+        /**
+         * {@return whether a running follower can take other settings and go on from its state}
+         *
+         * @param other the other settings
+         */
         public boolean canContinueWith(WallFollowing other) {
             return side == other.side && period == other.period && diagnosis == other.diagnosis;
         }
 
-        /** Returns the same settings with or without diagnosis. */
+        /**
+         * {@return the same settings with or without diagnosis}
+         *
+         * @param on whether the follower watches its sensors
+         */
         public WallFollowing withDiagnosis(boolean on) {
             return new WallFollowing(distance, side, period, timingRule, on, gainRule);
         }
@@ -95,6 +134,18 @@ public sealed interface ControllerSpec {
             return OptionalDouble.of(distance);
         }
 
+        /**
+         * Creates settings.
+         *
+         * @param distance the wanted reading of the sensor that faces the wall, metres, positive
+         * @param side the side that the wall is kept on
+         * @param period how often it decides, seconds; 0 for every tick; rounded to whole ticks
+         * @param timingRule which moments are F3 and F4
+         * @param diagnosis whether it watches its sensors and carries on with those that it trusts
+         * @param gainRule how the gains of its distance controller are chosen
+         * @throws IllegalArgumentException if the distance is not positive and finite, or the period is negative or not
+         *     finite
+         */
         public WallFollowing {
             if (!(distance > 0 && Double.isFinite(distance))) {
                 throw new IllegalArgumentException("the distance must be positive: " + distance);
@@ -130,6 +181,13 @@ public sealed interface ControllerSpec {
      * @param settings what the file says
      */
     record Provided(String name, double period, Map<String, String> settings) implements Foreign {
+        /**
+         * Creates a choice of a controller from a copy of the settings.
+         *
+         * @param name the name of a {@link ControllerProvider}
+         * @param period how often it decides, seconds; 0 for every tick
+         * @param settings what the file says
+         */
         public Provided {
             settings = Map.copyOf(settings);
         }
@@ -142,6 +200,12 @@ public sealed interface ControllerSpec {
      * @param source starts the chosen one
      */
     record Chosen(ControllerSpec original, ControllerSource source) implements Foreign {
+        /**
+         * Creates a choice of a controller.
+         *
+         * @param original as in the file
+         * @param source starts the chosen one
+         */
         public Chosen {
             Objects.requireNonNull(original, "original");
             Objects.requireNonNull(source, "source");
@@ -167,6 +231,13 @@ public sealed interface ControllerSpec {
      * @param decisions in the order of their ticks
      */
     record Recorded(double wanted, long ticks, List<RecordedDecision> decisions) implements ControllerSpec {
+        /**
+         * Creates a record from a copy of the decisions.
+         *
+         * @param wanted the distance from the wall that was wanted, metres
+         * @param ticks how many ticks were decided on
+         * @param decisions in the order of their ticks
+         */
         public Recorded {
             decisions = List.copyOf(decisions);
         }

@@ -5,10 +5,14 @@ import java.util.Arrays;
 /** A state of a controller: one of the wall follower's six, or one that another controller names. */
 public sealed interface ControllerState permits FollowerState, ControllerState.Named {
 
-    /** Returns the name, such as FOLLOW. */
+    /** {@return the name, such as FOLLOW} */
     String name();
 
-    /** Returns the state of a name: the wall follower's if it has one of that name. */
+    /**
+     * {@return the state of a name: the wall follower's if it has one of that name}
+     *
+     * @param name the name of the state
+     */
     static ControllerState of(String name) {
         return Arrays.stream(FollowerState.values())
                 .filter(state -> state.name().equals(name))
@@ -24,6 +28,12 @@ public sealed interface ControllerState permits FollowerState, ControllerState.N
      */
     record Named(String name) implements ControllerState {
 
+        /**
+         * Creates a state.
+         *
+         * @param name any text but a name of one of the wall follower's states
+         * @throws IllegalArgumentException if the wall follower has a state of the same name
+         */
         public Named {
             if (Arrays.stream(FollowerState.values()).map(Enum::name).anyMatch(name::equals)) {
                 throw new IllegalArgumentException("the wall follower has a state of its own called " + name);

@@ -11,6 +11,14 @@ import faultline.robot.RobotSpec;
  */
 public record Decision(double leftVolts, double rightVolts, Telemetry telemetry) {
 
+    /**
+     * Creates a decision.
+     *
+     * @param leftVolts on the left motors; the supply limits it
+     * @param rightVolts on the right motors; the supply limits it
+     * @param telemetry what the controller shows of its working
+     * @throws IllegalArgumentException if a voltage is not finite
+     */
     public Decision {
         if (!(Double.isFinite(leftVolts) && Double.isFinite(rightVolts))) {
             throw new IllegalArgumentException("voltages must be finite: " + leftVolts + ", " + rightVolts);
@@ -18,7 +26,7 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
     }
 
     /**
-     * Returns a decision for a controller that computes velocities and names its state.
+     * {@return a decision for a controller that computes velocities and names its state}
      *
      * @param robot whose motors turn velocities into voltages
      * @param v forward, metres per second

@@ -25,7 +25,7 @@ public final class DecisionLog {
         }
     }
 
-    /** Returns the decisions so far. */
+    /** {@return the decisions so far} */
     public List<RecordedDecision> decisions() {
         return List.copyOf(decisions);
     }

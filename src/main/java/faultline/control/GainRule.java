@@ -7,7 +7,7 @@ public sealed interface GainRule {
     GainRule AUTOMATIC = new Automatic();
 
     /**
-     * Returns the gains.
+     * {@return the gains}
      *
      * @param speed metres per second
      * @param lag the motors' time constant and the control's delay, seconds
@@ -28,6 +28,12 @@ public sealed interface GainRule {
      * @param metres the length on which an error dies out, positive
      */
     record Length(double metres) implements GainRule {
+        /**
+         * Creates the rule.
+         *
+         * @param metres the length on which an error dies out, positive
+         * @throws IllegalArgumentException if the length is not positive and finite
+         */
         public Length {
             requirePositive(metres);
         }
@@ -45,6 +51,13 @@ public sealed interface GainRule {
      * @param derivative k_d, radians per second for each metre per second, positive
      */
     record Fixed(double proportional, double derivative) implements GainRule {
+        /**
+         * Creates the rule.
+         *
+         * @param proportional k_p, radians per second for each metre, positive
+         * @param derivative k_d, radians per second for each metre per second, positive
+         * @throws IllegalArgumentException if a gain is not positive and finite
+         */
         public Fixed {
             requirePositive(proportional);
             requirePositive(derivative);

@@ -14,7 +14,7 @@ import faultline.robot.RobotSpec;
 public record Observation(long tick, double dt, RobotSpec robot, double[] readings) {
 
     /**
-     * Returns a sensor's distance, or another value if it sees nothing, does not answer or does not exist.
+     * {@return a sensor's distance, or another value if it sees nothing, does not answer or does not exist}
      *
      * @param sensor the id of the sensor
      * @param otherwise the other value

@@ -7,7 +7,12 @@ public final class PeriodicController implements Controller, AutoCloseable {
     private final double period;
     private Decision lastDecision;
 
-    /** A controller that asks another every {@code period} seconds, rounded to whole ticks, at least one. */
+    /**
+     * Creates a controller that asks another at a period, rounded to whole ticks, at least one.
+     *
+     * @param inner the other controller
+     * @param period the period, in seconds, not negative
+     */
     public PeriodicController(Controller inner, double period) {
         this.delegate = inner;
         this.period = period;
@@ -38,7 +43,12 @@ public final class PeriodicController implements Controller, AutoCloseable {
         delegate.configure(settings);
     }
 
-    /** Returns a period in whole ticks, at least one. */
+    /**
+     * {@return a period in whole ticks, at least one}
+     *
+     * @param period the period, in seconds, not negative
+     * @param dt the length of a tick, in seconds, positive
+     */
     public static long ticksPerPeriod(double period, double dt) {
         return Math.max(1, Math.round(period / dt));
     }

@@ -13,6 +13,15 @@ import faultline.io.XmlText;
  */
 public record RecordedDecision(long tick, double leftVolts, double rightVolts, String state, String condition) {
 
+    /**
+     * Creates a record, with the state and the condition on one line each.
+     *
+     * @param tick the tick of the observation that was decided on
+     * @param leftVolts on the left motors
+     * @param rightVolts on the right motors
+     * @param state the name of the controller's state; on one line
+     * @param condition the condition that brought it there, empty if it gave none; on one line
+     */
     public RecordedDecision {
         state = XmlText.oneLine(state);
         condition = XmlText.oneLine(condition);

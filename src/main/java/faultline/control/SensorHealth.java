@@ -11,12 +11,16 @@ package faultline.control;
  */
 public record SensorHealth(String sensor, SensorTrust trust, SensorFinding finding, double evidence, long sinceTick) {
 
-    /** Returns the health of a sensor that nothing is known against. */
+    /**
+     * {@return the health of a sensor that nothing is known against}
+     *
+     * @param sensor the id of the sensor
+     */
     public static SensorHealth trusted(String sensor) {
         return new SensorHealth(sensor, SensorTrust.TRUSTED, SensorFinding.NONE, 0, 0);
     }
 
-    /** Returns whether the sensor is used: it is trusted, or suspected only. */
+    /** {@return whether the sensor is used: it is trusted, or suspected only} */
     public boolean isTrusted() {
         return trust != SensorTrust.DISTRUSTED;
     }

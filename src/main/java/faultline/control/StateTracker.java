@@ -6,7 +6,11 @@ public final class StateTracker implements Controller {
     private final Controller delegate;
     private Telemetry last;
 
-    /** Tracks a controller. */
+    /**
+     * Tracks a controller.
+     *
+     * @param delegate the controller
+     */
     public StateTracker(Controller delegate) {
         this.delegate = delegate;
     }

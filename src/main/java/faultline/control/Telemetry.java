@@ -51,8 +51,8 @@ public record Telemetry(
     }
 
     /**
-     * /** Returns the telemetry after a controller that is not part of the program has named a state; the same state
-     * again is no transition.
+     * {@return the telemetry after a controller that is not part of the program has named a state} If the state is the
+     * same as before, it is no transition.
      *
      * @param newState the name of its state
      * @param why the condition that brought it there, empty if it gives none
@@ -82,12 +82,22 @@ public record Telemetry(
         /** Of a controller without a diagnosis. */
         public static final Diagnosis NONE = new Diagnosis("", List.of());
 
+        /**
+         * Creates a diagnosis from a copy of the health.
+         *
+         * @param rung the name of the strategy that drives, empty without a diagnosis
+         * @param health of each sensor, in the robot's order; empty without a diagnosis
+         */
         public Diagnosis {
             health = List.copyOf(health);
         }
     }
 
-    /** Returns the telemetry of a controller that shows nothing but its state. */
+    /**
+     * {@return the telemetry of a controller that shows nothing but its state}
+     *
+     * @param state the state
+     */
     public static Telemetry ofState(ControllerState state) {
         return new Telemetry(state, "", 0, 0, WallControl.NONE, EdgeTimes.NONE, Diagnosis.NONE);
     }

@@ -23,7 +23,7 @@ public enum TimingRule {
      */
     public static final double MARGIN = 0.08;
 
-    /** Returns the name in scenario files, in lower case with hyphens. */
+    /** {@return the name in scenario files, in lower case with hyphens} */
     public String fileName() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }

@@ -33,7 +33,11 @@ public final class ChunkLog<C> {
         this.chunkFactory = chunkFactory;
     }
 
-    /** Adds an entry, which the caller then writes to {@link #newest}, and returns its index in that chunk. */
+    /**
+     * Adds an entry, which the caller then writes to {@link #newest}.
+     *
+     * @return the index of the entry in its chunk
+     */
     public int append() {
         int offset = (int) (end % chunkSize);
         if (offset == 0) {
@@ -47,12 +51,12 @@ public final class ChunkLog<C> {
         return offset;
     }
 
-    /** Returns the chunk of the newest entry. */
+    /** {@return the chunk of the newest entry} */
     public C newest() {
         return chunks.get(chunks.size() - 1);
     }
 
-    /** Returns a view of the current entries. Later entries do not appear in it. */
+    /** {@return a view of the current entries} Later entries do not appear in it. */
     public View<C> view() {
         return new View<>(chunks, chunkSize, first, end);
     }
@@ -69,8 +73,9 @@ public final class ChunkLog<C> {
     public record View<C>(List<C> chunks, int chunkSize, long first, long end) {
 
         /**
-         * Returns the chunk of an entry.
+         * {@return the chunk of an entry}
          *
+         * @param index the index of the entry in the log
          * @throws IndexOutOfBoundsException if the entry was dropped or is not yet written
          */
         public C chunk(long index) {
@@ -80,12 +85,20 @@ public final class ChunkLog<C> {
             return chunks.get((int) ((index - first) / chunkSize));
         }
 
-        /** Returns the index of an entry in its chunk. */
+        /**
+         * {@return the index of an entry in its chunk}
+         *
+         * @param index the index of the entry in the log
+         */
         public int offset(long index) {
             return (int) (index % chunkSize);
         }
 
-        /** Returns whether this view begins with all entries of an earlier, non-empty view of the same log. */
+        /**
+         * {@return whether this view begins with all entries of an earlier, non-empty view of the same log}
+         *
+         * @param earlier the earlier view
+         */
         public boolean isContinuationOf(View<C> earlier) {
             return earlier.end > 0 && end >= earlier.end && chunks.get(0) == earlier.chunks.get(0);
         }

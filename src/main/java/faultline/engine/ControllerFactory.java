@@ -24,8 +24,9 @@ public final class ControllerFactory {
     private ControllerFactory() {}
 
     /**
-     * Returns a new controller for a run. One that is {@link AutoCloseable} belongs to the caller.
+     * {@return a new controller for a run} One that is {@link AutoCloseable} belongs to the caller.
      *
+     * @param setup the setup of the run
      * @throws RunFailedException if it is not part of the program and cannot be started
      */
     public static Controller create(SimulationSetup setup) {
@@ -47,7 +48,11 @@ public final class ControllerFactory {
         return spec instanceof ControllerSpec.Provided ? ControllerMode.OWN_THREAD : preferred;
     }
 
-    /** Returns a new controller in its initial state; one of the program takes other settings during a run. */
+    /**
+     * {@return a new controller in its initial state; one of the program takes other settings during a run}
+     *
+     * @param spec the choice of the controller and its settings
+     */
     public static Controller create(ControllerSpec spec) {
         if (spec instanceof ControllerSpec.BuiltIn builtIn) {
             return new ConfigurableController(builtIn);
@@ -78,7 +83,11 @@ public final class ControllerFactory {
         return observation -> constant;
     }
 
-    /** Returns all states of a controller, the initial state first; empty for one that is not part of the program. */
+    /**
+     * {@return all states of a controller, the initial state first; empty for one that is not part of the program}
+     *
+     * @param spec the choice of the controller
+     */
     public static List<ControllerState> states(ControllerSpec spec) {
         if (spec instanceof ControllerSpec.WallFollowing wall) {
             Stream<ControllerState> stop = wall.diagnosis() ? Stream.of(FaultTolerantFollower.STOP) : Stream.empty();
@@ -90,7 +99,11 @@ public final class ControllerFactory {
         return List.of(ControllerState.of(spec instanceof ControllerSpec.Drive ? "DRIVE" : "NONE"));
     }
 
-    /** Returns the state that a controller starts in. */
+    /**
+     * {@return the state that a controller starts in}
+     *
+     * @param spec the choice of the controller
+     */
     public static ControllerState initialState(ControllerSpec spec) {
         return states(spec).stream().findFirst().orElse(FOREIGN_STATE);
     }

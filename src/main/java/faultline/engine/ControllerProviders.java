@@ -16,8 +16,9 @@ public final class ControllerProviders {
     private ControllerProviders() {}
 
     /**
-     * Returns the provider of a name, if there is one.
+     * {@return the provider of a name, if there is one}
      *
+     * @param name the name of the controller
      * @throws RunFailedException if a provider cannot be loaded
      */
     public static Optional<ControllerProvider> find(String name) {
@@ -25,7 +26,7 @@ public final class ControllerProviders {
     }
 
     /**
-     * Returns the names of all providers, in alphabetical order.
+     * {@return the names of all providers, in alphabetical order}
      *
      * @throws RunFailedException if a provider cannot be loaded
      */
@@ -51,6 +52,7 @@ public final class ControllerProviders {
      *
      * @param provider makes it
      * @param settings for it
+     * @return a new controller
      * @throws RunFailedException if the provider fails
      */
     public static Controller create(ControllerProvider provider, Map<String, String> settings) {

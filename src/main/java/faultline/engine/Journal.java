@@ -16,17 +16,31 @@ import java.util.List;
  */
 public record Journal(SimulationSetup setup, List<Entry> entries, long ticks, List<RecordedDecision> decisions) {
 
+    /**
+     * Creates a journal from copies of the lists.
+     *
+     * @param setup of the run
+     * @param entries in the order in which they were executed
+     * @param ticks the number of ticks made
+     * @param decisions those of a controller that is not part of the program; empty for others
+     */
     public Journal {
         entries = List.copyOf(entries);
         decisions = List.copyOf(decisions);
     }
 
-    /** The journal of a run with a controller that is part of the program. */
+    /**
+     * Creates the journal of a run with a controller that is part of the program.
+     *
+     * @param setup the setup of the run
+     * @param entries the commands from outside, in order
+     * @param ticks the number of ticks of the run
+     */
     public Journal(SimulationSetup setup, List<Entry> entries, long ticks) {
         this(setup, entries, ticks, List.of());
     }
 
-    /** Returns the setup with a controller that repeats the recorded decisions where the run's own may be missing. */
+    /** {@return the setup with a controller that repeats the recorded decisions where the run's own may be missing} */
     public SimulationSetup replayableSetup() {
         return setup.controller() instanceof ControllerSpec.Foreign foreign
                 ? setup.withController(

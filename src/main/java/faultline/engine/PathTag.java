@@ -20,7 +20,12 @@ public final class PathTag {
 
     private PathTag() {}
 
-    /** Returns the tag of a state of the controller. */
+    /**
+     * {@return the tag of a state of the controller}
+     *
+     * @param state the state
+     * @param faulty whether a sensor or motor is faulty
+     */
     public static int of(ControllerState state, boolean faulty) {
         return (state instanceof FollowerState follower ? follower.ordinal() : OTHER_STATE) + (faulty ? FAULT_BIT : 0);
     }
@@ -39,12 +44,20 @@ public final class PathTag {
                 || !world.motorFaults().right().isEmpty();
     }
 
-    /** Returns the index of the state: its ordinal in {@link FollowerState}, or {@link #OTHER_STATE}. */
+    /**
+     * {@return the index of the state: its ordinal in {@link FollowerState}, or {@link #OTHER_STATE}}
+     *
+     * @param tag the tag
+     */
     public static int stateIndex(int tag) {
         return tag % FAULT_BIT;
     }
 
-    /** Returns whether a sensor or motor is faulty. */
+    /**
+     * {@return whether a sensor or motor is faulty}
+     *
+     * @param tag the tag
+     */
     public static boolean isFaulty(int tag) {
         return tag >= FAULT_BIT;
     }

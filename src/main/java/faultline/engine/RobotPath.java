@@ -17,22 +17,34 @@ public final class RobotPath {
         this.nextThinning = nextThinning;
     }
 
-    /** Returns the number of points, at least 1. */
+    /** {@return the number of points, at least 1} */
     public int size() {
         return (int) points.end();
     }
 
-    /** Returns the x coordinate of a point, metres; point 0 is the start. */
+    /**
+     * {@return the x coordinate of a point, metres; point 0 is the start}
+     *
+     * @param index the index of the point
+     */
     public double x(int index) {
         return points.chunk(index).x(points.offset(index));
     }
 
-    /** Returns the y coordinate of a point, metres; point 0 is the start. */
+    /**
+     * {@return the y coordinate of a point, metres; point 0 is the start}
+     *
+     * @param index the index of the point
+     */
     public double y(int index) {
         return points.chunk(index).y(points.offset(index));
     }
 
-    /** Returns the {@link PathTag} of the line that leads to a point. */
+    /**
+     * {@return the {@link PathTag} of the line that leads to a point}
+     *
+     * @param index the index of the point
+     */
     public int tag(int index) {
         return points.chunk(index).tag(points.offset(index));
     }
@@ -55,8 +67,10 @@ public final class RobotPath {
     }
 
     /**
-     * Returns the part of this path that an earlier path of the same run covered. It shares its points with this path,
+     * {@return the part of this path that an earlier path of the same run covered} It shares its points with this path,
      * while the earlier path may hold points that have been dropped since.
+     *
+     * @param earlier the earlier path
      */
     public RobotPath prefix(RobotPath earlier) {
         int size = earlier.nextThinning.sizeAfter(earlier.size(), nextThinning);
@@ -64,7 +78,11 @@ public final class RobotPath {
                 new ChunkLog.View<>(points.chunks(), points.chunkSize(), points.first(), size), nextThinning);
     }
 
-    /** Returns whether this path begins with all points of an earlier path of the same run. */
+    /**
+     * {@return whether this path begins with all points of an earlier path of the same run}
+     *
+     * @param earlier the earlier path
+     */
     public boolean isContinuationOf(RobotPath earlier) {
         return points.isContinuationOf(earlier.points);
     }

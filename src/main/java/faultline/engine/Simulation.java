@@ -55,6 +55,9 @@ public final class Simulation implements AutoCloseable {
     /**
      * Creates a simulation whose commands have no listener; see {@link #Simulation(SimulationSetup, ControllerMode,
      * CommandListener)}.
+     *
+     * @param setup the setup
+     * @param mode the thread of the controller
      */
     public Simulation(SimulationSetup setup, ControllerMode mode) {
         this(setup, mode, CommandListener.NONE);
@@ -186,6 +189,9 @@ public final class Simulation implements AutoCloseable {
     /**
      * Executes a command from outside at the start of the next tick, after the timeline's commands for that tick, and
      * adds it to the journal unless it is refused.
+     *
+     * @param command the command
+     * @return the inverse of the command, or why it was refused
      */
     public CommandResult execute(Command command) {
         executeDueCommands(world.tick() + 1);
@@ -201,44 +207,44 @@ public final class Simulation implements AutoCloseable {
         world.sense();
     }
 
-    /** Returns the number of ticks made. */
+    /** {@return the number of ticks made} */
     public long ticks() {
         return world.tick();
     }
 
-    /** Returns the simulated time: ticks times dt, seconds. */
+    /** {@return the simulated time: ticks times dt, seconds} */
     public double time() {
         return world.tick() * setup.dt();
     }
 
-    /** Returns the setup of the run. */
+    /** {@return the setup of the run} */
     public SimulationSetup setup() {
         return setup;
     }
 
-    /** Returns the robot's pose; its heading is not normalised. */
+    /** {@return the robot's pose; its heading is not normalised} */
     public Pose pose() {
         return world.pose();
     }
 
-    /** Returns the robot with its current settings. */
+    /** {@return the robot with its current settings} */
     public RobotSpec robot() {
         return world.robot();
     }
 
-    /** Returns the robot's wheel speeds. */
+    /** {@return the robot's wheel speeds} */
     public WheelSpeeds wheelSpeeds() {
         return world.wheelSpeeds();
     }
 
-    /** Returns the robot's velocity. */
+    /** {@return the robot's velocity} */
     public Velocity velocity() {
         return world.wheelSpeeds().toVelocity(world.robot().trueTrack());
     }
 
     /**
-     * Returns a sensor's reading without noise and faults, even if it is switched off; encoded as in
-     * {@link faultline.sensor.Reading}.
+     * {@return a sensor's reading without noise and faults, even if it is switched off; encoded as in
+     * {@link faultline.sensor.Reading}}
      *
      * @param sensor the sensor's index in the robot's list
      */
@@ -247,7 +253,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Returns a sensor's reported reading; encoded as in {@link faultline.sensor.Reading}.
+     * {@return a sensor's reported reading; encoded as in {@link faultline.sensor.Reading}}
      *
      * @param sensor the sensor's index in the robot's list
      */
@@ -255,13 +261,13 @@ public final class Simulation implements AutoCloseable {
         return world.reportedReading(sensor);
     }
 
-    /** Returns the current settings of the controller. */
+    /** {@return the current settings of the controller} */
     public ControllerSpec controllerSpec() {
         return controllerSpec;
     }
 
     /**
-     * Returns the active faults of a sensor, oldest first.
+     * {@return the active faults of a sensor, oldest first}
      *
      * @param sensor the sensor's index in the robot's list
      */
@@ -269,48 +275,48 @@ public final class Simulation implements AutoCloseable {
         return world.faults(sensor);
     }
 
-    /** Returns the active faults of the motors. */
+    /** {@return the active faults of the motors} */
     public MotorFaults motorFaults() {
         return world.motorFaults();
     }
 
-    /** Returns the telemetry of the decision that acted in the last tick; at tick 0 that of the initial state. */
+    /** {@return the telemetry of the decision that acted in the last tick; at tick 0 that of the initial state} */
     public Telemetry telemetry() {
         return activeDecision.telemetry();
     }
 
-    /** Returns the voltage of the left motors in the last tick, volts. */
+    /** {@return the voltage of the left motors in the last tick, volts} */
     public double leftVolts() {
         return activeDecision.leftVolts();
     }
 
-    /** Returns the voltage of the right motors in the last tick, volts. */
+    /** {@return the voltage of the right motors in the last tick, volts} */
     public double rightVolts() {
         return activeDecision.rightVolts();
     }
 
-    /** Returns the robot's first collision, if there was one. */
+    /** {@return the robot's first collision, if there was one} */
     public Optional<Collision> collision() {
         return world.collision();
     }
 
-    /** Returns the hash over the poses, wheel speeds and reported readings of all ticks so far. */
+    /** {@return the hash over the poses, wheel speeds and reported readings of all ticks so far} */
     public long trajectoryHash() {
         return trajectoryRecorder.hash();
     }
 
-    /** Returns the current state of the world. */
+    /** {@return the current state of the world} */
     public Snapshot snapshot() {
         return world.snapshot();
     }
 
-    /** Returns the current state of the run. */
+    /** {@return the current state of the run} */
     public Frame frame() {
         return new Frame(
                 world.snapshot(), telemetry(), leftVolts(), rightVolts(), trajectoryRecorder.path(), trajectoryHash());
     }
 
-    /** Returns the commands executed from outside so far. */
+    /** {@return the commands executed from outside so far} */
     public Journal journal() {
         return new Journal(setup, journal, world.tick(), decisionLog.decisions());
     }

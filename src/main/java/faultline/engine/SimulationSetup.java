@@ -40,6 +40,20 @@ public record SimulationSetup(
     /** The duration if none is given, seconds. */
     public static final double DEFAULT_DURATION = 120;
 
+    /**
+     * Creates a setup.
+     *
+     * @param world the world at the start
+     * @param robot the robot
+     * @param start the robot's pose at time 0
+     * @param controller drives the robot
+     * @param timeline the timed commands, in the order of the file
+     * @param dt the length of a tick, seconds, positive
+     * @param seed of all random numbers
+     * @param duration the length of a run, seconds, not negative
+     * @throws IllegalArgumentException if the tick is not positive and finite, or the duration is negative or not
+     *     finite
+     */
     public SimulationSetup {
         Objects.requireNonNull(world, "world");
         Objects.requireNonNull(robot, "robot");
@@ -54,7 +68,12 @@ public record SimulationSetup(
         }
     }
 
-    /** Returns the setup of the default robot with the default wall follower and an empty timeline. */
+    /**
+     * {@return the setup of the default robot with the default wall follower and an empty timeline}
+     *
+     * @param world the world
+     * @param start the robot's pose at the start
+     */
     public static SimulationSetup of(WorldSpec world, Pose start) {
         return new SimulationSetup(
                 world,
@@ -74,6 +93,13 @@ public record SimulationSetup(
      * @param command the command
      */
     public record TimedCommand(double time, Command command) {
+        /**
+         * Creates a timed command.
+         *
+         * @param time seconds, not negative
+         * @param command the command
+         * @throws IllegalArgumentException if the time is negative or not finite
+         */
         public TimedCommand {
             if (!(time >= 0 && Double.isFinite(time))) {
                 throw new IllegalArgumentException("a time must not be negative: " + time);
@@ -83,7 +109,7 @@ public record SimulationSetup(
     }
 
     /**
-     * Returns the first tick that is not before a time. A millionth of a tick is tolerated as a rounding error.
+     * {@return the first tick that is not before a time} A millionth of a tick is tolerated as a rounding error.
      *
      * @param seconds the time, not negative
      */
@@ -91,52 +117,88 @@ public record SimulationSetup(
         return (long) Math.ceil(seconds / dt - 1e-6);
     }
 
-    /** Returns the time of a tick, seconds, without a rounding error: 35.91 for tick 3591 of 0.01 s. */
+    /**
+     * {@return the time of a tick, seconds, without a rounding error: 35.91 for tick 3591 of 0.01 s}
+     *
+     * @param tick the tick
+     */
     public double timeOf(long tick) {
         return BigDecimal.valueOf(dt).multiply(BigDecimal.valueOf(tick)).doubleValue();
     }
 
-    /** Returns the number of ticks up to {@link #duration}. */
+    /** {@return the number of ticks up to {@link #duration}} */
     public long ticks() {
         return tickAt(duration);
     }
 
-    /** Returns this setup with another world. */
+    /**
+     * {@return this setup with another world}
+     *
+     * @param newWorld the new world
+     */
     public SimulationSetup withWorld(WorldSpec newWorld) {
         return new SimulationSetup(newWorld, robot, start, controller, timeline, dt, seed, duration);
     }
 
-    /** Returns this setup with another robot. */
+    /**
+     * {@return this setup with another robot}
+     *
+     * @param newRobot the new robot
+     */
     public SimulationSetup withRobot(RobotSpec newRobot) {
         return new SimulationSetup(world, newRobot, start, controller, timeline, dt, seed, duration);
     }
 
-    /** Returns this setup with another start pose. */
+    /**
+     * {@return this setup with another start pose}
+     *
+     * @param pose the new start pose
+     */
     public SimulationSetup withStart(Pose pose) {
         return new SimulationSetup(world, robot, pose, controller, timeline, dt, seed, duration);
     }
 
-    /** Returns this setup with another controller. */
+    /**
+     * {@return this setup with another controller}
+     *
+     * @param newController the new controller
+     */
     public SimulationSetup withController(ControllerSpec newController) {
         return new SimulationSetup(world, robot, start, newController, timeline, dt, seed, duration);
     }
 
-    /** Returns this setup with another timeline. */
+    /**
+     * {@return this setup with another timeline}
+     *
+     * @param newTimeline the new commands, in order of execution within a tick
+     */
     public SimulationSetup withTimeline(List<TimedCommand> newTimeline) {
         return new SimulationSetup(world, robot, start, controller, newTimeline, dt, seed, duration);
     }
 
-    /** Returns this setup with another length of a tick, seconds, positive. */
+    /**
+     * {@return this setup with another length of a tick, seconds, positive}
+     *
+     * @param seconds the length of a tick, in seconds, positive
+     */
     public SimulationSetup withTick(double seconds) {
         return new SimulationSetup(world, robot, start, controller, timeline, seconds, seed, duration);
     }
 
-    /** Returns this setup with another seed. */
+    /**
+     * {@return this setup with another seed}
+     *
+     * @param newSeed the new seed
+     */
     public SimulationSetup withSeed(long newSeed) {
         return new SimulationSetup(world, robot, start, controller, timeline, dt, newSeed, duration);
     }
 
-    /** Returns this setup with another duration, seconds, not negative. */
+    /**
+     * {@return this setup with another duration, seconds, not negative}
+     *
+     * @param seconds the duration, in seconds, not negative
+     */
     public SimulationSetup withDuration(double seconds) {
         return new SimulationSetup(world, robot, start, controller, timeline, dt, seed, seconds);
     }

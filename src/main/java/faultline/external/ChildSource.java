@@ -32,13 +32,22 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
             boolean givesTruth,
             Consumer<String> errors) {}
 
-    /** Creates a source that starts a command. */
+    /**
+     * Creates a source that starts a command.
+     *
+     * @param command the command, as in a shell
+     * @param terms what all of its children have in common
+     */
     public ChildSource(String command, Terms terms) {
         this.command = command;
         this.terms = terms;
     }
 
-    /** Leaves a child open at the end of its run, until this source is closed, so that it can be sent a result. */
+    /**
+     * Leaves a child open at the end of its run, until this source is closed, so that it can be sent a result.
+     *
+     * @return this source
+     */
     public ChildSource keepOpen() {
         keepsOpen = true;
         return this;

@@ -26,20 +26,24 @@ public final class ControllerChoice {
 
     private ControllerChoice() {}
 
-    /** Returns the names that are no commands: those of the program and of the class path. */
+    /** {@return the names that are no commands: those of the program and of the class path} */
     public static List<String> names() {
         List<String> names = new ArrayList<>(List.of(WALL_FOLLOWER, NONE));
         names.addAll(ControllerProviders.names());
         return names;
     }
 
-    /** Returns whether a choice is a command that starts a child process. */
+    /**
+     * {@return whether a choice is a command that starts a child process}
+     *
+     * @param choice the value of an option or a field
+     */
     public static boolean isCommand(String choice) {
         return !names().contains(choice);
     }
 
     /**
-     * Returns a setup with a chosen controller.
+     * {@return a setup with a chosen controller}
      *
      * @param choice a name or a command
      * @param setup names another controller
@@ -99,8 +103,10 @@ public final class ControllerChoice {
     /**
      * Calls something that can find the controllers of some jars, as the files are now.
      *
+     * @param <T> the type of the result
      * @param jars files
      * @param action what to call, on the calling thread
+     * @return the result of the action
      */
     public static <T> T withJars(List<Path> jars, Supplier<T> action) {
         Thread thread = Thread.currentThread();

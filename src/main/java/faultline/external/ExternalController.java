@@ -30,7 +30,11 @@ public final class ExternalController implements Controller, TickObserver, AutoC
         /** The limits of the protocol. */
         public static final Timeouts DEFAULT = new Timeouts(30, 10);
 
-        /** Returns these limits with another one for answers; a child may take as long to begin, too. */
+        /**
+         * {@return these limits with another one for answers; a child may take as long to begin, too}
+         *
+         * @param seconds the limit for each answer, in seconds; infinity for no limit
+         */
         public Timeouts withAnswer(double seconds) {
             return new Timeouts(Math.max(ready, seconds), seconds);
         }

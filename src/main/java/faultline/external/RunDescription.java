@@ -18,7 +18,7 @@ public record RunDescription(
         String program, String scenario, long seed, double dt, long periodTicks, double duration, RobotSpec robot) {
 
     /**
-     * Returns the description of a setup.
+     * {@return the description of a setup}
      *
      * @param program the name and version of the simulator
      * @param scenario the name of the scenario

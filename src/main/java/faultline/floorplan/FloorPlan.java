@@ -16,6 +16,14 @@ import java.util.Locale;
  */
 public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCells solid, List<GridRing> rings) {
 
+    /**
+     * Creates a floor plan from a copy of the rings.
+     *
+     * @param description what the map file says
+     * @param grid the classified cells
+     * @param solid the cells that obstruct the robot
+     * @param rings the outlines of the solid cells, solid by the even-odd rule, in cells
+     */
     public FloorPlan {
         rings = List.copyOf(rings);
     }
@@ -32,6 +40,15 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
         /** Exact outlines of the occupied cells. */
         public static final Options DEFAULT = new Options(false, 1, 0);
 
+        /**
+         * Creates the options.
+         *
+         * @param unknownIsSolid whether unknown cells count as solid
+         * @param minCells groups of fewer solid cells are dropped
+         * @param smoothing the bound for simplified outlines, in cells; 0 keeps the exact staircase
+         * @throws IllegalArgumentException if the number of cells is negative, or the smoothing is negative or not
+         *     finite
+         */
         public Options {
             if (minCells < 0) {
                 throw new IllegalArgumentException("the number of cells must not be negative: " + minCells);
@@ -94,7 +111,7 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
         return new FloorPlan(description, grid, solid, rings);
     }
 
-    /** Returns the number of wall segments of all outlines. */
+    /** {@return the number of wall segments of all outlines} */
     public int segmentCount() {
         return rings.stream().mapToInt(GridRing::size).sum();
     }

@@ -29,6 +29,7 @@ public final class FloorPlanScenario {
      *
      * @param name the scenario's name
      * @param plan the floor plan
+     * @return the scenario
      */
     public static Scenario create(String name, FloorPlan plan) {
         FreeDisc disc = FreeDisc.largest(plan.grid());
@@ -44,6 +45,7 @@ public final class FloorPlanScenario {
      * @param name the scenario's name
      * @param plan the floor plan
      * @param start the robot's pose in the world, metres from the lower left corner
+     * @return the scenario
      */
     public static Scenario create(String name, FloorPlan plan, Pose start) {
         Pose frame = frame(plan);

@@ -17,23 +17,31 @@ public final class GridRing {
         this.rows = rows;
     }
 
-    /** Returns the number of corners. */
+    /** {@return the number of corners} */
     public int size() {
         return columns.length;
     }
 
-    /** Returns the distance of a corner from the left side of the map, in cells. */
+    /**
+     * {@return the distance of a corner from the left side of the map, in cells}
+     *
+     * @param corner the index of the corner
+     */
     public int column(int corner) {
         return columns[corner];
     }
 
-    /** Returns the distance of a corner from the bottom of the map, in cells. */
+    /**
+     * {@return the distance of a corner from the bottom of the map, in cells}
+     *
+     * @param corner the index of the corner
+     */
     public int row(int corner) {
         return rows[corner];
     }
 
-    /** Returns twice the enclosed area in cells, negative for the outline of a hole. */
-    public long doubledArea() {
+    /** {@return twice the enclosed area in cells, negative for the outline of a hole} */
+    long doubledArea() {
         long sum = 0;
         for (int i = 0, j = size() - 1; i < size(); j = i++) {
             sum += (long) columns[j] * rows[i] - (long) columns[i] * rows[j];

@@ -26,6 +26,18 @@ public record MapDescription(
     private static final double DEFAULT_OCCUPIED = 0.65;
     private static final double DEFAULT_FREE = 0.196;
 
+    /**
+     * Creates a description.
+     *
+     * @param image the image file
+     * @param resolution the side of a cell, metres, positive
+     * @param yaw the direction of the image's rows in the world, radians, counter-clockwise
+     * @param mode how pixel values are meant
+     * @param negate whether white is occupied
+     * @param occupiedThreshold a cell of at least this occupancy is occupied, in [0, 1]
+     * @param freeThreshold a cell of at most this occupancy is free, in [0, 1]
+     * @throws IllegalArgumentException if the resolution is not positive or the yaw is not finite
+     */
     public MapDescription {
         if (resolution.signum() <= 0) {
             throw new IllegalArgumentException("the resolution must be positive: " + resolution);

@@ -42,12 +42,12 @@ public final class OccupancyGrid {
         return ordinals;
     }
 
-    /** Returns the number of columns. */
+    /** {@return the number of columns} */
     public int width() {
         return width;
     }
 
-    /** Returns the number of rows. */
+    /** {@return the number of rows} */
     public int height() {
         return height;
     }

@@ -19,12 +19,12 @@ public final class SolidCells {
         this.solid = solid;
     }
 
-    /** Returns the number of columns. */
+    /** {@return the number of columns} */
     public int width() {
         return width;
     }
 
-    /** Returns the number of rows. */
+    /** {@return the number of rows} */
     public int height() {
         return height;
     }
@@ -40,7 +40,7 @@ public final class SolidCells {
         return column >= 0 && row >= 0 && column < width && row < height && solid[row * width + column];
     }
 
-    /** Returns the number of solid cells. */
+    /** {@return the number of solid cells} */
     public int count() {
         int count = 0;
         for (boolean cell : solid) {

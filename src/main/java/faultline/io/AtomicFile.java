@@ -36,6 +36,8 @@ public final class AtomicFile implements AutoCloseable {
     /**
      * Opens a file for writing. The target does not change before the commit.
      *
+     * @param file the file to create or replace
+     * @return the open file, which is to be committed and closed
      * @throws IOException if the file cannot be written, in one sentence
      */
     public static AtomicFile create(Path file) throws IOException {
@@ -72,6 +74,8 @@ public final class AtomicFile implements AutoCloseable {
     /**
      * Writes a whole file; an existing one is replaced.
      *
+     * @param file the file to create or replace
+     * @param bytes the content
      * @throws IOException if the file cannot be written, in one sentence
      */
     public static void write(Path file, byte[] bytes) throws IOException {
@@ -81,7 +85,7 @@ public final class AtomicFile implements AutoCloseable {
         }
     }
 
-    /** Returns the buffered stream for the content; the commit closes it. */
+    /** {@return the buffered stream for the content; the commit closes it} */
     public OutputStream stream() {
         return stream;
     }

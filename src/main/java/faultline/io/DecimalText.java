@@ -22,8 +22,10 @@ public final class DecimalText {
     private DecimalText() {}
 
     /**
-     * Returns the exact value of a decimal number with or without exponent, empty if the text is not a number.
+     * {@return the exact value of a decimal number with or without exponent, empty if the text is not a number}
      * Surrounding blanks are ignored.
+     *
+     * @param text the text
      */
     public static Optional<BigDecimal> parse(String text) {
         String trimmed = XmlText.strip(text);
@@ -34,7 +36,7 @@ public final class DecimalText {
     }
 
     /**
-     * Returns the nearest double to a number; a zero keeps the sign of its text. Infinite if the number is beyond all
+     * {@return the nearest double to a number; a zero keeps the sign of its text} Infinite if the number is beyond all
      * doubles.
      *
      * @param exact the result of {@link #parse} for the same text
@@ -44,7 +46,12 @@ public final class DecimalText {
         return withSignOf(exact.doubleValue(), text);
     }
 
-    /** Returns an angle given in degrees in radians; a zero keeps the sign of its text. */
+    /**
+     * {@return an angle given in degrees in radians; a zero keeps the sign of its text}
+     *
+     * @param degrees the exact value of the text
+     * @param text the text of the angle, in degrees
+     */
     public static double toRadians(BigDecimal degrees, String text) {
         return withSignOf(Degrees.toRadians(degrees), text);
     }
@@ -53,7 +60,11 @@ public final class DecimalText {
         return value == 0 && XmlText.strip(text).startsWith("-") ? -0.0 : value;
     }
 
-    /** Returns the text of a finite number, with an exponent only if the number is very large or very small. */
+    /**
+     * {@return the text of a finite number, with an exponent only if the number is very large or very small}
+     *
+     * @param value the number, finite
+     */
     public static String format(double value) {
         if (value == 0) {
             return formatZero(value);
@@ -63,7 +74,11 @@ public final class DecimalText {
         return Math.abs(power) <= MAX_PLAIN_EXPONENT ? shortest.toPlainString() : shortest.toString();
     }
 
-    /** Returns the text of a number rounded to three digits. */
+    /**
+     * {@return the text of a number rounded to three digits}
+     *
+     * @param value the number
+     */
     public static String formatRounded(double value) {
         return new BigDecimal(value)
                 .round(new MathContext(3))
@@ -71,7 +86,11 @@ public final class DecimalText {
                 .toPlainString();
     }
 
-    /** Returns the text of a finite angle in degrees, without exponent. */
+    /**
+     * {@return the text of a finite angle in degrees, without exponent}
+     *
+     * @param radians the angle, in radians, finite
+     */
     public static String formatDegrees(double radians) {
         return radians == 0 ? formatZero(radians) : Degrees.toText(radians);
     }

@@ -15,8 +15,11 @@ public final class DidYouMean {
     private DidYouMean() {}
 
     /**
-     * Returns a question to append to a problem, such as {@code ; did you mean "left"?}; empty if no known name is
-     * similar.
+     * {@return a question to append to a problem, such as {@code ; did you mean "left"?}; empty if no known name is
+     * similar}
+     *
+     * @param given the unknown name
+     * @param known the known names
      */
     public static String hint(String given, Collection<String> known) {
         return nearest(given, known)
@@ -25,8 +28,11 @@ public final class DidYouMean {
     }
 
     /**
-     * Returns the first of the known names that are most similar to another, ignoring case. Empty if all of them differ
-     * by more than one change in three letters, or by more than a single change if the name is shorter.
+     * {@return the first of the known names that are most similar to another, ignoring case} Empty if all of them
+     * differ by more than one change in three letters, or by more than a single change if the name is shorter.
+     *
+     * @param given the unknown name
+     * @param known the known names
      */
     public static Optional<String> nearest(String given, Collection<String> known) {
         if (given.length() > MAX_LENGTH) {

@@ -27,8 +27,8 @@ public final class FileTarget {
     private FileTarget() {}
 
     /**
-     * Returns the first output that is the same file as an input or as an earlier output, through a link, a hard link
-     * or another spelling. Devices and pipes are not compared.
+     * {@return the first output that is the same file as an input or as an earlier output, through a link, a hard link
+     * or another spelling} Devices and pipes are not compared.
      *
      * @param inputs files that are read
      * @param outputs files that are to be written, which need not exist
@@ -56,9 +56,10 @@ public final class FileTarget {
     }
 
     /**
-     * Returns the file that a path names, without links and detours. The file need not exist, nor the file that a link
+     * {@return the file that a path names, without links and detours} The file need not exist, nor the file that a link
      * points to.
      *
+     * @param file the path
      * @throws IOException if the links form a loop
      */
     public static Path resolve(Path file) throws IOException {

@@ -11,7 +11,12 @@ public final class JsonWriter {
         text.append('{');
     }
 
-    /** Begins a member whose value follows; returns this writer. */
+    /**
+     * Begins a member, whose value follows.
+     *
+     * @param name the member's name
+     * @return this writer
+     */
     public JsonWriter name(String name) {
         comma();
         appendQuoted(name);
@@ -20,19 +25,37 @@ public final class JsonWriter {
         return this;
     }
 
-    /** Writes a string member. */
+    /**
+     * Writes a string member.
+     *
+     * @param name the member's name
+     * @param value the member's value
+     * @return this writer
+     */
     public JsonWriter member(String name, String value) {
         name(name);
         return value(value);
     }
 
-    /** Writes a number member. */
+    /**
+     * Writes a number member.
+     *
+     * @param name the member's name
+     * @param value the member's value, finite
+     * @return this writer
+     */
     public JsonWriter member(String name, double value) {
         name(name);
         return value(value);
     }
 
-    /** Writes a whole-number member. */
+    /**
+     * Writes a whole-number member.
+     *
+     * @param name the member's name
+     * @param value the member's value
+     * @return this writer
+     */
     public JsonWriter member(String name, long value) {
         name(name);
         comma();
@@ -40,20 +63,36 @@ public final class JsonWriter {
         return this;
     }
 
-    /** Writes a truth value member. */
+    /**
+     * Writes a truth value member.
+     *
+     * @param name the member's name
+     * @param value the member's value
+     * @return this writer
+     */
     public JsonWriter member(String name, boolean value) {
         name(name);
         return value(value);
     }
 
-    /** Writes a string. */
+    /**
+     * Writes a string.
+     *
+     * @param value the string
+     * @return this writer
+     */
     public JsonWriter value(String value) {
         comma();
         appendQuoted(value);
         return this;
     }
 
-    /** Writes a finite number, a whole one without a fraction. */
+    /**
+     * Writes a finite number, a whole one without a fraction.
+     *
+     * @param value the number, finite
+     * @return this writer
+     */
     public JsonWriter value(double value) {
         if (!Double.isFinite(value)) {
             throw new IllegalArgumentException("JSON has no number for " + value);
@@ -67,36 +106,61 @@ public final class JsonWriter {
         return this;
     }
 
-    /** Writes a truth value. */
+    /**
+     * Writes a truth value.
+     *
+     * @param value the truth value
+     * @return this writer
+     */
     public JsonWriter value(boolean value) {
         comma();
         text.append(value);
         return this;
     }
 
-    /** Writes {@code null}. */
+    /**
+     * Writes {@code null}.
+     *
+     * @return this writer
+     */
     public JsonWriter nullValue() {
         comma();
         text.append("null");
         return this;
     }
 
-    /** Begins an array. */
+    /**
+     * Begins an array.
+     *
+     * @return this writer
+     */
     public JsonWriter beginArray() {
         return open('[');
     }
 
-    /** Ends an array. */
+    /**
+     * Ends an array.
+     *
+     * @return this writer
+     */
     public JsonWriter endArray() {
         return close(']');
     }
 
-    /** Begins an object. */
+    /**
+     * Begins an object.
+     *
+     * @return this writer
+     */
     public JsonWriter beginObject() {
         return open('{');
     }
 
-    /** Ends an object. */
+    /**
+     * Ends an object.
+     *
+     * @return this writer
+     */
     public JsonWriter endObject() {
         return close('}');
     }
@@ -139,7 +203,11 @@ public final class JsonWriter {
         text.append('"');
     }
 
-    /** Ends the object and returns it, without a line break. */
+    /**
+     * Ends the object.
+     *
+     * @return the object as text, without a line break
+     */
     public String finish() {
         return text.append('}').toString();
     }

@@ -17,19 +17,27 @@ public record Message(Template template, List<Object> arguments) {
     /** A kind of message; most are constants of an enum. */
     public interface Template {
 
-        /** Returns the key of the translated pattern. */
+        /** {@return the key of the translated pattern} */
         String key();
 
-        /** Returns the English pattern, as described in {@link MessageFormat}. */
+        /** {@return the English pattern, as described in {@link MessageFormat}} */
         String english();
 
-        /** Returns a message of this kind. */
+        /**
+         * {@return a message of this kind}
+         *
+         * @param arguments what the pattern's placeholders stand for, in order
+         */
         default Message with(Object... arguments) {
             return new Message(this, List.of(arguments));
         }
     }
 
-    /** Returns the text of this message, formatted with the pattern that a function returns for each template. */
+    /**
+     * {@return the text of this message, formatted with the pattern that a function returns for each template}
+     *
+     * @param patterns returns the pattern for a template
+     */
     public String text(Function<Template, String> patterns) {
         Object[] texts = arguments.stream()
                 .map(value -> value instanceof Message message ? message.text(patterns) : value.toString())

@@ -7,7 +7,9 @@ public final class MessageException extends IOException {
 
     private static final long serialVersionUID = 1L;
 
+    /** The file that the reason is about, or an empty string. */
     private final String subject;
+
     private final transient Message reason;
 
     /**
@@ -23,12 +25,12 @@ public final class MessageException extends IOException {
         this.reason = reason;
     }
 
-    /** Returns the name of the file; may be empty. */
+    /** {@return the name of the file; may be empty} */
     public String subject() {
         return subject;
     }
 
-    /** Returns the reason without the name of the file. */
+    /** {@return the reason without the name of the file} */
     public Message reason() {
         return reason;
     }

@@ -10,19 +10,29 @@ public final class MessageText {
 
     private MessageText() {}
 
-    /** Returns a text in double quotes, on one line, and shortened if it is long. */
+    /**
+     * {@return a text in double quotes, on one line, and shortened if it is long}
+     *
+     * @param text the text
+     */
     public static String quoted(String text) {
         return '"' + excerpt(text) + '"';
     }
 
-    /** Returns a text on one line, shortened if it is long. */
+    /**
+     * {@return a text on one line, shortened if it is long}
+     *
+     * @param text the text
+     */
     public static String excerpt(String text) {
         return oneLine(text.length() > MAX_EXCERPT_LENGTH ? text.substring(0, MAX_EXCERPT_LENGTH) + "..." : text);
     }
 
     /**
-     * Returns a text with a blank in place of every character that could change how the rest is shown: control
-     * characters, line separators and the controls of bidirectional text.
+     * {@return a text with a blank in place of every character that could change how the rest is shown: control
+     * characters, line separators and the controls of bidirectional text}
+     *
+     * @param text the text
      */
     public static String oneLine(String text) {
         return text.codePoints()
@@ -44,8 +54,10 @@ public final class MessageText {
     }
 
     /**
-     * Returns a text as a cell of a table, with an apostrophe before a sign at which a spreadsheet would take it for a
-     * formula. Numbers stay as they are.
+     * {@return a text as a cell of a table, with an apostrophe before a sign at which a spreadsheet would take it for a
+     * formula} Numbers stay as they are.
+     *
+     * @param text the text
      */
     public static String cell(String text) {
         boolean formula = !text.isEmpty()
@@ -54,7 +66,11 @@ public final class MessageText {
         return formula ? "'" + text : text;
     }
 
-    /** Returns the name of an enum constant in camel case, such as {@code tooDeep} for {@code TOO_DEEP}. */
+    /**
+     * {@return the name of an enum constant in camel case, such as {@code tooDeep} for {@code TOO_DEEP}}
+     *
+     * @param constant the name of the constant
+     */
     public static String camelCase(String constant) {
         return Pattern.compile("_(.)")
                 .matcher(constant.toLowerCase(Locale.ROOT))

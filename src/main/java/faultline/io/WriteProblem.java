@@ -2,12 +2,19 @@ package faultline.io;
 
 /** Why a file cannot be written. */
 public enum WriteProblem implements Message.Template {
+    /** The path is a folder. */
     IS_FOLDER("this is a folder; expected a file"),
+    /** The file cannot be created in that place. */
     CANNOT_WRITE("the file cannot be written there"),
+    /** The file is protected against writing. */
     READ_ONLY("the file may not be written"),
+    /** The file is the open scenario. */
     OWN_INPUT("this is the open scenario itself; expected another file"),
+    /** The disk is full. */
     DISK_FULL("the file cannot be written completely, because the disk is full"),
+    /** The program that reads the output has closed it. */
     BROKEN_PIPE("the file cannot be written completely, because its reader has closed it"),
+    /** Writing ended before the file was complete. */
     INTERRUPTED("the file cannot be written completely");
 
     private final String english;

@@ -5,12 +5,20 @@ public final class XmlText {
 
     private XmlText() {}
 
-    /** Returns a text on one line, with single blanks, and without the characters that XML cannot hold. */
+    /**
+     * {@return a text on one line, with single blanks, and without the characters that XML cannot hold}
+     *
+     * @param text the text
+     */
     public static String oneLine(String text) {
         return replaceInvalid(text, ' ').replaceAll("\\s+", " ").strip();
     }
 
-    /** Returns a text without the white space of XML around it; other blanks stay. */
+    /**
+     * {@return a text without the white space of XML around it; other blanks stay}
+     *
+     * @param text the text
+     */
     public static String strip(String text) {
         int begin = 0;
         int end = text.length();
@@ -27,7 +35,11 @@ public final class XmlText {
         return c == ' ' || c == '\t' || c == '\n' || c == '\r';
     }
 
-    /** Returns a text for use between double quotes; it reads back to the same characters, including white space. */
+    /**
+     * {@return a text for use between double quotes; it reads back to the same characters, including white space}
+     *
+     * @param text the text
+     */
     public static String escapeAttribute(String text) {
         return escapeText(text)
                 .replace("\"", "&quot;")
@@ -36,7 +48,11 @@ public final class XmlText {
                 .replace("\r", "&#13;");
     }
 
-    /** Returns a text for use inside an element. A character that XML cannot hold is replaced by a question mark. */
+    /**
+     * {@return a text for use inside an element} A character that XML cannot hold is replaced by a question mark.
+     *
+     * @param text the text
+     */
     public static String escapeText(String text) {
         return replaceInvalid(text, '?')
                 .replace("&", "&amp;")

@@ -13,7 +13,7 @@ public final class JournalScenario {
     private JournalScenario() {}
 
     /**
-     * Returns the scenario that replays a journal. It lasts as long as the run did, and expects nothing, because the
+     * {@return the scenario that replays a journal} It lasts as long as the run did, and expects nothing, because the
      * expectations of the base are about another run.
      *
      * @param base the scenario of the run; gives the name and the description

@@ -12,7 +12,7 @@ public final class RunJson {
     private RunJson() {}
 
     /**
-     * Returns a result as JSON, with {@code null} for a missing value.
+     * {@return a result as JSON, with {@code null} for a missing value}
      *
      * @param result the result
      * @param truth whether the controller was given the ground truth

@@ -18,7 +18,11 @@ public final class RunSummary {
 
     private RunSummary() {}
 
-    /** Returns one line for each value, with the keys in a fixed order; a missing value is {@code none}. */
+    /**
+     * {@return one line for each value, with the keys in a fixed order; a missing value is {@code none}}
+     *
+     * @param result the result of the run
+     */
     public static List<String> lines(RunResult result) {
         return List.of(
                 "ticks: " + result.ticks(),
@@ -53,7 +57,11 @@ public final class RunSummary {
         return changes(result, RunSummary::formatHealth);
     }
 
-    /** Returns a result's trajectory hash as 16 hexadecimal digits. */
+    /**
+     * {@return a result's trajectory hash as 16 hexadecimal digits}
+     *
+     * @param result the result of the run
+     */
     public static String formatHash(RunResult result) {
         return String.format(Locale.ROOT, "%016x", result.trajectoryHash());
     }

@@ -29,12 +29,25 @@ import java.nio.file.Path;
 public record Scenario(
         String name, String description, boolean recorded, SimulationSetup setup, Expectation expectation) {
 
+    /**
+     * Creates a scenario, with the name and the description on one line each.
+     *
+     * @param name a name for people; on one line
+     * @param description a description for people, may be empty; on one line
+     * @param recorded whether this is the record of a run up to its duration, which the window replays
+     * @param setup the setup of the run
+     * @param expectation the expected result
+     */
     public Scenario {
         name = XmlText.oneLine(name);
         description = XmlText.oneLine(description);
     }
 
-    /** Returns the scenario with the content of a file. */
+    /**
+     * {@return the scenario with the content of a file}
+     *
+     * @param content the content of the file
+     */
     public static Scenario of(ScenarioContent content) {
         return new Scenario(
                 content.name(), content.description(), content.recorded(), content.setup(), content.expectation());
@@ -43,6 +56,8 @@ public record Scenario(
     /**
      * Reads a scenario file.
      *
+     * @param file the file
+     * @return the scenario
      * @throws ScenarioException with everything that is wrong with the file
      */
     public static Scenario load(Path file) throws ScenarioException {
@@ -53,6 +68,7 @@ public record Scenario(
      * Reads a scenario that is part of the program.
      *
      * @param name the name of a file in the folder {@code scenarios}, such as {@code office.xml}
+     * @return the scenario
      * @throws ScenarioException if there is none of that name
      */
     public static Scenario loadShipped(String name) throws ScenarioException {
@@ -69,13 +85,19 @@ public record Scenario(
         save(file, XmlComments.NONE);
     }
 
-    /** Writes a scenario file as {@link #save(Path)} does, with comments that a person has put into it. */
+    /**
+     * Writes a scenario file as {@link #save(Path)} does, with comments that a person has put into it.
+     *
+     * @param file the file; an existing one is replaced
+     * @param comments the comments
+     * @throws IOException if the file cannot be written, or the scenario is beyond the limits of the format
+     */
     public void save(Path file, XmlComments comments) throws IOException {
         ScenarioFiles.write(content(), file, comments);
     }
 
     /**
-     * Returns the bytes of a file with this scenario.
+     * {@return the bytes of a file with this scenario}
      *
      * @throws IOException if the scenario is beyond the limits of the format
      */
@@ -83,7 +105,7 @@ public record Scenario(
         return ScenarioFiles.toBytes(content());
     }
 
-    /** Returns the content of a file with this scenario. */
+    /** {@return the content of a file with this scenario} */
     public ScenarioContent content() {
         return new ScenarioContent(name, description, recorded, setup, expectation);
     }
@@ -92,12 +114,17 @@ public record Scenario(
      * Runs this scenario to its duration and records every tick.
      *
      * @throws faultline.engine.RunFailedException if the run failed
+     * @return the run with its recording
      */
     public ScenarioRun run() {
         return ScenarioRun.execute(this, ControllerMode.DIRECT);
     }
 
-    /** Returns this scenario with another setup; unless the setup is equal, the result is not a record of a run. */
+    /**
+     * {@return this scenario with another setup; unless the setup is equal, the result is not a record of a run}
+     *
+     * @param other the new setup
+     */
     public Scenario withSetup(SimulationSetup other) {
         return new Scenario(name, description, recorded && other.equals(setup), other, expectation);
     }

@@ -31,13 +31,13 @@ public final class ScenarioRun {
         return new ScenarioRun(scenario, result, recorder);
     }
 
-    /** Returns the result, as in the summary of the command line. */
+    /** {@return the result, as in the summary of the command line} */
     public RunResult result() {
         return result;
     }
 
     /**
-     * Returns the robot's pose at a time; its heading is not normalised.
+     * {@return the robot's pose at a time; its heading is not normalised}
      *
      * @param seconds in [0, duration], rounded up to the next tick
      */
@@ -46,7 +46,7 @@ public final class ScenarioRun {
     }
 
     /**
-     * Returns the name of the controller's state at a time, such as FOLLOW.
+     * {@return the name of the controller's state at a time, such as FOLLOW}
      *
      * @param seconds in [0, duration], rounded up to the next tick
      */
@@ -55,7 +55,7 @@ public final class ScenarioRun {
     }
 
     /**
-     * Returns a sensor's reading without noise and faults at a time.
+     * {@return a sensor's reading without noise and faults at a time}
      *
      * @param sensor the id
      * @param seconds in [0, duration], rounded up to the next tick
@@ -65,7 +65,7 @@ public final class ScenarioRun {
     }
 
     /**
-     * Returns a sensor's reported reading, with noise and faults, at a time.
+     * {@return a sensor's reported reading, with noise and faults, at a time}
      *
      * @param sensor the id
      * @param seconds in [0, duration], rounded up to the next tick
@@ -74,27 +74,27 @@ public final class ScenarioRun {
         return log.reportedReading(tickAt(seconds), sensor);
     }
 
-    /** Returns the names of all states that the controller passed through, in the order of their first appearance. */
+    /** {@return the names of all states that the controller passed through, in the order of their first appearance} */
     public List<String> states() {
         return result.visitedStates().stream().map(ControllerState::name).toList();
     }
 
-    /** Returns the robot's first collision, if there was one. */
+    /** {@return the robot's first collision, if there was one} */
     public Optional<Collision> collision() {
         return result.collision();
     }
 
-    /** Returns the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed. */
+    /** {@return the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed} */
     public OptionalDouble coverage() {
         return result.coverage();
     }
 
-    /** Returns the hash over all ticks as 16 hexadecimal digits. It is the same for every run of the same scenario. */
+    /** {@return the hash over all ticks as 16 hexadecimal digits} It is the same for every run of the same scenario. */
     public String trajectoryHash() {
         return RunSummary.formatHash(result);
     }
 
-    /** Returns the expectations that the run did not meet, one sentence each. */
+    /** {@return the expectations that the run did not meet, one sentence each} */
     public List<String> unmetExpectations() {
         return scenario.expectation().unmet(result);
     }

@@ -18,7 +18,7 @@ public final class ShippedScenarios {
     private ShippedScenarios() {}
 
     /**
-     * Returns the names of the files, for {@link Scenario#loadShipped(String)}, in alphabetical order. Slow: reads the
+     * {@return the names of the files, for {@link Scenario#loadShipped(String)}, in alphabetical order} Slow: reads the
      * program's own file.
      *
      * @throws IOException if the program's own file cannot be read

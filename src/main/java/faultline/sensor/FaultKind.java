@@ -106,7 +106,7 @@ public enum FaultKind {
      *
      * @param name the name in the file
      */
-    public static Optional<FaultKind> ofFileName(String name) {
+    static Optional<FaultKind> ofFileName(String name) {
         for (FaultKind kind : values()) {
             if (kind.fileName().equals(name)) {
                 return Optional.of(kind);

@@ -10,7 +10,11 @@ public final class CandidateBuffer {
     private ShapeOwner[] owners = new ShapeOwner[64];
     private int size;
 
-    /** Returns the static shapes of a world, the enclosing wall first. */
+    /**
+     * {@return the static shapes of a world, the enclosing wall first}
+     *
+     * @param world the world
+     */
     public static CandidateBuffer ofStaticShapes(WorldSpec world) {
         return ObstacleSet.staticShapes(world);
     }
@@ -47,12 +51,16 @@ public final class CandidateBuffer {
         size = kept;
     }
 
-    /** Returns the number of shapes. */
+    /** {@return the number of shapes} */
     public int size() {
         return size;
     }
 
-    /** Returns a shape. */
+    /**
+     * {@return a shape}
+     *
+     * @param index the index of the shape, from 0
+     */
     public ConvexShape shape(int index) {
         return shapes[index];
     }

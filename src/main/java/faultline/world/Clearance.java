@@ -14,8 +14,8 @@ public final class Clearance {
     private Clearance() {}
 
     /**
-     * Returns the id of the first obstacle, or {@link WorldSpec#ENCLOSURE}, that the robot would touch or overlap at a
-     * pose.
+     * {@return the id of the first obstacle, or {@link WorldSpec#ENCLOSURE}, that the robot would touch or overlap at a
+     * pose}
      *
      * @param world the world at the start
      * @param robot the robot

@@ -25,6 +25,16 @@ public record Collision(
         Map<String, List<Fault>> faults,
         List<String> switchedOff) {
 
+    /**
+     * Creates a collision from copies of the faults and the sensors that are off.
+     *
+     * @param point the contact point, metres; the middle of the contact if a side lies flush along an obstacle
+     * @param time seconds, exact within the tick
+     * @param tick the tick in which it happened
+     * @param obstacle the id of the obstacle, or {@link WorldSpec#ENCLOSURE}
+     * @param faults the faults active then, by sensor id, sorted; sensors without faults are omitted
+     * @param switchedOff the ids of the sensors that were switched off then, in the robot's order
+     */
     public Collision {
         faults = Collections.unmodifiableMap(new TreeMap<>(faults));
         switchedOff = List.copyOf(switchedOff);

@@ -28,7 +28,11 @@ public sealed interface Command {
      */
     <R> R accept(Visitor<R> visitor);
 
-    /** Returns a robot after this command; the robot itself if the command is about something else. */
+    /**
+     * {@return a robot after this command; the robot itself if the command is about something else}
+     *
+     * @param robot the robot before this command
+     */
     default RobotSpec appliedTo(RobotSpec robot) {
         return robot;
     }
@@ -39,30 +43,95 @@ public sealed interface Command {
      * @param <R> the result type
      */
     interface Visitor<R> {
+        /**
+         * {@return the result for a {@link SwitchSensor}}
+         *
+         * @param command the command to visit
+         */
         R visit(SwitchSensor command);
 
+        /**
+         * {@return the result for a {@link ConfigureSensor}}
+         *
+         * @param command the command to visit
+         */
         R visit(ConfigureSensor command);
 
+        /**
+         * {@return the result for a {@link InjectFault}}
+         *
+         * @param command the command to visit
+         */
         R visit(InjectFault command);
 
+        /**
+         * {@return the result for a {@link ClearFault}}
+         *
+         * @param command the command to visit
+         */
         R visit(ClearFault command);
 
+        /**
+         * {@return the result for a {@link ClearFaults}}
+         *
+         * @param command the command to visit
+         */
         R visit(ClearFaults command);
 
+        /**
+         * {@return the result for a {@link InjectMotorFault}}
+         *
+         * @param command the command to visit
+         */
         R visit(InjectMotorFault command);
 
+        /**
+         * {@return the result for a {@link ClearMotorFault}}
+         *
+         * @param command the command to visit
+         */
         R visit(ClearMotorFault command);
 
+        /**
+         * {@return the result for a {@link ClearMotorFaults}}
+         *
+         * @param command the command to visit
+         */
         R visit(ClearMotorFaults command);
 
+        /**
+         * {@return the result for a {@link MoveObstacle}}
+         *
+         * @param command the command to visit
+         */
         R visit(MoveObstacle command);
 
+        /**
+         * {@return the result for a {@link PlaceObstacle}}
+         *
+         * @param command the command to visit
+         */
         R visit(PlaceObstacle command);
 
+        /**
+         * {@return the result for a {@link RemoveObstacle}}
+         *
+         * @param command the command to visit
+         */
         R visit(RemoveObstacle command);
 
+        /**
+         * {@return the result for a {@link SetPlatform}}
+         *
+         * @param command the command to visit
+         */
         R visit(SetPlatform command);
 
+        /**
+         * {@return the result for a {@link ConfigureController}}
+         *
+         * @param command the command to visit
+         */
         R visit(ConfigureController command);
     }
 
@@ -74,7 +143,12 @@ public sealed interface Command {
      */
     interface SetupVisitor<R> extends Visitor<R> {
 
-        /** Visits a command that belongs to a time of the run. */
+        /**
+         * Visits a command that belongs to a time of the run.
+         *
+         * @param command the command
+         * @return the result for the command
+         */
         R visitTimed(Command command);
 
         @Override
@@ -272,6 +346,14 @@ public sealed interface Command {
      * @param speed metres per second
      */
     record SetPlatform(double length, double width, double speed) implements Command {
+        /**
+         * Creates the command.
+         *
+         * @param length metres
+         * @param width metres
+         * @param speed metres per second
+         * @throws IllegalArgumentException if a value is not positive and finite
+         */
         public SetPlatform {
             RobotSpec.DEFAULT.withPlatform(length, width, speed);
         }

@@ -6,19 +6,19 @@ import java.util.Optional;
 /** The result of a command: executed with its inverse, or refused with the reason. */
 public sealed interface CommandResult {
 
-    /** Returns the tick at whose start the command was handled; 0 before the first sensing. */
+    /** {@return the tick at whose start the command was handled; 0 before the first sensing} */
     long tick();
 
-    /** Returns the command. */
+    /** {@return the command} */
     Command command();
 
     /**
-     * Returns the commands, in order, that restore what the command has changed. A collision that it has caused is not
+     * {@return the commands, in order, that restore what the command has changed} A collision that it has caused is not
      * undone. Empty for a refused command.
      */
     List<Command> inverse();
 
-    /** Returns the reason for a refusal; empty for an executed command. */
+    /** {@return the reason for a refusal; empty for an executed command} */
     Optional<Refusal> refusal();
 
     /**
@@ -29,6 +29,13 @@ public sealed interface CommandResult {
      * @param inverse the commands, in order, that undo it
      */
     record Executed(long tick, Command command, List<Command> inverse) implements CommandResult {
+        /**
+         * Creates the result of a command that was executed.
+         *
+         * @param tick the tick at whose start it was executed
+         * @param command the command
+         * @param inverse the commands, in order, that undo it
+         */
         public Executed {
             inverse = List.copyOf(inverse);
         }

@@ -18,6 +18,18 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, WaypointPath m
     /** The specular angle of a matt surface, which is sensed at any angle. */
     public static final double MATT = StrictMath.PI / 2;
 
+    /**
+     * Creates an obstacle.
+     *
+     * @param id unique in its world
+     * @param shape in its own frame
+     * @param pose of that frame in the world
+     * @param motion its path, {@link WaypointPath#NONE} for a static obstacle
+     * @param specularAngle the greatest angle of incidence at which its surface reflects light back to a sensor,
+     *     radians from the normal, in (0, pi / 2]; {@link #MATT} for all angles
+     * @throws IllegalArgumentException if the id is empty, the specular angle is outside (0, pi / 2], or a surface that
+     *     is not flat is specular
+     */
     public Obstacle {
         if (id.isEmpty()) {
             throw new IllegalArgumentException("an obstacle needs an id");
@@ -34,47 +46,80 @@ public record Obstacle(String id, ObstacleShape shape, Pose pose, WaypointPath m
         }
     }
 
-    /** Creates an obstacle with a matt surface. */
+    /**
+     * Creates an obstacle with a matt surface.
+     *
+     * @param id the id, not empty
+     * @param shape the shape
+     * @param pose the pose at the start of the run
+     * @param motion the path that it follows
+     */
     public Obstacle(String id, ObstacleShape shape, Pose pose, WaypointPath motion) {
         this(id, shape, pose, motion, MATT);
     }
 
-    /** Creates a static obstacle with a matt surface. */
+    /**
+     * Creates a static obstacle with a matt surface.
+     *
+     * @param id the id, not empty
+     * @param shape the shape
+     * @param pose the pose
+     */
     public Obstacle(String id, ObstacleShape shape, Pose pose) {
         this(id, shape, pose, WaypointPath.NONE);
     }
 
-    /** Returns whether this obstacle follows way-points, though perhaps at speed 0. */
+    /** {@return whether this obstacle follows way-points, though perhaps at speed 0} */
     public boolean isMoving() {
         return !motion.waypoints().isEmpty();
     }
 
-    /** Returns whether its surface reflects light back only at small angles of incidence. */
+    /** {@return whether its surface reflects light back only at small angles of incidence} */
     public boolean isSpecular() {
         return specularAngle < MATT;
     }
 
-    /** Returns this obstacle with another shape. */
+    /**
+     * {@return this obstacle with another shape}
+     *
+     * @param newShape the new shape
+     */
     public Obstacle withShape(ObstacleShape newShape) {
         return new Obstacle(id, newShape, pose, motion, specularAngle);
     }
 
-    /** Returns this obstacle with another path. */
+    /**
+     * {@return this obstacle with another path}
+     *
+     * @param newMotion the new path
+     */
     public Obstacle withMotion(WaypointPath newMotion) {
         return new Obstacle(id, shape, pose, newMotion, specularAngle);
     }
 
-    /** Returns this obstacle with another id. */
+    /**
+     * {@return this obstacle with another id}
+     *
+     * @param newId the new id, not empty
+     */
     public Obstacle withId(String newId) {
         return new Obstacle(newId, shape, pose, motion, specularAngle);
     }
 
-    /** Returns this obstacle at another pose. */
+    /**
+     * {@return this obstacle at another pose}
+     *
+     * @param newPose the new pose
+     */
     public Obstacle withPose(Pose newPose) {
         return new Obstacle(id, shape, newPose, motion, specularAngle);
     }
 
-    /** Returns this obstacle with another specular angle, radians. */
+    /**
+     * {@return this obstacle with another specular angle, radians}
+     *
+     * @param newAngle the greatest angle of incidence that is reflected back, in radians, in (0, pi / 2]
+     */
     public Obstacle withSpecularAngle(double newAngle) {
         return new Obstacle(id, shape, pose, motion, newAngle);
     }

@@ -19,11 +19,22 @@ import java.util.List;
  */
 public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, RigidMotion frame) {
 
+    /**
+     * Creates a geometry from a copy of the parts.
+     *
+     * @param parts the parts, in the order of the shape's points
+     * @param shape the obstacle's shape
+     * @param frame the obstacle's frame
+     */
     public ObstacleGeometry {
         parts = List.copyOf(parts);
     }
 
-    /** Returns the geometry of an obstacle at its pose. */
+    /**
+     * {@return the geometry of an obstacle at its pose}
+     *
+     * @param obstacle the obstacle
+     */
     public static ObstacleGeometry of(Obstacle obstacle) {
         return of(obstacle.shape(), RigidMotion.of(obstacle.pose()));
     }
@@ -33,7 +44,11 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
         return new ObstacleGeometry(shape.accept(new Placement(frame)), shape, frame);
     }
 
-    /** Returns whether a point of the world is inside the obstacle; one on the outline may give either result. */
+    /**
+     * {@return whether a point of the world is inside the obstacle; one on the outline may give either result}
+     *
+     * @param point the point, in metres
+     */
     public boolean contains(Vector2 point) {
         return shape.contains(frame.toLocal(point));
     }

@@ -9,16 +9,26 @@ import java.util.List;
  */
 public sealed interface ObstacleShape {
 
-    /** Calls the method of a visitor for this kind of shape and returns its result. */
+    /**
+     * Calls the method of a visitor for this kind of shape and returns its result.
+     *
+     * @param <R> the type of the result
+     * @param visitor the visitor
+     * @return the visitor's result
+     */
     <R> R accept(Visitor<R> visitor);
 
-    /** Returns whether a point of the obstacle's frame is inside; a point on the outline may give either result. */
+    /**
+     * {@return whether a point of the obstacle's frame is inside; a point on the outline may give either result}
+     *
+     * @param local the point in the obstacle's frame, in metres
+     */
     boolean contains(Vector2 local);
 
-    /** Returns whether every surface is flat, so that it can be specular. */
+    /** {@return whether every surface is flat, so that it can be specular} */
     boolean isFlat();
 
-    /** Returns the radius of the circle about the origin that encloses the shape, metres. */
+    /** {@return the radius of the circle about the origin that encloses the shape, metres} */
     double boundingRadius();
 
     /**
@@ -27,16 +37,46 @@ public sealed interface ObstacleShape {
      * @param <R> the result type
      */
     interface Visitor<R> {
+        /**
+         * {@return the result for a {@link Rectangle}}
+         *
+         * @param shape the shape to visit
+         */
         R visit(Rectangle shape);
 
+        /**
+         * {@return the result for a {@link Circle}}
+         *
+         * @param shape the shape to visit
+         */
         R visit(Circle shape);
 
+        /**
+         * {@return the result for a {@link Ellipse}}
+         *
+         * @param shape the shape to visit
+         */
         R visit(Ellipse shape);
 
+        /**
+         * {@return the result for a {@link Polygon}}
+         *
+         * @param shape the shape to visit
+         */
         R visit(Polygon shape);
 
+        /**
+         * {@return the result for a {@link Wall}}
+         *
+         * @param shape the shape to visit
+         */
         R visit(Wall shape);
 
+        /**
+         * {@return the result for a {@link Plan}}
+         *
+         * @param shape the shape to visit
+         */
         R visit(Plan shape);
     }
 
@@ -47,6 +87,13 @@ public sealed interface ObstacleShape {
      * @param height along y, metres, positive
      */
     record Rectangle(double width, double height) implements ObstacleShape {
+        /**
+         * Creates a rectangle.
+         *
+         * @param width along x, metres, positive
+         * @param height along y, metres, positive
+         * @throws IllegalArgumentException if a side is not positive and finite
+         */
         public Rectangle {
             requirePositive("width", width);
             requirePositive("height", height);
@@ -72,7 +119,7 @@ public sealed interface ObstacleShape {
             return true;
         }
 
-        /** Returns the corners, counter-clockwise from the first quadrant. */
+        /** {@return the corners, counter-clockwise from the first quadrant} */
         public List<Vector2> corners() {
             double x = width / 2;
             double y = height / 2;
@@ -86,6 +133,12 @@ public sealed interface ObstacleShape {
      * @param radius metres, positive
      */
     record Circle(double radius) implements ObstacleShape {
+        /**
+         * Creates a circle.
+         *
+         * @param radius metres, positive
+         * @throws IllegalArgumentException if the radius is not positive and finite
+         */
         public Circle {
             requirePositive("radius", radius);
         }
@@ -118,6 +171,13 @@ public sealed interface ObstacleShape {
      * @param ry half axis along y, metres, positive
      */
     record Ellipse(double rx, double ry) implements ObstacleShape {
+        /**
+         * Creates an ellipse.
+         *
+         * @param rx half axis along x, metres, positive
+         * @param ry half axis along y, metres, positive
+         * @throws IllegalArgumentException if a half axis is not positive and finite
+         */
         public Ellipse {
             requirePositive("rx", rx);
             requirePositive("ry", ry);
@@ -150,6 +210,12 @@ public sealed interface ObstacleShape {
      * @param points at least three, in order; the last is connected to the first
      */
     record Polygon(List<Vector2> points) implements ObstacleShape {
+        /**
+         * Creates a polygon.
+         *
+         * @param points at least three, in order; the last is connected to the first
+         * @throws IllegalArgumentException if there are fewer than three points, or one is not finite
+         */
         public Polygon {
             points = requirePoints("polygon", points, 3);
         }
@@ -181,6 +247,12 @@ public sealed interface ObstacleShape {
      * @param points at least two, in order
      */
     record Wall(List<Vector2> points) implements ObstacleShape {
+        /**
+         * Creates a wall.
+         *
+         * @param points at least two, in order
+         * @throws IllegalArgumentException if there are fewer than two points, or one is not finite
+         */
         public Wall {
             points = requirePoints("wall", points, 2);
         }
@@ -213,6 +285,14 @@ public sealed interface ObstacleShape {
      * @param rings at least one; each has at least three points, in order, and its last point is connected to the first
      */
     record Plan(List<List<Vector2>> rings) implements ObstacleShape {
+        /**
+         * Creates a floor plan.
+         *
+         * @param rings at least one; each has at least three points, in order, and its last point is connected to the
+         *     first
+         * @throws IllegalArgumentException if there is no ring, a ring has fewer than three points, or a point is not
+         *     finite
+         */
         public Plan {
             if (rings.isEmpty()) {
                 throw new IllegalArgumentException("a plan needs at least one ring");

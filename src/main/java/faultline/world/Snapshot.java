@@ -41,6 +41,23 @@ public record Snapshot(
         List<Vector2> contacts,
         List<Collision> collisions) {
 
+    /**
+     * Creates a snapshot from copies of the lists.
+     *
+     * @param tick the number of ticks that have passed
+     * @param time tick times dt, seconds
+     * @param width the world's, metres
+     * @param height the world's, metres
+     * @param enclosed whether a wall encloses the world
+     * @param robot its current construction and settings
+     * @param pose the robot's
+     * @param wheelSpeeds the robot's
+     * @param motorFaults the faults of its motors
+     * @param sensors in the robot's order
+     * @param obstacles in drawing order
+     * @param contacts the points where the robot touches obstacles, metres; empty before a collision
+     * @param collisions the robot's first contact; empty before it, and never more than one
+     */
     public Snapshot {
         sensors = List.copyOf(sensors);
         obstacles = List.copyOf(obstacles);
@@ -48,12 +65,12 @@ public record Snapshot(
         collisions = List.copyOf(collisions);
     }
 
-    /** Returns the robot's first contact. */
+    /** {@return the robot's first contact} */
     public Optional<Collision> collision() {
         return collisions.stream().findFirst();
     }
 
-    /** Returns the robot's velocity. */
+    /** {@return the robot's velocity} */
     public Velocity velocity() {
         return wheelSpeeds.toVelocity(robot.trueTrack());
     }

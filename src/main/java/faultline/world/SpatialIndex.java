@@ -16,7 +16,11 @@ public interface SpatialIndex {
      */
     void findNear(double x, double y, double distance, CandidateBuffer found);
 
-    /** Returns an index suited to the number of shapes; the buffer may be cleared afterwards. */
+    /**
+     * {@return an index suited to the number of shapes; the buffer may be cleared afterwards}
+     *
+     * @param all the shapes to search
+     */
     static SpatialIndex of(CandidateBuffer all) {
         return all.size() <= MAX_BRUTE_FORCE ? new BruteForceIndex(all) : new GridIndex(all);
     }

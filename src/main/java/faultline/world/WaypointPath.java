@@ -16,6 +16,15 @@ public record WaypointPath(double speed, boolean loop, List<Vector2> waypoints) 
     /** The path of a static obstacle. */
     public static final WaypointPath NONE = new WaypointPath(0, false, List.of());
 
+    /**
+     * Creates a path.
+     *
+     * @param speed metres per second, not negative
+     * @param loop whether the first way-point follows the last again; if not, the obstacle stops at the last
+     * @param waypoints the positions of the shape's origin, in the world; empty only in {@link #NONE}
+     * @throws IllegalArgumentException if the speed is negative or not finite, or there is a speed without way-points,
+     *     or a way-point is not finite
+     */
     public WaypointPath {
         if (!(speed >= 0 && Double.isFinite(speed))) {
             throw new IllegalArgumentException("an obstacle's speed must not be negative: " + speed);
@@ -27,12 +36,20 @@ public record WaypointPath(double speed, boolean loop, List<Vector2> waypoints) 
         }
     }
 
-    /** Returns this path at another speed, metres per second. */
+    /**
+     * {@return this path at another speed, metres per second}
+     *
+     * @param newSpeed the speed, in metres per second, not negative
+     */
     public WaypointPath withSpeed(double newSpeed) {
         return new WaypointPath(newSpeed, loop, waypoints);
     }
 
-    /** Returns this path with other way-points. */
+    /**
+     * {@return this path with other way-points}
+     *
+     * @param newWaypoints the way-points, in metres
+     */
     public WaypointPath withWaypoints(List<Vector2> newWaypoints) {
         return new WaypointPath(speed, loop, newWaypoints);
     }

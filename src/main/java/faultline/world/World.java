@@ -59,7 +59,12 @@ public final class World {
         this.decay = robot.motor().decay(dt);
     }
 
-    /** Executes a command: step 1 of a tick. A refused command changes nothing. */
+    /**
+     * Executes a command: step 1 of a tick. A refused command changes nothing.
+     *
+     * @param command the command
+     * @return the inverse of the command, or why it was refused
+     */
     public CommandResult execute(Command command) {
         CommandResult result = command.accept(commandHandler);
         motionStep.pollContact().ifPresent(contact -> recordCollision(contact, tick, tick * dt));
@@ -116,29 +121,29 @@ public final class World {
         sensed = true;
     }
 
-    /** Returns the number of ticks that have passed. */
+    /** {@return the number of ticks that have passed} */
     public long tick() {
         return tick;
     }
 
-    /** Returns the robot with its current settings. */
+    /** {@return the robot with its current settings} */
     public RobotSpec robot() {
         return body.spec();
     }
 
-    /** Returns the robot's pose; its heading is not normalised. */
+    /** {@return the robot's pose; its heading is not normalised} */
     public Pose pose() {
         return body.pose();
     }
 
-    /** Returns the robot's wheel speeds. */
+    /** {@return the robot's wheel speeds} */
     public WheelSpeeds wheelSpeeds() {
         return body.wheelSpeeds();
     }
 
     /**
-     * Returns a sensor's reading without noise and faults, even if it is switched off; encoded as in
-     * {@link faultline.sensor.Reading}.
+     * {@return a sensor's reading without noise and faults, even if it is switched off; encoded as in
+     * {@link faultline.sensor.Reading}}
      *
      * @param sensor the sensor's index in the robot's list
      */
@@ -147,7 +152,7 @@ public final class World {
     }
 
     /**
-     * Returns a sensor's reported reading; encoded as in {@link faultline.sensor.Reading}.
+     * {@return a sensor's reported reading; encoded as in {@link faultline.sensor.Reading}}
      *
      * @param sensor the sensor's index in the robot's list
      */
@@ -156,7 +161,7 @@ public final class World {
     }
 
     /**
-     * Returns the active faults of a sensor, oldest first.
+     * {@return the active faults of a sensor, oldest first}
      *
      * @param sensor its place in the robot's list
      */
@@ -164,29 +169,33 @@ public final class World {
         return sensors.faults(sensor);
     }
 
-    /** Returns the active faults of the motors. */
+    /** {@return the active faults of the motors} */
     public MotorFaults motorFaults() {
         return body.motorFaults();
     }
 
-    /** Returns all reported readings in a new array, encoded as in {@link faultline.sensor.Reading}. */
+    /** {@return all reported readings in a new array, encoded as in {@link faultline.sensor.Reading}} */
     public double[] reportedReadings() {
         double[] readings = new double[body.spec().sensors().size()];
         copyReportedReadings(readings);
         return readings;
     }
 
-    /** Copies all reported readings, encoded as in {@link faultline.sensor.Reading}, to an array of their number. */
+    /**
+     * Copies all reported readings, encoded as in {@link faultline.sensor.Reading}, to an array of their number.
+     *
+     * @param target the array, as long as there are sensors
+     */
     public void copyReportedReadings(double[] target) {
         sensors.copyReported(target);
     }
 
-    /** Returns the robot's first collision, if there was one. */
+    /** {@return the robot's first collision, if there was one} */
     public Optional<Collision> collision() {
         return collisions.stream().findFirst();
     }
 
-    /** Returns the current state as an immutable value. */
+    /** {@return the current state as an immutable value} */
     public Snapshot snapshot() {
         return new Snapshot(
                 tick,

@@ -21,6 +21,17 @@ public record WorldSpec(double width, double height, boolean enclosed, int maxMo
     /** The id of the enclosing wall in collisions; no obstacle may have it. */
     public static final String ENCLOSURE = "enclosure";
 
+    /**
+     * Creates a world.
+     *
+     * @param width along x, metres, positive
+     * @param height along y, metres, positive
+     * @param enclosed whether a wall without thickness encloses it, from (0, 0) to (width, height)
+     * @param maxMoving the maximum number of moving obstacles, not negative
+     * @param obstacles in drawing order; ids are unique
+     * @throws IllegalArgumentException if the size is not positive and finite, two obstacles have the same id, one has
+     *     the id of the enclosing wall, or too many move
+     */
     public WorldSpec {
         if (!(width > 0 && height > 0 && Double.isFinite(width) && Double.isFinite(height))) {
             throw new IllegalArgumentException("a world's width and height must be positive: " + width + ", " + height);
@@ -39,7 +50,11 @@ public record WorldSpec(double width, double height, boolean enclosed, int maxMo
         }
     }
 
-    /** Returns this world with other obstacles. */
+    /**
+     * {@return this world with other obstacles}
+     *
+     * @param newObstacles the new obstacles, with different ids
+     */
     public WorldSpec withObstacles(List<Obstacle> newObstacles) {
         return new WorldSpec(width, height, enclosed, maxMoving, newObstacles);
     }

@@ -80,37 +80,37 @@ public final class CampaignPlan {
                 factors.stream().mapToLong(factor -> factor.levels().size()).reduce(1, (a, b) -> a * b);
     }
 
-    /** Returns the files that the plan was read from. */
+    /** {@return the files that the plan was read from} */
     public PlanFiles files() {
         return files;
     }
 
-    /** Returns what the root element says. */
+    /** {@return what the root element says} */
     public PlanHeader header() {
         return header;
     }
 
-    /** Returns how many worlds there are. */
+    /** {@return the number of worlds} */
     public int worldCount() {
         return worlds.count();
     }
 
-    /** Returns with how many seeds each world is run. */
+    /** {@return the number of seeds with which each world is run} */
     public int seedCount() {
         return seeds.count();
     }
 
-    /** Returns how many combinations of levels there are. */
+    /** {@return the number of combinations of levels} */
     public long cellCount() {
         return cells;
     }
 
-    /** Returns how many runs there are. */
+    /** {@return the number of runs} */
     public long runCount() {
         return (long) worlds.count() * seeds.count() * cells;
     }
 
-    /** Returns what varies, in the order of the plan. */
+    /** {@return what varies, in the order of the plan} */
     public List<FactorSummary> factors() {
         return factors.stream()
                 .map(factor -> new FactorSummary(
@@ -127,13 +127,13 @@ public final class CampaignPlan {
      */
     public record FactorSummary(FactorKind kind, List<Column> columns, int levelCount) {}
 
-    /** Returns the columns of everything that varies, in the order of the plan. */
+    /** {@return the columns of everything that varies, in the order of the plan} */
     public List<Column> factorColumns() {
         return factors.stream().flatMap(factor -> factor.columns().stream()).toList();
     }
 
     /**
-     * Returns a run.
+     * {@return a run}
      *
      * @param index from 0 to less than {@link #runCount}
      */
@@ -167,7 +167,7 @@ public final class CampaignPlan {
     }
 
     /**
-     * Returns the scenario of a run.
+     * {@return the scenario of a run}
      *
      * @param run one of this plan's runs
      * @throws ScenarioException if the plan's values, each good by itself, make no good scenario together

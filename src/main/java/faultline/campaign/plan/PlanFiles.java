@@ -35,7 +35,11 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
         byte[] read(int number, String name) throws ScenarioException;
     }
 
-    /** Returns whether a file looks like a plan: the beginning of it holds the namespace. */
+    /**
+     * {@return whether a file looks like a plan: the beginning of it holds the namespace}
+     *
+     * @param file the file
+     */
     public static boolean isPlan(Path file) {
         if (!Files.isRegularFile(file)) {
             return false;
@@ -50,6 +54,8 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
     /**
      * Reads a plan whose scenarios are where it says, relative to its own folder.
      *
+     * @param file the file
+     * @return the plan
      * @throws ScenarioException with everything that is wrong
      */
     public static CampaignPlan read(Path file) throws ScenarioException {
@@ -69,6 +75,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
      * Reads the copy of a plan that a campaign keeps.
      *
      * @param folder that holds {@link #copies}
+     * @return the plan
      * @throws ScenarioException with everything that is wrong
      */
     public static CampaignPlan readCopy(Path folder) throws ScenarioException {
@@ -88,7 +95,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
         return "scenario-" + number + ".xml";
     }
 
-    /** Returns the paths that the plan and the scenarios were read from. */
+    /** {@return the paths that the plan and the scenarios were read from} */
     public List<Path> paths() {
         Path file = Path.of(name).toAbsolutePath();
         List<Path> paths = new ArrayList<>(List.of(file));
@@ -98,7 +105,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
         return paths;
     }
 
-    /** Returns the bytes of all files by the names that a copy gives them, the plan first. */
+    /** {@return the bytes of all files by the names that a copy gives them, the plan first} */
     public Map<String, byte[]> copies() {
         Map<String, byte[]> copies = new LinkedHashMap<>();
         copies.put(COPY, plan);

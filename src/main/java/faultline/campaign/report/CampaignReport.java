@@ -39,17 +39,17 @@ public final class CampaignReport {
         this.data = RunData.read(campaign.readPlan(), campaign.runs());
     }
 
-    /** Returns how many runs the report is of. */
+    /** {@return the number of runs in the report} */
     public int runCount() {
         return data.rows().size();
     }
 
-    /** Returns the numbers of every cell as CSV. */
+    /** {@return the numbers of every cell as CSV} */
     public String cellsCsv() {
         return new CellTable(data).csv();
     }
 
-    /** Returns the page. */
+    /** {@return the page} */
     public String html() {
         CampaignPlan plan = data.plan();
         String title =

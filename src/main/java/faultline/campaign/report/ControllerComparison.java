@@ -35,7 +35,7 @@ public final class ControllerComparison {
         return windowCommands;
     }
 
-    /** Returns one row for each run. */
+    /** {@return one row for each run} */
     public String csv() {
         StringBuilder out = new StringBuilder(Csv.row(Stream.concat(
                         Stream.of("controller", "seed"),
@@ -65,7 +65,7 @@ public final class ControllerComparison {
         return Csv.row(cells);
     }
 
-    /** Returns one line for each controller under a header, in columns. */
+    /** {@return one line for each controller under a header, in columns} */
     public List<String> lines() {
         List<List<String>> table = new ArrayList<>();
         table.add(Stream.concat(
@@ -100,7 +100,7 @@ public final class ControllerComparison {
                 .toList();
     }
 
-    /** Returns the page. */
+    /** {@return the page} */
     public String html() {
         String title = "Controllers in " + (scenario.name().isEmpty() ? "a scenario" : scenario.name());
         return Html.page(title, scenario.description(), paths() + numbers() + spread() + inTheWindow() + broken());

@@ -13,6 +13,13 @@ import java.util.List;
  */
 public record ControllerRuns(String controller, List<Run> runs, List<Broken> broken) {
 
+    /**
+     * Creates the runs of one controller, from copies of the lists.
+     *
+     * @param controller its name or command
+     * @param runs that came to their end, in the order of their seeds
+     * @param broken runs that did not
+     */
     public ControllerRuns {
         runs = List.copyOf(runs);
         broken = List.copyOf(broken);

@@ -24,11 +24,16 @@ public final class CampaignFolder {
 
     private final Path folder;
 
+    /**
+     * Creates a view of a folder, which need not exist.
+     *
+     * @param folder the folder
+     */
     public CampaignFolder(Path folder) {
         this.folder = folder;
     }
 
-    /** Returns the table with one row a run. */
+    /** {@return the table with one row a run} */
     public Path runs() {
         return folder.resolve("runs.csv");
     }
@@ -51,7 +56,7 @@ public final class CampaignFolder {
     }
 
     /**
-     * Returns the plan of this campaign, from its copy.
+     * {@return the plan of this campaign, from its copy}
      *
      * @throws ScenarioException if the copy is not there or not good
      */
@@ -59,7 +64,11 @@ public final class CampaignFolder {
         return PlanFiles.readCopy(plan());
     }
 
-    /** Returns the files of this campaign that exist, but for those that it is only locked by. */
+    /**
+     * {@return the files of this campaign that exist, but for those that it is only locked by}
+     *
+     * @throws IOException if the folder cannot be read
+     */
     public List<Path> files() throws IOException {
         List<Path> files = new ArrayList<>(tables());
         for (Path inside : List.of(plan(), replays())) {

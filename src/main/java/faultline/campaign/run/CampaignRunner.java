@@ -34,7 +34,7 @@ public final class CampaignRunner {
      */
     public record Result(long made, long runs, long broken) {
 
-        /** Returns whether every run is in the table. */
+        /** {@return whether every run is in the table} */
         public boolean isComplete() {
             return made == runs;
         }

@@ -9,7 +9,11 @@ public final class Csv {
 
     private Csv() {}
 
-    /** Returns the row of some cells, with its line feed. */
+    /**
+     * {@return the row of some cells, with its line feed}
+     *
+     * @param cells the cells
+     */
     public static String row(List<String> cells) {
         StringBuilder row = new StringBuilder();
         for (String cell : cells) {
@@ -24,7 +28,11 @@ public final class Csv {
         return plain ? cell : '"' + cell.replaceAll("\\p{Cntrl}", " ").replace("\"", "\"\"") + '"';
     }
 
-    /** Returns the cells of a row without its line feed. */
+    /**
+     * {@return the cells of a row without its line feed}
+     *
+     * @param row the row
+     */
     public static List<String> cells(String row) {
         List<String> cells = new ArrayList<>();
         StringBuilder cell = new StringBuilder();

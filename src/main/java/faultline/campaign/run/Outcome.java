@@ -35,7 +35,7 @@ public enum Outcome {
         return metrics.isDecided() ? LOST : UNDECIDED;
     }
 
-    /** Returns the word in {@code runs.csv}. */
+    /** {@return the word in {@code runs.csv}} */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

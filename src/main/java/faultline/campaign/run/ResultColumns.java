@@ -136,7 +136,11 @@ public final class ResultColumns {
                 : DecimalText.format(Double.parseDouble(String.format(Locale.ROOT, "%." + digits + "f", value)));
     }
 
-    /** Returns all columns of a plan's table. */
+    /**
+     * {@return all columns of a plan's table}
+     *
+     * @param plan the plan
+     */
     public static List<Column> of(CampaignPlan plan) {
         List<Column> columns = new ArrayList<>(CampaignPlan.RUN_COLUMNS);
         columns.addAll(plan.factorColumns());

@@ -17,13 +17,25 @@ public record Shard(int number, int count) {
 
     private static final Pattern TEXT = Pattern.compile("(\\d{1,7})/(\\d{1,7})");
 
+    /**
+     * Creates a part.
+     *
+     * @param number from 1 to {@code count}
+     * @param count how many parts there are
+     * @throws IllegalArgumentException if the number is less than 1 or greater than the count
+     */
     public Shard {
         if (number < 1 || number > count) {
             throw new IllegalArgumentException("there is no part " + number + " of " + count);
         }
     }
 
-    /** Parses {@code 2/4}, empty if the text is no such part. */
+    /**
+     * Parses {@code 2/4}, empty if the text is no such part.
+     *
+     * @param text the text
+     * @return the part, empty if the text names none
+     */
     public static Optional<Shard> parse(String text) {
         Matcher matcher = TEXT.matcher(text);
         if (!matcher.matches()) {
@@ -34,13 +46,13 @@ public record Shard(int number, int count) {
         return number < 1 || number > count ? Optional.empty() : Optional.of(new Shard(number, count));
     }
 
-    /** Returns the first run of this part, of a campaign with a number of runs. */
-    public long firstRun(long runs) {
+    /** {@return the first run of this part, of a campaign with a number of runs} */
+    long firstRun(long runs) {
         return runs * (number - 1) / count;
     }
 
-    /** Returns the run after the last one of this part. */
-    public long endRun(long runs) {
+    /** {@return the run after the last one of this part} */
+    long endRun(long runs) {
         return runs * number / count;
     }
 

@@ -46,7 +46,11 @@ public final class WorstRuns {
         this.folder = folder;
     }
 
-    /** Returns the name of the file that replays a run, in the folder of the campaign. */
+    /**
+     * {@return the name of the file that replays a run, in the folder of the campaign}
+     *
+     * @param run the index of the run
+     */
     public static String replayName(long run) {
         return String.format(Locale.ROOT, "replays/run-%07d.xml", run);
     }

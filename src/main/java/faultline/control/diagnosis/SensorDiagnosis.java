@@ -292,7 +292,7 @@ public final class SensorDiagnosis {
         refreshReport(sensors[sensor]);
     }
 
-    /** Returns how many sensors the robot has. */
+    /** {@return the number of the robot's sensors} */
     public int sensors() {
         return sensors.length;
     }
@@ -307,7 +307,7 @@ public final class SensorDiagnosis {
         return sensors[sensor].isTrusted();
     }
 
-    /** Returns whether all sensors are trusted. */
+    /** {@return whether all sensors are trusted} */
     public boolean allTrusted() {
         return verdicts.allTrusted();
     }
@@ -321,7 +321,7 @@ public final class SensorDiagnosis {
         return verdicts.trusted();
     }
 
-    /** Returns the health of all sensors, the same list as long as nothing has changed. */
+    /** {@return the health of all sensors, the same list as long as nothing has changed} */
     public List<SensorHealth> health() {
         return report == null ? List.of() : report.all();
     }
@@ -344,7 +344,7 @@ public final class SensorDiagnosis {
         return grid;
     }
 
-    /** Returns the moment on the motion clock. */
+    /** {@return the moment on the motion clock} */
     public int now() {
         return clock.moment();
     }

@@ -78,7 +78,11 @@ public final class MapFollower {
         this.wantedDistance = wantedDistance;
     }
 
-    /** Takes over, with the wall on the left. */
+    /**
+     * Takes over, with the wall on the left.
+     *
+     * @param atWall whether the robot is at the wall already
+     */
     public void begin(boolean atWall) {
         wall = at().heading() + QUARTER;
         direction = at().heading();
@@ -123,7 +127,11 @@ public final class MapFollower {
         return heading.known(at(), direction, 0.6, robot.length() / 2, robot.width() / 2);
     }
 
-    /** Takes another wanted distance, metres. */
+    /**
+     * Sets the wanted distance from the wall.
+     *
+     * @param metres the distance, in metres
+     */
     public void setWantedDistance(double metres) {
         wantedDistance = metres;
     }
@@ -232,7 +240,7 @@ public final class MapFollower {
         diagnosis.doubt(at().x() + far * StrictMath.cos(direction), at().y() + far * StrictMath.sin(direction));
     }
 
-    /** Returns whether the robot has made no progress since it took over, or for so long that it is no use to go on. */
+    /** {@return whether the robot has made no progress since it took over, or for a long time} */
     public boolean isStuck() {
         return stuck;
     }

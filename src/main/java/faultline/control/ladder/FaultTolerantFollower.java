@@ -56,12 +56,12 @@ public final class FaultTolerantFollower implements Controller {
         this.sixStates = new WallFollower(spec);
     }
 
-    /** Returns the live diagnosis. */
+    /** {@return the live diagnosis} */
     public SensorDiagnosis diagnosis() {
         return diagnosis;
     }
 
-    /** Returns whether the robot has stopped because it cannot go on. */
+    /** {@return whether the robot has stopped because it cannot go on} */
     public boolean isStopped() {
         return last.telemetry().state().equals(STOP);
     }

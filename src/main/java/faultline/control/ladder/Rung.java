@@ -91,7 +91,7 @@ public enum Rung {
         return strategy;
     }
 
-    /** Returns what the rung needs, in words, for a wall on the left. */
+    /** {@return what the rung needs, in words, for a wall on the left} */
     public String needs() {
         return needs;
     }

@@ -80,8 +80,10 @@ public final class CarryOnMetrics implements TickObserver {
     }
 
     /**
-     * Returns the distance that a setup's controller keeps between the robot's centre and the wall, metres; empty if it
-     * does not follow walls.
+     * {@return the distance that a setup's controller keeps between the robot's centre and the wall, metres; empty if
+     * it does not follow walls}
+     *
+     * @param setup the setup
      */
     public static OptionalDouble wantedDistance(SimulationSetup setup) {
         OptionalDouble wanted = setup.controller().wantedDistance();
@@ -157,27 +159,27 @@ public final class CarryOnMetrics implements TickObserver {
         lastPass[place] = travelled;
     }
 
-    /** Returns whether more of the run cannot change the verdict: there was a contact, or the time is up. */
+    /** {@return whether more of the run cannot change the verdict: there was a contact, or the time is up} */
     public boolean isDecided() {
         return collided || circuit.size() > 0 && time > deadline;
     }
 
-    /** Returns whether the robot carried on: no contact so far, and enough of the wall passed in time. */
+    /** {@return whether the robot carried on: no contact so far, and enough of the wall passed in time} */
     public boolean carriedOn() {
         return passedInTime && !collided;
     }
 
-    /** Returns the share of the wall that was passed since the clock started, in [0, 1]; empty if it did not start. */
+    /** {@return the share of the wall that was passed since the clock started, in [0, 1]; empty if it did not start} */
     public OptionalDouble share() {
         return wallLength > 0 ? OptionalDouble.of(Math.min(1, passedLength / wallLength)) : OptionalDouble.empty();
     }
 
-    /** Returns how often the wall was passed since the clock started, on average over its length. */
+    /** {@return how often the wall was passed since the clock started, on average over its length} */
     public OptionalDouble laps() {
         return wallLength > 0 ? OptionalDouble.of(weightedPasses / wallLength) : OptionalDouble.empty();
     }
 
-    /** Returns when the clock started, seconds; empty if it did not. */
+    /** {@return when the clock started, seconds; empty if it did not} */
     public OptionalDouble clockStart() {
         return Double.isNaN(start) ? OptionalDouble.empty() : OptionalDouble.of(start);
     }

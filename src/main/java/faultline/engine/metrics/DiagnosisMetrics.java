@@ -24,7 +24,11 @@ public final class DiagnosisMetrics implements TickObserver {
     private String rung = "";
     private boolean diagnosed;
 
-    /** Creates metrics of one run of a setup. */
+    /**
+     * Creates metrics of one run of a setup.
+     *
+     * @param setup the setup of the run
+     */
     public DiagnosisMetrics(SimulationSetup setup) {
         onset = CarryOnMetrics.faultTimes(setup).min().orElse(0);
         setup.timeline().stream()
@@ -60,17 +64,17 @@ public final class DiagnosisMetrics implements TickObserver {
         }
     }
 
-    /** Returns the time from the first fault until its sensor is not trusted, seconds; empty if it always is. */
+    /** {@return the time from the first fault until its sensor is not trusted, seconds; empty if it always is} */
     public OptionalDouble detectionDelay() {
         return Double.isNaN(detected) ? OptionalDouble.empty() : OptionalDouble.of(detected - onset);
     }
 
-    /** Returns how many sensors without any fault were not trusted at some time; empty without a diagnosis. */
+    /** {@return how many sensors without any fault were not trusted at some time; empty without a diagnosis} */
     public OptionalInt falseAlarms() {
         return diagnosed ? OptionalInt.of(wronglyDistrusted.size()) : OptionalInt.empty();
     }
 
-    /** Returns the name of the strategy that drove last, empty without a diagnosis. */
+    /** {@return the name of the strategy that drove last, empty without a diagnosis} */
     public String rung() {
         return rung;
     }

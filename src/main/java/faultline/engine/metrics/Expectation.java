@@ -16,11 +16,20 @@ public record Expectation(List<Condition> conditions) {
     /** Expects nothing. */
     public static final Expectation NONE = new Expectation(List.of());
 
+    /**
+     * Creates an expectation from a copy of the conditions.
+     *
+     * @param conditions must all hold
+     */
     public Expectation {
         conditions = List.copyOf(conditions);
     }
 
-    /** Returns what a run did not hold, one sentence for each condition. */
+    /**
+     * {@return what a run did not hold, one sentence for each condition}
+     *
+     * @param result the result of the run
+     */
     public List<String> unmet(RunOutcome result) {
         return conditions.stream()
                 .flatMap(condition -> condition.unmet(result).stream())
@@ -30,7 +39,11 @@ public record Expectation(List<Condition> conditions) {
     /** A condition on the result of a run. */
     public sealed interface Condition {
 
-        /** Returns a sentence on what the run did not hold; empty if the condition is met. */
+        /**
+         * {@return a sentence on what the run did not hold; empty if the condition is met}
+         *
+         * @param result the result of the run
+         */
         Optional<String> unmet(RunOutcome result);
 
         private static Optional<String> expected(String wanted, String found) {

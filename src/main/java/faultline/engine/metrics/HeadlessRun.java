@@ -30,6 +30,7 @@ public final class HeadlessRun {
      * @param setup the setup
      * @param mode the thread of the controller
      * @param observers called at tick 0 and after every tick, in order
+     * @return the result of the run
      * @throws RunFailedException if the run failed
      */
     public static RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
@@ -44,6 +45,7 @@ public final class HeadlessRun {
      * @param observers called at tick 0 and after every tick, in order
      * @param finished called after every tick; true ends the run
      * @param circuits are shared with other runs in the same worlds
+     * @return the result of the run
      * @throws RunFailedException if the run failed
      */
     public static RunResult run(
@@ -62,6 +64,7 @@ public final class HeadlessRun {
      * @param controller drives the robot; not closed with the run
      * @param mode the thread of the controller
      * @param observers called at tick 0 and after every tick, in order
+     * @return the result of the run
      * @throws RunFailedException if the run failed
      */
     public static RunResult run(

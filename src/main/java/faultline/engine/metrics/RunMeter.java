@@ -14,7 +14,11 @@ public final class RunMeter implements TickObserver {
     /** Null until the robot meets a wall, because finding the ways along walls takes long in large worlds. */
     private CarryOnMetrics laps;
 
-    /** Creates a meter of one run of a setup. */
+    /**
+     * Creates a meter of one run of a setup.
+     *
+     * @param setup the setup of the run
+     */
     public RunMeter(SimulationSetup setup) {
         this.setup = setup;
         wall = new WallFollowingMetrics(setup, circuits);
@@ -31,7 +35,7 @@ public final class RunMeter implements TickObserver {
         }
     }
 
-    /** Returns the measures so far. */
+    /** {@return the measures so far} */
     public RunMeasures measures() {
         return new RunMeasures(
                 wall.isLarge() ? Double.NaN : wall.coverage().orElse(Double.NaN),

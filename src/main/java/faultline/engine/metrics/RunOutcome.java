@@ -9,22 +9,26 @@ import java.util.OptionalDouble;
 /** The state of a run that expectations are compared with, during the run or at its end. */
 public interface RunOutcome {
 
-    /** Returns the controller's last state. */
+    /** {@return the controller's last state} */
     ControllerState finalState();
 
-    /** Returns all states that the controller passed through, in the order of their first appearance. */
+    /** {@return all states that the controller passed through, in the order of their first appearance} */
     List<ControllerState> visitedStates();
 
-    /** Returns the robot's first collision, if there was one. */
+    /** {@return the robot's first collision, if there was one} */
     Optional<Collision> collision();
 
-    /** Returns the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed. */
+    /** {@return the followed share of the wall that could be followed, in [0, 1]; empty if no wall was followed} */
     OptionalDouble coverage();
 
-    /** Returns the distance error on straight walls, metres, root mean square; empty if none was followed. */
+    /** {@return the distance error on straight walls, metres, root mean square; empty if none was followed} */
     OptionalDouble distanceRms();
 
-    /** Returns a number that is empty if it is NaN. */
+    /**
+     * {@return a number that is empty if it is NaN}
+     *
+     * @param value the number
+     */
     static OptionalDouble ifNumber(double value) {
         return Double.isNaN(value) ? OptionalDouble.empty() : OptionalDouble.of(value);
     }

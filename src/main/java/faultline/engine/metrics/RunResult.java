@@ -43,6 +43,25 @@ public record RunResult(
         Snapshot finalSnapshot)
         implements RunOutcome {
 
+    /**
+     * Creates a result from copies of the lists.
+     *
+     * @param ticks the number of ticks made
+     * @param simulatedSeconds ticks times dt
+     * @param realTimeFactor simulated seconds per second of real time
+     * @param finalState the controller's last state
+     * @param visitedStates all states of the controller in the order of their first appearance
+     * @param coverageOrNaN the followed share of the wall that could be followed, in [0, 1]; NaN if no wall was
+     *     followed
+     * @param distanceRmsOrNaN the distance error on straight walls, metres, root mean square; NaN if none was followed
+     * @param followRmsOrNaN the distance error in all of FOLLOW, metres, root mean square; NaN without any
+     * @param trajectoryHash of all ticks
+     * @param seed of the run
+     * @param refusals the refused commands of the timeline, one sentence each, in order
+     * @param rung the name of the rung that drove last; empty for a controller without a diagnosis
+     * @param diagnosisEvents the changes of the sensors' health and of the rung, in order
+     * @param finalSnapshot the world at the end
+     */
     public RunResult {
         visitedStates = List.copyOf(visitedStates);
         refusals = List.copyOf(refusals);
@@ -64,7 +83,7 @@ public record RunResult(
         return RunOutcome.ifNumber(distanceRmsOrNaN);
     }
 
-    /** Returns the distance error in all of FOLLOW, metres, root mean square; empty without any. */
+    /** {@return the distance error in all of FOLLOW, metres, root mean square; empty without any} */
     public OptionalDouble followRms() {
         return RunOutcome.ifNumber(followRmsOrNaN);
     }

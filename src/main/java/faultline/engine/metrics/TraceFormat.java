@@ -25,7 +25,11 @@ public enum TraceFormat {
      */
     TWO;
 
-    /** Returns the columns of a robot's trace. */
+    /**
+     * {@return the columns of a robot's trace}
+     *
+     * @param robot the robot
+     */
     public List<TraceColumn> columns(RobotSpec robot) {
         List<TraceColumn> columns = new ArrayList<>();
         addMotion(columns);

@@ -29,6 +29,7 @@ public final class WallCircuit {
      *
      * @param world before anything moves
      * @param distance from a wall to the robot's centre, metres
+     * @return the circuit that the robot's centre can drive along the walls
      */
     public static WallCircuit forCarryOn(WorldSpec world, double distance) {
         double spacing = 0.02;
@@ -46,7 +47,7 @@ public final class WallCircuit {
         return new WallCircuit(walls.samples(distance, spacing), spacing, 0.025, Coverage.TOLERANCE);
     }
 
-    /** Returns a circuit without any way, for robots that follow no wall. */
+    /** {@return a circuit without any way, for robots that follow no wall} */
     public static WallCircuit empty() {
         return new WallCircuit(List.of(), 1, 1, 1);
     }

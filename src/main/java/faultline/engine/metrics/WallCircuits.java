@@ -23,7 +23,11 @@ public final class WallCircuits {
 
     private record Key(WorldSpec world, double distance, boolean coverage) {}
 
-    /** Returns the circuit for {@link CarryOnMetrics}. */
+    /**
+     * {@return the circuit for {@link CarryOnMetrics}}
+     *
+     * @param setup the setup of the run
+     */
     public WallCircuit forCarryOn(SimulationSetup setup) {
         OptionalDouble distance = CarryOnMetrics.wantedDistance(setup);
         return distance.isEmpty()

@@ -21,21 +21,25 @@ public final class WallReference {
     private final CandidateBuffer candidates = new CandidateBuffer();
     private final SpatialIndex index;
 
-    /** Creates the reference of a world at its start. */
+    /**
+     * Creates the reference of a world at its start.
+     *
+     * @param world the world
+     */
     public WallReference(WorldSpec world) {
         shapes = CandidateBuffer.ofStaticShapes(world);
         index = SpatialIndex.of(shapes);
     }
 
     /**
-     * Returns how much farther than wanted the nearest wall is from a point, metres; NaN if that wall is not straight
-     * there, or more than twice as far as wanted.
+     * {@return how much farther than wanted the nearest wall is from a point, metres; NaN if that wall is not straight
+     * there, or more than twice as far as wanted}
      *
      * @param centre the robot's centre
      * @param wanted the wanted distance from the centre, metres
      * @param margin the smallest distance of the foot from the ends of a segment, metres
      */
-    public double straightWallError(Vector2 centre, double wanted, double margin) {
+    double straightWallError(Vector2 centre, double wanted, double margin) {
         WallError error = wallError(centre, wanted, margin);
         return error.straight() ? error.metres() : Double.NaN;
     }
@@ -72,8 +76,8 @@ public final class WallReference {
     }
 
     /**
-     * Returns the places from which walls can be followed, in the order of the walls: points at a distance from a wall
-     * and nowhere nearer to any.
+     * {@return the places from which walls can be followed, in the order of the walls: points at a distance from a wall
+     * and nowhere nearer to any}
      *
      * @param distance from the wall to the robot's centre, metres
      * @param spacing of the samples along the walls, metres

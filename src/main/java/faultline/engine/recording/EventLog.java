@@ -16,18 +16,18 @@ public final class EventLog {
         this.events = events;
     }
 
-    /** Returns the index of the oldest event that is kept, which is also the number of dropped events. */
+    /** {@return the index of the oldest event that is kept, which is also the number of dropped events} */
     public long firstIndex() {
         return events.first();
     }
 
-    /** Returns the index after the newest event. */
+    /** {@return the index after the newest event} */
     public long endIndex() {
         return events.end();
     }
 
     /**
-     * Returns an event.
+     * {@return an event}
      *
      * @param index at least {@link #firstIndex}, less than {@link #endIndex}
      */
@@ -36,7 +36,7 @@ public final class EventLog {
     }
 
     /**
-     * Returns the index of the first kept event at or after a tick, or {@link #endIndex} if there is none.
+     * {@return the index of the first kept event at or after a tick, or {@link #endIndex} if there is none}
      *
      * @param tick the tick
      */

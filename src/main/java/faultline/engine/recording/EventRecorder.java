@@ -12,13 +12,17 @@ public final class EventRecorder {
 
     private final ChunkLog<RunEvent[]> log = new ChunkLog<>(CHUNK_SIZE, MAX_CHUNKS, () -> new RunEvent[CHUNK_SIZE]);
 
-    /** Records an event that is not earlier than the last one. */
+    /**
+     * Records an event that is not earlier than the last one.
+     *
+     * @param event the event
+     */
     public void add(RunEvent event) {
         int offset = log.append();
         log.newest()[offset] = event;
     }
 
-    /** Returns the events that are kept. */
+    /** {@return the events that are kept} */
     public EventLog view() {
         return new EventLog(log.view());
     }

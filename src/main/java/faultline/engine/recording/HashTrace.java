@@ -16,13 +16,13 @@ public final class HashTrace {
         this.hashes = hashes;
     }
 
-    /** Returns the number of recorded ticks, tick 0 included. */
+    /** {@return the number of recorded ticks, tick 0 included} */
     public int size() {
         return (int) hashes.end();
     }
 
     /**
-     * Returns the hash after a tick. The hashes of two runs are equal as long as the runs are equal to the bit.
+     * {@return the hash after a tick} The hashes of two runs are equal as long as the runs are equal to the bit.
      *
      * @param tick not negative, less than {@link #size}
      */
@@ -30,13 +30,17 @@ public final class HashTrace {
         return hashes.chunk(tick)[hashes.offset(tick)];
     }
 
-    /** Returns whether this trace begins with all hashes of an earlier, non-empty trace of the same run. */
+    /**
+     * {@return whether this trace begins with all hashes of an earlier, non-empty trace of the same run}
+     *
+     * @param earlier the earlier trace
+     */
     public boolean isContinuationOf(HashTrace earlier) {
         return hashes.isContinuationOf(earlier.hashes);
     }
 
     /**
-     * Returns the first tick in which two runs differ, if both are recorded up to there.
+     * {@return the first tick in which two runs differ, if both are recorded up to there}
      *
      * @param other the trace of the other run
      * @param from a tick before which the runs are known to be equal

@@ -28,7 +28,7 @@ public final class HashTraceRecorder {
         }
     }
 
-    /** Returns the hashes recorded so far. */
+    /** {@return the hashes recorded so far} */
     public HashTrace view() {
         return new HashTrace(log.view());
     }

@@ -19,17 +19,21 @@ public final class Keyframes {
         this.stride = stride;
     }
 
-    /** Returns the number of frames. */
+    /** {@return the number of frames} */
     public int size() {
         return size;
     }
 
-    /** Returns the number of ticks between two frames. */
+    /** {@return the number of ticks between two frames} */
     public long stride() {
         return stride;
     }
 
-    /** Returns the newest frame that is not after a tick; empty if nothing is recorded. */
+    /**
+     * {@return the newest frame that is not after a tick; empty if nothing is recorded}
+     *
+     * @param tick the tick
+     */
     public Optional<Frame> frameAt(long tick) {
         return size == 0 ? Optional.empty() : Optional.of(frames[(int) Math.min(size - 1, tick / stride)]);
     }

@@ -29,7 +29,11 @@ public final class Recorder implements TickObserver, CommandListener {
     private double turnStart;
     private boolean collided;
 
-    /** Creates a recorder of a run that has not started. */
+    /**
+     * Creates a recorder of a run that has not started.
+     *
+     * @param setup the setup of the run
+     */
     public Recorder(SimulationSetup setup) {
         this.setup = setup;
         sensors = setup.robot().sensors().size();
@@ -123,6 +127,7 @@ public final class Recorder implements TickObserver, CommandListener {
         }
     }
 
+    /** {@return an immutable view of everything recorded so far} */
     public Recording view() {
         return new Recording(trace.view(), events.view(), states.view(), keyframes.view(), hashes.view());
     }

@@ -10,10 +10,10 @@ import faultline.world.Refusal;
 /** An event of a run. */
 public sealed interface RunEvent {
 
-    /** Returns the tick at whose end the event shows. */
+    /** {@return the tick at whose end the event shows} */
     long tick();
 
-    /** Returns the time of the event, seconds. */
+    /** {@return the time of the event, seconds} */
     double time();
 
     /**

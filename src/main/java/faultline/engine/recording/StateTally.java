@@ -15,6 +15,12 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
     /** The tally of a run that is not recorded. */
     public static final StateTally EMPTY = new StateTally(List.of(), List.of());
 
+    /**
+     * Creates a tally from copies of the lists.
+     *
+     * @param states in the order of their first appearance
+     * @param transitions in the order of their first appearance
+     */
     public StateTally {
         states = List.copyOf(states);
         transitions = List.copyOf(transitions);
@@ -38,12 +44,21 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
      */
     public record TransitionCount(ControllerState from, ControllerState to, long count) {}
 
-    /** Returns the visits to a state, if there were any. */
+    /**
+     * {@return the visits to a state, if there were any}
+     *
+     * @param state the state
+     */
     public Optional<Dwell> dwell(ControllerState state) {
         return states.stream().filter(stay -> stay.state().equals(state)).findFirst();
     }
 
-    /** Returns how often a transition was taken. */
+    /**
+     * {@return how often a transition was taken}
+     *
+     * @param from the state before the transition
+     * @param to the state after it
+     */
     public long transitionCount(ControllerState from, ControllerState to) {
         return transitions.stream()
                 .filter(way -> way.from().equals(from) && way.to().equals(to))

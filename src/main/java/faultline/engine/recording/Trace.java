@@ -13,23 +13,29 @@ public record Trace(List<TraceLevel> levels) {
     /** The trace of a run that is not recorded. */
     public static final Trace EMPTY = new TraceRecorder(0).view();
 
+    /**
+     * Creates a trace from a copy of the levels.
+     *
+     * @param levels the same numbers at several resolutions, from one tick a bucket to the coarsest, which reaches back
+     *     farthest
+     */
     public Trace {
         levels = List.copyOf(levels);
     }
 
-    /** Returns the number of recorded ticks, including tick 0. */
+    /** {@return the number of recorded ticks, including tick 0} */
     public long tickCount() {
         return finestLevel().endBucket();
     }
 
-    /** Returns the level with one tick to a bucket. */
+    /** {@return the level with one tick to a bucket} */
     public TraceLevel finestLevel() {
         return levels.get(0);
     }
 
     /**
-     * Returns the finest level that still contains a tick and divides a range of ticks into at most a number of
-     * buckets; the coarsest level if none does.
+     * {@return the finest level that still contains a tick and divides a range of ticks into at most a number of
+     * buckets; the coarsest level if none does}
      *
      * @param from the first tick
      * @param to the tick after the last

@@ -18,28 +18,28 @@ public final class TraceLevel {
         this.ticksPerBucket = ticksPerBucket;
     }
 
-    /** Returns the number of ticks in a bucket. */
+    /** {@return the number of ticks in a bucket} */
     public int ticksPerBucket() {
         return ticksPerBucket;
     }
 
-    /** Returns the number of channels. */
+    /** {@return the number of channels} */
     public int channelCount() {
         return channels;
     }
 
-    /** Returns the index of the oldest bucket that is kept. */
+    /** {@return the index of the oldest bucket that is kept} */
     public long firstBucket() {
         return buckets.first();
     }
 
-    /** Returns the index after the newest bucket. */
+    /** {@return the index after the newest bucket} */
     public long endBucket() {
         return buckets.end();
     }
 
     /**
-     * Returns the least finite value of a channel in a bucket, or NaN if there is none. A bucket of one tick gives the
+     * {@return the least finite value of a channel in a bucket, or NaN if there is none} A bucket of one tick gives the
      * value as it was, even if it is infinite.
      *
      * @param channel see {@link TraceChannels}
@@ -50,7 +50,7 @@ public final class TraceLevel {
     }
 
     /**
-     * Returns the greatest finite value of a channel in a bucket; otherwise as {@link #min}.
+     * {@return the greatest finite value of a channel in a bucket; otherwise as {@link #min}}
      *
      * @param channel see {@link TraceChannels}
      * @param bucket at least {@link #firstBucket}, less than {@link #endBucket}

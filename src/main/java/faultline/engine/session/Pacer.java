@@ -38,7 +38,11 @@ public final class Pacer {
         achievedSpeed = 0;
     }
 
-    /** Sets the speed as a multiple of real time. */
+    /**
+     * Sets the speed as a multiple of real time.
+     *
+     * @param factor the speed as a multiple of real time, positive
+     */
     public void setSpeed(double factor) {
         if (factor != speed) {
             speed = factor;
@@ -50,7 +54,11 @@ public final class Pacer {
         return speed;
     }
 
-    /** Counts a tick of a length in seconds. */
+    /**
+     * Counts a tick of a length in seconds.
+     *
+     * @param dt the length of the tick, in seconds, positive
+     */
     public void tickCompleted(double dt) {
         dueNanos += dt / speed * NANOS_PER_SECOND;
         windowSeconds += dt;
@@ -67,7 +75,7 @@ public final class Pacer {
         return achievedSpeed;
     }
 
-    /** Returns the time until the next tick is due, nanoseconds; not positive if it is due. */
+    /** {@return the time until the next tick is due, nanoseconds; not positive if it is due} */
     public long nanosToWait() {
         long passed = System.nanoTime() - start;
         long wait = (long) dueNanos - passed;

@@ -50,6 +50,8 @@ public final class ReferenceRun {
     /**
      * Repeats the run of a journal at full speed, up to its end or to {@link HashTraceRecorder#MAX_HASHES} ticks.
      *
+     * @param journal the journal of the earlier run
+     * @return the run
      * @throws RunFailedException if the controller threw an exception
      */
     public static ReferenceRun replay(Journal journal) {
@@ -61,6 +63,7 @@ public final class ReferenceRun {
      *
      * @param journal of the earlier run
      * @param onward called before each tick with the tick before; false cancels the run
+     * @return the run
      * @throws RunFailedException if the controller threw an exception
      * @throws CancellationException if the run was cancelled
      */
@@ -79,33 +82,37 @@ public final class ReferenceRun {
         recorder.observe(simulation);
     }
 
-    /** Returns the setup of the run. */
+    /** {@return the setup of the run} */
     public SimulationSetup setup() {
         return setup;
     }
 
-    /** Returns the last tick that is recorded. */
+    /** {@return the last tick that is recorded} */
     public long lastTick() {
         return x.length - 1;
     }
 
-    /** Returns the robot's pose at a tick; after the last tick, the pose at the last. Its heading is not normalised. */
+    /**
+     * {@return the robot's pose at a tick; after the last tick, the pose at the last} Its heading is not normalised.
+     *
+     * @param tick the tick
+     */
     public Pose pose(long tick) {
         int index = (int) Math.min(tick, lastTick());
         return new Pose(x[index], y[index], heading[index]);
     }
 
-    /** Returns the robot's whole path. */
+    /** {@return the robot's whole path} */
     public RobotPath path() {
         return path;
     }
 
-    /** Returns the hash of the trajectory after every tick up to {@link #lastTick}. */
+    /** {@return the hash of the trajectory after every tick up to {@link #lastTick}} */
     public HashTrace hashTrace() {
         return recording.hashTrace();
     }
 
-    /** Returns what was recorded of the run, without its events of commands. */
+    /** {@return what was recorded of the run, without its events of commands} */
     public Recording recording() {
         return recording;
     }

@@ -26,7 +26,12 @@ public final class Session implements AutoCloseable {
         simulationThread = thread;
     }
 
-    /** Starts a session, paused at tick 0. Its first frame is available at once. */
+    /**
+     * Starts a session, paused at tick 0. Its first frame is available at once.
+     *
+     * @param setup the setup of the run
+     * @return the session, which the caller closes
+     */
     public static Session start(SimulationSetup setup) {
         return replay(new Journal(setup, List.of(), 0), 0, tick -> true);
     }
@@ -47,7 +52,7 @@ public final class Session implements AutoCloseable {
         return new Session(SimulationThread.start(journal, tick, shouldContinue));
     }
 
-    /** Returns the latest frame and requests the next one; frames are made only on request. Wait-free. */
+    /** {@return the latest frame and requests the next one; frames are made only on request} Wait-free. */
     public SessionFrame frame() {
         return simulationThread.frame();
     }
@@ -55,6 +60,8 @@ public final class Session implements AutoCloseable {
     /**
      * Sends a command, which is executed and journaled at the start of the next tick. While the session is paused, the
      * next frame shows its effect.
+     *
+     * @param command the command
      */
     public void send(Command command) {
         send(List.of(command), results -> {});
@@ -84,7 +91,11 @@ public final class Session implements AutoCloseable {
         simulationThread.submit(SimulationThread::pause);
     }
 
-    /** Pauses the run once, at the end of a later tick. */
+    /**
+     * Pauses the run once, at the end of a later tick.
+     *
+     * @param tick the tick
+     */
     public void pauseAt(long tick) {
         simulationThread.submit(thread -> thread.pauseAt(tick));
     }
@@ -107,20 +118,20 @@ public final class Session implements AutoCloseable {
         simulationThread.submit(thread -> thread.setSpeed(factor));
     }
 
-    /** Returns the current status. */
+    /** {@return the current status} */
     public Status status() {
         return simulationThread.status();
     }
 
     /**
-     * Returns the commands executed so far. The future completes on the simulation thread between two ticks, or
+     * {@return the commands executed so far} The future completes on the simulation thread between two ticks, or
      * exceptionally if the session is closed before.
      */
     public CompletableFuture<Journal> journal() {
         return requestJournal(SimulationThread::journal);
     }
 
-    /** Returns the commands executed so far and those still to be replayed; completes as {@link #journal}. */
+    /** {@return the commands executed so far and those still to be replayed; completes as {@link #journal}} */
     public CompletableFuture<Journal> fullJournal() {
         return requestJournal(SimulationThread::fullJournal);
     }
@@ -161,12 +172,12 @@ public final class Session implements AutoCloseable {
             Refusal lastRefusalOrNull,
             String failureOrNull) {
 
-        /** Returns the last refusal, if there was one. */
+        /** {@return the last refusal, if there was one} */
         public Optional<Refusal> lastRefusal() {
             return Optional.ofNullable(lastRefusalOrNull);
         }
 
-        /** Returns why the run failed, if it did. */
+        /** {@return why the run failed, if it did} */
         public Optional<String> failure() {
             return Optional.ofNullable(failureOrNull);
         }

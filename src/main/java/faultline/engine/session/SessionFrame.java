@@ -25,17 +25,22 @@ import java.util.OptionalDouble;
 public record SessionFrame(Frame frame, Recording recording, RunMeasures measures, ControllerSpec controller)
         implements RunOutcome {
 
-    /** Creates a frame of a run that is not measured. */
+    /**
+     * Creates a frame of a run that is not measured.
+     *
+     * @param frame the frame
+     * @param recording what was recorded up to the frame
+     */
     public SessionFrame(Frame frame, Recording recording) {
         this(frame, recording, RunMeasures.NONE, new ControllerSpec.None());
     }
 
-    /** Returns the world at the end of the tick. */
+    /** {@return the world at the end of the tick} */
     public Snapshot snapshot() {
         return frame.snapshot();
     }
 
-    /** Returns the controller's telemetry of the tick. */
+    /** {@return the controller's telemetry of the tick} */
     public Telemetry telemetry() {
         return frame.telemetry();
     }

@@ -8,36 +8,67 @@ import java.util.stream.Collectors;
 
 /** The rules for values in a scenario file, with the English text of each. */
 public enum Allowed implements Message.Template {
+    /** A number within limits. */
     NUMBER("a number {0}"),
+    /** A number within limits, without exponent. */
     PLAIN_NUMBER("a number without exponent, {0}"),
+    /** A whole number within limits. */
     WHOLE_NUMBER("a whole number {0}"),
+    /** Limits of which both are included. */
     CLOSED("from {0} to {1}"),
+    /** Limits of which the upper one is included. */
     HALF_OPEN("more than {0} and at most {1}"),
+    /** Limits of which neither is included. */
     OPEN("more than {0} and less than {1}"),
+    /** A number of metres. */
     METRES("{0} metres"),
+    /** A number of degrees. */
     DEGREES("{0} degrees"),
+    /** A number of degrees per second. */
     TURN_RATE("{0} degrees per second"),
+    /** A number of metres per second. */
     SPEED("{0} metres per second"),
+    /** A number of metres per second and volt. */
     SPEED_CONSTANT("{0} metres per second and volt"),
+    /** A number of seconds. */
     SECONDS("{0} seconds"),
+    /** A number of volts. */
     VOLTS("{0} volts"),
+    /** A number without a unit. */
     UNITLESS("{0}"),
+    /** An id. */
     ID("1 to 100 characters, none of them a comma, a double quote or a control character"),
+    /** A list of points. */
     POINTS("{0} or more points as x,y with blanks between them, each number {1}"),
+    /** A list of rings of points. */
     RINGS("rings of 3 or more points as x,y with blanks between them, separated by |, each number {0}"),
+    /** A list of recorded decisions. */
     DECISIONS("voltages as left,right or left,right*ticks with blanks between them"),
+    /** No attribute. */
     NONE("none"),
+    /** No content. */
     NOTHING("nothing"),
+    /** Text as the content. */
     TEXT("text"),
+    /** Elements as the content. */
     ELEMENTS("elements only: {0}"),
+    /** No value, because the fault's kind takes none. */
     NO_VALUE("none, because a fault of kind {0} takes no value"),
+    /** No id, because nothing has one. */
     NO_IDS("none: there are none"),
+    /** The id of a sensor. */
     SENSORS("one of the robot''s sensors: {0}"),
+    /** The id of an obstacle. */
     OBSTACLES("one of the obstacles: {0}"),
+    /** The name of a controller's state. */
     STATES("one of the controller''s states: {0}"),
+    /** A list of names with a suggestion. */
     HINT("{0}; did you mean \"{1}\"?"),
+    /** A list of names that is cut short. */
     MORE("{0} and {1} more"),
+    /** A truth value. */
     FLAG("true or false"),
+    /** The kind of file that is expected. */
     SCENARIO_FILE("scenario file");
 
     private static final int MAX_NAMES = 12;
@@ -58,13 +89,22 @@ public enum Allowed implements Message.Template {
         return english;
     }
 
-    /** Returns names as a list, no more than the first dozen. */
+    /**
+     * {@return names as a list, no more than the first dozen}
+     *
+     * @param names the names
+     */
     public static Object names(Collection<String> names) {
         String first = names.stream().limit(MAX_NAMES).map(MessageText::oneLine).collect(Collectors.joining(", "));
         return names.size() > MAX_NAMES ? MORE.with(first, names.size() - MAX_NAMES) : first;
     }
 
-    /** Returns names as a list, followed by the one that is most similar to a given name, if any is. */
+    /**
+     * {@return names as a list, followed by the one that is most similar to a given name, if any is}
+     *
+     * @param names the names
+     * @param given the given name
+     */
     public static Object names(Collection<String> names, String given) {
         return withHint(names(names), given, names);
     }

@@ -36,22 +36,43 @@ public final class AttributeReader {
     private final Set<String> requested = new LinkedHashSet<>();
     private final Map<String, Supplier<Object>> missing = new LinkedHashMap<>();
 
+    /**
+     * Creates a reader of one element's attributes.
+     *
+     * @param node the element
+     * @param problems collects what is wrong
+     */
     public AttributeReader(XmlElement node, Problems problems) {
         this.node = node;
         this.problems = problems;
     }
 
+    /**
+     * {@return whether the file gives an attribute}
+     *
+     * @param name the attribute
+     */
     public boolean isPresent(String name) {
         requested.add(name);
         return node.attributes().containsKey(name);
     }
 
+    /**
+     * {@return the value of an optional attribute}
+     *
+     * @param name the attribute
+     */
     public Optional<String> text(String name) {
         requested.add(name);
         return Optional.ofNullable(node.attributes().get(name));
     }
 
-    /** Returns the value of a required attribute; empty, with a problem, if it is missing. */
+    /**
+     * {@return the value of a required attribute; empty, with a problem, if it is missing}
+     *
+     * @param name the attribute
+     * @param allowed what is expected, for the problem
+     */
     public String requiredText(String name, String allowed) {
         return required(name, () -> allowed).orElse("");
     }
@@ -92,6 +113,12 @@ public final class AttributeReader {
         return required(name, Allowed.FLAG::with).map(text -> flag(name, text)).orElse(false);
     }
 
+    /**
+     * {@return the truth value of an optional attribute}
+     *
+     * @param name the attribute
+     * @param fallback the value if the attribute is missing
+     */
     public boolean flag(String name, boolean fallback) {
         return text(name).map(text -> flag(name, text)).orElse(fallback);
     }
@@ -101,6 +128,14 @@ public final class AttributeReader {
                 .orElse(false);
     }
 
+    /**
+     * {@return the whole number of an optional attribute}
+     *
+     * @param name the attribute
+     * @param least the smallest number allowed
+     * @param most the greatest number allowed
+     * @param fallback the number if the attribute is missing
+     */
     public long integer(String name, long least, long most, long fallback) {
         return text(name).map(text -> integer(name, text, least, most)).orElse(fallback);
     }
@@ -120,14 +155,23 @@ public final class AttributeReader {
         return least;
     }
 
-    /** Returns the id of a required attribute. */
+    /**
+     * {@return the id of a required attribute}
+     *
+     * @param name the attribute
+     */
     public String id(String name) {
         Optional<String> given = required(name, Allowed.ID::with);
         given.filter(text -> !isValidId(text)).ifPresent(text -> report(name, text, Allowed.ID.with()));
         return given.filter(AttributeReader::isValidId).orElse(INVALID_ID);
     }
 
-    /** Returns whether {@link #id} has returned what the file has, and not a stand-in. */
+    /**
+     * {@return whether {@link #id} has returned what the file has, and not a stand-in}
+     *
+     * @param name the attribute
+     * @param id the result of {@link #id} for it
+     */
     public boolean isValid(String name, String id) {
         return id.equals(node.attributes().get(name));
     }
@@ -144,6 +188,14 @@ public final class AttributeReader {
         return required(name, () -> Allowed.names(words)).flatMap(text -> choice(name, text, options, words));
     }
 
+    /**
+     * {@return the option that an optional attribute names}
+     *
+     * @param <T> the type of the options
+     * @param name the attribute
+     * @param options the options by their names in the file
+     * @param fallback the option if the attribute is missing or names none
+     */
     public <T> T choice(String name, Map<String, T> options, T fallback) {
         List<String> words = List.copyOf(options.keySet());
         return text(name).flatMap(text -> choice(name, text, options, words)).orElse(fallback);
@@ -211,7 +263,13 @@ public final class AttributeReader {
         return rings;
     }
 
-    /** Reports an invalid value. */
+    /**
+     * Reports an invalid value.
+     *
+     * @param name the attribute
+     * @param given its value
+     * @param allowed what is expected
+     */
     public void report(String name, String given, Object allowed) {
         reportValue(name, given, () -> allowed);
     }

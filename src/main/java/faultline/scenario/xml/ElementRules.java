@@ -14,7 +14,13 @@ public final class ElementRules {
 
     private ElementRules() {}
 
-    /** Reports text, and every child that is not among the allowed ones. */
+    /**
+     * Reports text, and every child that is not among the allowed ones.
+     *
+     * @param node the element
+     * @param allowed the names of the allowed children
+     * @param problems collects what is wrong
+     */
     public static void checkChildren(XmlElement node, Collection<String> allowed, Problems problems) {
         String text = XmlText.strip(node.text());
         if (!text.isEmpty()) {
@@ -44,7 +50,12 @@ public final class ElementRules {
                 () -> ProblemKind.UNKNOWN_ELEMENT.with(node.name(), MessageText.excerpt(child.name()), allowed.get()));
     }
 
-    /** Returns the text of an element that must not contain anything else. */
+    /**
+     * {@return the text of an element that must not contain anything else}
+     *
+     * @param node the element
+     * @param problems collects what is wrong
+     */
     public static String readText(XmlElement node, Problems problems) {
         new AttributeReader(node, problems).reportUnknownAndMissing();
         for (XmlElement child : node.children()) {
@@ -53,7 +64,13 @@ public final class ElementRules {
         return node.text();
     }
 
-    /** Reports every child after the first of a name. */
+    /**
+     * Reports every child after the first of a name.
+     *
+     * @param node the element
+     * @param names the names of children of which there may be only one each
+     * @param problems collects what is wrong
+     */
     public static void checkAtMostOne(XmlElement node, List<String> names, Problems problems) {
         Set<String> seen = new HashSet<>();
         for (XmlElement child : node.children()) {

@@ -15,7 +15,11 @@ public final class ObstacleXml {
 
     private ObstacleXml() {}
 
-    /** Returns obstacles as text, one element to a line, in order; those of moving obstacles contain their motions. */
+    /**
+     * {@return obstacles as text, one element to a line, in order; those of moving obstacles contain their motions}
+     *
+     * @param obstacles the obstacles
+     */
     public static String format(List<Obstacle> obstacles) {
         XmlWriter out = new XmlWriter();
         obstacles.forEach(obstacle -> WorldWriter.writeObstacle(obstacle, out));
@@ -23,7 +27,7 @@ public final class ObstacleXml {
     }
 
     /**
-     * Returns the obstacles of a text in order.
+     * {@return the obstacles of a text in order}
      *
      * @param text elements as {@link #format} returns them, or a whole scenario
      * @throws ScenarioException with everything that is wrong

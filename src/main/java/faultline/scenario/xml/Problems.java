@@ -16,14 +16,31 @@ public final class Problems {
     private final List<Problem> problems = new ArrayList<>();
     private int omitted;
 
+    /**
+     * Creates an empty collection.
+     *
+     * @param file the name of the file
+     */
     public Problems(String file) {
         this.file = file;
     }
 
+    /**
+     * Adds a problem with an element.
+     *
+     * @param node the element
+     * @param message the problem
+     */
     public void add(XmlElement node, Message message) {
         add(node.location(), message);
     }
 
+    /**
+     * Adds a problem at a place of the file.
+     *
+     * @param place the place
+     * @param message the problem
+     */
     public void add(SourceLocation place, Message message) {
         add(place, () -> message);
     }
@@ -44,11 +61,16 @@ public final class Problems {
         }
     }
 
+    /** {@return whether no problem was added} */
     public boolean isEmpty() {
         return problems.isEmpty();
     }
 
-    /** Throws the collected problems in the order of the file, if there are any. */
+    /**
+     * Throws the collected problems in the order of the file, if there are any.
+     *
+     * @throws ScenarioException if there are any
+     */
     public void throwIfAny() throws ScenarioException {
         if (!problems.isEmpty()) {
             throw new ScenarioException(sorted());

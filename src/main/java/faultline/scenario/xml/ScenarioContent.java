@@ -16,6 +16,15 @@ import faultline.io.XmlText;
 public record ScenarioContent(
         String name, String description, boolean recorded, SimulationSetup setup, Expectation expectation) {
 
+    /**
+     * Creates the content, with the name and the description on one line each.
+     *
+     * @param name a name for people; on one line
+     * @param description a description for people, may be empty; on one line
+     * @param recorded whether the file is the record of a run
+     * @param setup the setup of the run
+     * @param expectation the expected result
+     */
     public ScenarioContent {
         name = XmlText.oneLine(name);
         description = XmlText.oneLine(description);

@@ -10,13 +10,17 @@ public final class ScenarioException extends Exception {
 
     private final transient List<Problem> problems;
 
-    /** Creates an exception for at least one problem. */
+    /**
+     * Creates an exception for at least one problem.
+     *
+     * @param problems the problems, in the order of the file
+     */
     public ScenarioException(List<Problem> problems) {
         super(problems.stream().map(Problem::toString).collect(Collectors.joining("\n")));
         this.problems = List.copyOf(problems);
     }
 
-    /** Returns all problems in the order of the file. */
+    /** {@return all problems in the order of the file} */
     public List<Problem> problems() {
         return problems;
     }

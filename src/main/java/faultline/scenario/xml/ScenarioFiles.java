@@ -17,6 +17,8 @@ public final class ScenarioFiles {
     /**
      * Reads a scenario file.
      *
+     * @param file the file
+     * @return the content
      * @throws ScenarioException with everything that is wrong with the file
      */
     public static ScenarioContent read(Path file) throws ScenarioException {
@@ -28,8 +30,9 @@ public final class ScenarioFiles {
     }
 
     /**
-     * Returns the bytes of a file.
+     * {@return the bytes of a file}
      *
+     * @param file the file
      * @param kind what the file is to be, such as {@link Allowed#SCENARIO_FILE}, for problems
      * @throws ScenarioException if the file cannot be read, or is too large
      */
@@ -62,6 +65,7 @@ public final class ScenarioFiles {
      * Reads a scenario that is part of the program.
      *
      * @param name the name of a file in the folder {@code scenarios}
+     * @return the content
      * @throws ScenarioException if there is none of that name
      */
     public static ScenarioContent readShipped(String name) throws ScenarioException {
@@ -80,6 +84,7 @@ public final class ScenarioFiles {
      *
      * @param name the name of the file in problems
      * @param bytes the content
+     * @return the content
      * @throws ScenarioException with everything that is wrong with it
      */
     public static ScenarioContent parse(String name, byte[] bytes) throws ScenarioException {
@@ -104,8 +109,9 @@ public final class ScenarioFiles {
     }
 
     /**
-     * Returns the bytes of a scenario file, which are checked to read back the same.
+     * {@return the bytes of a scenario file, which are checked to read back the same}
      *
+     * @param content the content
      * @throws IOException if the content is beyond the limits of the format
      */
     public static byte[] toBytes(ScenarioContent content) throws IOException {

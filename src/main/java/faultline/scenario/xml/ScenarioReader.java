@@ -52,6 +52,8 @@ public final class ScenarioReader {
      * Reads a scenario from its tree of elements.
      *
      * @param file the name of the file in problems
+     * @param root the root element
+     * @return the content
      * @throws ScenarioException with everything that is wrong
      */
     public static ScenarioContent read(String file, XmlElement root) throws ScenarioException {

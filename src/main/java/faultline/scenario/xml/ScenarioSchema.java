@@ -28,7 +28,12 @@ public final class ScenarioSchema {
         }
     }
 
-    /** Compiles a schema that ships with the program. */
+    /**
+     * Compiles a schema that ships with the program.
+     *
+     * @param file the schema
+     * @return the compiled schema
+     */
     public static Schema compile(URL file) {
         try {
             SchemaFactory factory = SchemaFactory.newDefaultInstance();

@@ -37,8 +37,10 @@ public final class XmlComments {
     }
 
     /**
-     * Returns the comments of a scenario file, none if the file cannot be read. Slow: not for the event dispatch
+     * {@return the comments of a scenario file, none if the file cannot be read} Slow: not for the event dispatch
      * thread.
+     *
+     * @param file the file
      */
     public static XmlComments read(Path file) {
         try {

@@ -17,12 +17,20 @@ import java.util.stream.Stream;
 public record XmlElement(
         String name, SourceLocation location, Map<String, String> attributes, List<XmlElement> children, String text) {
 
-    /** Returns the children of a name. */
+    /**
+     * {@return the children of a name}
+     *
+     * @param child the name of the children, as {@link #name} gives it
+     */
     public Stream<XmlElement> childrenNamed(String child) {
         return children.stream().filter(node -> node.name.equals(child));
     }
 
-    /** Returns the first child of a name. */
+    /**
+     * {@return the first child of a name}
+     *
+     * @param child the name of the child, as {@link #name} gives it
+     */
     public Optional<XmlElement> firstChild(String child) {
         return childrenNamed(child).findFirst();
     }

@@ -31,7 +31,13 @@ public final class XmlParser {
     private final XmlFormat format;
     private final XmlTreeBuilder tree;
 
-    /** Creates a parser of one file. */
+    /**
+     * Creates a parser of one file.
+     *
+     * @param bytes the content of the file
+     * @param problems collects what is wrong
+     * @param format the format of the file
+     */
     public XmlParser(byte[] bytes, Problems problems, XmlFormat format) {
         this.bytes = bytes;
         this.problems = problems;
@@ -39,7 +45,7 @@ public final class XmlParser {
         this.tree = new XmlTreeBuilder(format.namespace());
     }
 
-    /** Returns the root element; empty, with a problem, if the file is not well-formed or has another root. */
+    /** {@return the root element; empty, with a problem, if the file is not well-formed or has another root} */
     public Optional<XmlElement> parse() {
         try {
             newNonValidatingParser().parse(new ByteArrayInputStream(bytes), tree);
