@@ -8,6 +8,9 @@ public final class DecisionLog {
 
     private final List<RecordedDecision> decisions = new ArrayList<>();
 
+    /** Creates an empty log. */
+    public DecisionLog() {}
+
     /**
      * Adds a decision unless it equals the last one.
      *

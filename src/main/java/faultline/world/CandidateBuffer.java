@@ -10,6 +10,9 @@ public final class CandidateBuffer {
     private ShapeOwner[] owners = new ShapeOwner[64];
     private int size;
 
+    /** Creates an empty buffer. */
+    public CandidateBuffer() {}
+
     /**
      * {@return the static shapes of a world, the enclosing wall first}
      *

@@ -28,6 +28,8 @@ public final class DeadReckoning {
     private double turning;
     private double curvature;
 
+    DeadReckoning() {}
+
     /**
      * Lets voltages act for some ticks.
      *

@@ -55,7 +55,11 @@ public record Expectation(List<Condition> conditions) {
         }
     }
 
-    /** Whether the robot collides. */
+    /**
+     * Whether the robot collides.
+     *
+     * @param wanted whether it is expected to
+     */
     public record Collision(boolean wanted) implements Condition {
 
         @Override
@@ -75,7 +79,11 @@ public record Expectation(List<Condition> conditions) {
         }
     }
 
-    /** The smallest share of the wall that is followed, in [0, 1]. */
+    /**
+     * The smallest share of the wall that is followed.
+     *
+     * @param share the share, in [0, 1]
+     */
     public record MinCoverage(double share) implements Condition {
 
         @Override
@@ -88,7 +96,11 @@ public record Expectation(List<Condition> conditions) {
         }
     }
 
-    /** The greatest distance error on straight walls, metres, root mean square. */
+    /**
+     * The greatest distance error on straight walls.
+     *
+     * @param metres the root mean square of the error, in metres
+     */
     public record MaxDistanceRms(double metres) implements Condition {
 
         @Override
@@ -102,7 +114,11 @@ public record Expectation(List<Condition> conditions) {
         }
     }
 
-    /** A state that the controller must pass through. */
+    /**
+     * A state that the controller must pass through.
+     *
+     * @param state the state
+     */
     public record VisitedState(ControllerState state) implements Condition {
 
         @Override
@@ -117,7 +133,11 @@ public record Expectation(List<Condition> conditions) {
         }
     }
 
-    /** The state that the controller must end in. */
+    /**
+     * The state that the controller must end in.
+     *
+     * @param state the state
+     */
     public record FinalState(ControllerState state) implements Condition {
 
         @Override

@@ -21,6 +21,9 @@ public final class WallCircuits {
         }
     };
 
+    /** Creates a cache without circuits. */
+    public WallCircuits() {}
+
     private record Key(WorldSpec world, double distance, boolean coverage) {}
 
     /**

@@ -12,6 +12,9 @@ public final class EventRecorder {
 
     private final ChunkLog<RunEvent[]> log = new ChunkLog<>(CHUNK_SIZE, MAX_CHUNKS, () -> new RunEvent[CHUNK_SIZE]);
 
+    /** Creates an empty recorder. */
+    public EventRecorder() {}
+
     /**
      * Records an event that is not earlier than the last one.
      *

@@ -15,6 +15,8 @@ public final class HashTraceRecorder {
             new ChunkLog<>(CHUNK_SIZE, MAX_HASHES / CHUNK_SIZE, () -> new long[CHUNK_SIZE]);
     private int size;
 
+    HashTraceRecorder() {}
+
     /**
      * Records the hash of the next tick, from tick 0 on. Does nothing after {@link #MAX_HASHES} ticks.
      *
