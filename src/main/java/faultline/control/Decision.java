@@ -1,6 +1,9 @@
 package faultline.control;
 
+import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 
 /**
  * The voltages that a controller applies until its next decision, with its telemetry.
@@ -28,14 +31,14 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
     /**
      * {@return a decision for a controller that computes velocities and names its state}
      *
-     * @param robot whose motors turn velocities into voltages
-     * @param v forward, metres per second
-     * @param omega the turn rate, radians per second, positive to the left
+     * @param robot the robot whose motors turn the velocity into voltages
+     * @param velocity the velocity
      * @param state the name of the controller's state
      * @param why the reason for that state, may be empty
+     * @throws IllegalArgumentException if the velocity is not finite
      */
-    public static Decision ofVelocities(RobotSpec robot, double v, double omega, String state, String why) {
-        double half = omega * robot.track() / 2;
+    public static Decision ofVelocity(RobotSpec robot, Velocity velocity, String state, String why) {
+        WheelSpeeds speeds = WheelSpeeds.of(velocity, robot.track());
         Telemetry telemetry = new Telemetry(
                 ControllerState.of(state),
                 why,
@@ -44,6 +47,22 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
                 Telemetry.WallControl.NONE,
                 Telemetry.EdgeTimes.NONE,
                 Telemetry.Diagnosis.NONE);
-        return new Decision(robot.motor().voltageFor(v - half), robot.motor().voltageFor(v + half), telemetry);
+        MotorSpec motor = robot.motor();
+        return new Decision(motor.voltageFor(speeds.left()), motor.voltageFor(speeds.right()), telemetry);
+    }
+
+    /**
+     * {@return a decision as {@link #ofVelocity} does}
+     *
+     * @param robot the robot whose motors turn the velocity into voltages
+     * @param v the linear velocity, in metres per second, positive ahead
+     * @param omega the turn rate, in radians per second, positive to the left
+     * @param state the name of the controller's state
+     * @param why the reason for that state, may be empty
+     * @deprecated {@link #ofVelocity} takes both velocities as one value.
+     */
+    @Deprecated(since = "0.1.0")
+    public static Decision ofVelocities(RobotSpec robot, double v, double omega, String state, String why) {
+        return ofVelocity(robot, new Velocity(v, omega), state, why);
     }
 }

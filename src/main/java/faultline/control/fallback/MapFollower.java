@@ -6,6 +6,7 @@ import faultline.control.diagnosis.MountedCone;
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.geometry.Angles;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
 
 /**
  * Follows a wall on the left by the local map. It rolls only where trusted sensors have seen free of late; where they
@@ -245,28 +246,14 @@ public final class MapFollower {
         return stuck;
     }
 
-    /**
-     * The linear velocity wanted.
-     *
-     * @return metres per second
-     */
-    public double v() {
-        return v;
+    /** {@return the wanted velocity, with a wall on the left} */
+    public Velocity velocity() {
+        return new Velocity(v, omega);
     }
 
     /**
-     * The angular velocity wanted.
-     *
-     * @return radians per second, positive to the wall's side
-     */
-    public double omega() {
-        return omega;
-    }
-
-    /**
-     * What it does now, in the names of the six states.
-     *
-     * @return FOLLOW, MEASURE while it turns to see more, SEARCH where it has no wall
+     * {@return the current state among those of the wall follower: FOLLOW, MEASURE while it turns to see more, or
+     * SEARCH if it has no wall}
      */
     public FollowerState state() {
         return state;

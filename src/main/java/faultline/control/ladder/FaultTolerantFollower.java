@@ -12,8 +12,9 @@ import faultline.control.WallSide;
 import faultline.control.diagnosis.SensorDiagnosis;
 import faultline.control.fallback.MapFollower;
 import faultline.control.wallfollower.WallFollower;
-import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
+import faultline.robot.WheelSpeeds;
 import faultline.sensor.Reading;
 import java.util.List;
 
@@ -113,9 +114,9 @@ public final class FaultTolerantFollower implements Controller {
             case SIX_STATES -> watched(sixStates.decide(masked(observation), verdict()));
             case MAP -> {
                 mapFollower.decide(observation.robot(), dt);
-                yield decision(observation.robot(), mapFollower.v(), mapFollower.omega(), mapFollower.state());
+                yield decision(observation.robot(), mapFollower.velocity(), mapFollower.state());
             }
-            case STOP -> decision(observation.robot(), 0, 0, STOP);
+            case STOP -> decision(observation.robot(), Velocity.ZERO, STOP);
         };
     }
 
@@ -181,11 +182,10 @@ public final class FaultTolerantFollower implements Controller {
         return new Observation(observation.tick(), observation.dt(), observation.robot(), kept);
     }
 
-    private Decision decision(RobotSpec robot, double v, double omega, ControllerState state) {
-        MotorSpec motor = robot.motor();
-        double half = omega * robot.track() / 2;
-        double near = motor.voltageFor(v - half);
-        double far = motor.voltageFor(v + half);
+    private Decision decision(RobotSpec robot, Velocity velocity, ControllerState state) {
+        WheelSpeeds speeds = WheelSpeeds.of(velocity, robot.track());
+        double near = robot.motor().voltageFor(speeds.left());
+        double far = robot.motor().voltageFor(speeds.right());
         Telemetry telemetry = Telemetry.ofState(state);
         return spec.side() == WallSide.LEFT ? new Decision(near, far, telemetry) : new Decision(far, near, telemetry);
     }

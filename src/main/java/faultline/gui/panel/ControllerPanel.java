@@ -10,7 +10,6 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.world.Command;
 import java.awt.EventQueue;
-import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.util.function.UnaryOperator;
 import javax.swing.BoxLayout;
@@ -83,11 +82,7 @@ public final class ControllerPanel extends JPanel {
     private JPanel createFollowerForm() {
         JPanel form = new JPanel(new GridBagLayout());
         addRow(form, 0, "controller.kind", kind);
-        addRow(
-                form,
-                1,
-                "controller.distance",
-                distance.withName(Messages.get("controller.distance")).withColumns(6));
+        addRow(form, 1, "controller.distance", distance.withColumns(6));
         addRow(form, 2, "controller.hand", side);
         addRow(form, 3, "controller.timing", timing);
         form.add(diagnosis, FormConstraints.fillRow(1, 4));
@@ -96,32 +91,16 @@ public final class ControllerPanel extends JPanel {
 
     private JPanel createVoltageForm() {
         JPanel form = new JPanel(new GridBagLayout());
-        addRow(
-                form,
-                0,
-                "controller.left",
-                left.withName(Messages.get("controller.left")).withColumns(6));
-        addRow(
-                form,
-                1,
-                "controller.right",
-                right.withName(Messages.get("controller.right")).withColumns(6));
+        addRow(form, 0, "controller.left", left.withColumns(6));
+        addRow(form, 1, "controller.right", right.withColumns(6));
         return form;
     }
 
-    /** Adds a labelled field in a row of its own. */
+    /** Adds a row with a label, a field and a tooltip for both. */
     static void addRow(JPanel form, int row, String key, JComponent field) {
-        JLabel label = new JLabel(Messages.get(key));
-        label.setLabelFor(field);
+        JLabel label = FormConstraints.addRow(form, row, key, field);
         label.setToolTipText(Messages.get(key + ".tip"));
         field.setToolTipText(Messages.get(key + ".tip"));
-        field.getAccessibleContext().setAccessibleName(Messages.get(key));
-        form.add(label, FormConstraints.cell(0, row));
-        GridBagConstraints cell = FormConstraints.fillRow(1, row);
-        if (field instanceof NumberSpinner) {
-            cell.fill = GridBagConstraints.NONE;
-        }
-        form.add(field, cell);
     }
 
     private ControllerSpec spec() {

@@ -2,7 +2,6 @@ package faultline.gui.panel;
 
 import faultline.geometry.Degrees;
 import faultline.gui.edit.ScenarioEditor;
-import faultline.gui.text.Messages;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import java.awt.GridBagLayout;
@@ -41,14 +40,10 @@ final class DriveFields extends JPanel {
     DriveFields(ScenarioEditor editor) {
         super(new GridBagLayout());
         this.editor = editor;
-        addNumber(0, "drive.turnRate", turnRate);
-        addNumber(1, "drive.timeConstant", timeConstant);
-        addNumber(2, "drive.speedConstant", speedConstant);
-        addNumber(3, "drive.maxVoltage", maxVoltage);
-    }
-
-    private void addNumber(int row, String key, NumberSpinner field) {
-        ControllerPanel.addRow(this, row, key, field.withName(Messages.get(key)).withColumns(7));
+        ControllerPanel.addRow(this, 0, "drive.turnRate", turnRate.withColumns(7));
+        ControllerPanel.addRow(this, 1, "drive.timeConstant", timeConstant.withColumns(7));
+        ControllerPanel.addRow(this, 2, "drive.speedConstant", speedConstant.withColumns(7));
+        ControllerPanel.addRow(this, 3, "drive.maxVoltage", maxVoltage.withColumns(7));
     }
 
     private void changeMotor(UnaryOperator<MotorSpec> change) {

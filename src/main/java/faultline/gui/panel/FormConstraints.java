@@ -5,6 +5,7 @@ import java.awt.GridBagConstraints;
 import java.awt.Insets;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JPanel;
 
 /** Constraints for the cells of a form. */
 public final class FormConstraints {
@@ -22,6 +23,28 @@ public final class FormConstraints {
     public static JLabel label(String key, JComponent field) {
         JLabel label = new JLabel(Messages.get(key));
         label.setLabelFor(field);
+        return label;
+    }
+
+    /**
+     * Adds a row with a label and a field. A number field keeps its width; another one fills the row.
+     *
+     * @param form a form with a {@link java.awt.GridBagLayout}
+     * @param row the row
+     * @param key the key of the label's text, which is also the accessible name of the field
+     * @param field the field
+     * @return the label
+     */
+    public static JLabel addRow(JPanel form, int row, String key, JComponent field) {
+        JLabel label = label(key, field);
+        GridBagConstraints cell = fillRow(1, row);
+        if (field instanceof NumberSpinner number) {
+            number.withName(Messages.get(key));
+            cell.fill = GridBagConstraints.NONE;
+        }
+        field.getAccessibleContext().setAccessibleName(Messages.get(key));
+        form.add(label, cell(0, row));
+        form.add(field, cell);
         return label;
     }
 

@@ -45,13 +45,9 @@ final class GainFields extends JPanel {
         super(new GridBagLayout());
         this.onChange = onChange;
         ControllerPanel.addRow(this, 0, "controller.gains.choice", choice);
-        addNumber(1, "controller.gains.length", length);
-        addNumber(2, "controller.gains.kp", proportional);
-        addNumber(3, "controller.gains.kd", derivative);
-    }
-
-    private void addNumber(int row, String key, NumberSpinner field) {
-        ControllerPanel.addRow(this, row, key, field.withName(Messages.get(key)).withColumns(7));
+        ControllerPanel.addRow(this, 1, "controller.gains.length", length.withColumns(7));
+        ControllerPanel.addRow(this, 2, "controller.gains.kp", proportional.withColumns(7));
+        ControllerPanel.addRow(this, 3, "controller.gains.kd", derivative.withColumns(7));
     }
 
     private double proportionalValue() {

@@ -17,7 +17,6 @@ import faultline.scenario.Scenario;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -61,11 +60,11 @@ final class ImportForm extends JPanel {
         this.file = file;
         JPanel fields = new JPanel(new GridBagLayout());
         if (!FloorPlan.isYaml(file)) {
-            addNumber(fields, 0, "import.resolution", resolution);
+            FormConstraints.addRow(fields, 0, "import.resolution", resolution.withColumns(6));
         }
         fields.add(unknownIsWall, FormConstraints.fillRow(0, 1));
-        addNumber(fields, 2, "import.minCells", minCells);
-        addNumber(fields, 3, "import.smoothing", smoothing);
+        FormConstraints.addRow(fields, 2, "import.minCells", minCells.withColumns(6));
+        FormConstraints.addRow(fields, 3, "import.smoothing", smoothing.withColumns(6));
         unknownIsWall.addActionListener(event -> startReading());
         resolution.setWorldValue(USUAL_RESOLUTION);
         minCells.setWorldValue(1);
@@ -75,13 +74,6 @@ final class ImportForm extends JPanel {
         add(picture, BorderLayout.CENTER);
         add(status, BorderLayout.SOUTH);
         startReading();
-    }
-
-    private static void addNumber(JPanel form, int row, String key, NumberSpinner field) {
-        form.add(FormConstraints.label(key, field), FormConstraints.cell(0, row));
-        GridBagConstraints cell = FormConstraints.fillCell(1, row);
-        cell.fill = GridBagConstraints.NONE;
-        form.add(field.withName(Messages.get(key)).withColumns(6), cell);
     }
 
     private void startReading() {

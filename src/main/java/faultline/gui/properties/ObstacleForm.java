@@ -18,7 +18,6 @@ import java.util.function.DoubleFunction;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 
 /** Every attribute of one obstacle. Fields that do not apply to its shape are disabled. */
@@ -56,34 +55,24 @@ final class ObstacleForm extends JPanel {
     ObstacleForm(UndoController editor) {
         super(new GridBagLayout());
         this.editor = editor;
-        addRow(0, "obstacle.x", x);
-        addRow(1, "obstacle.y", y);
-        addRow(2, "obstacle.heading", heading);
+        FormConstraints.addRow(this, 0, "obstacle.x", x.withColumns(8));
+        FormConstraints.addRow(this, 1, "obstacle.y", y.withColumns(8));
+        FormConstraints.addRow(this, 2, "obstacle.heading", heading.withColumns(8));
         size.addTo(this, 3);
         glossy.addActionListener(event -> change(old ->
                 old.withSpecularAngle(glossy.isSelected() ? Degrees.toRadians(USUAL_SPECULAR_ANGLE) : Obstacle.MATT)));
         loop.addActionListener(event -> change(old -> old.withMotion(new WaypointPath(
                 old.motion().speed(), loop.isSelected(), old.motion().waypoints()))));
         add(glossy, FormConstraints.fillRow(1, 6));
-        addRow(7, "obstacle.specularAngle", specularAngle);
-        addRow(8, "obstacle.waypoints", waypoints);
-        addRow(9, "obstacle.speed", speed);
+        FormConstraints.addRow(this, 7, "obstacle.specularAngle", specularAngle.withColumns(8));
+        FormConstraints.addRow(this, 8, "obstacle.waypoints", waypoints);
+        FormConstraints.addRow(this, 9, "obstacle.speed", speed.withColumns(8));
         add(loop, FormConstraints.fillRow(1, 10));
         setObstacle(null);
     }
 
     private NumberSpinner coordinate(DoubleFunction<Pose> moved) {
         return new NumberSpinner("0.00##", -MAX_COORDINATE, MAX_COORDINATE, 0.05, value -> move(moved.apply(value)));
-    }
-
-    private void addRow(int row, String key, JComponent field) {
-        if (field instanceof NumberSpinner number) {
-            number.withName(Messages.get(key)).withColumns(8);
-            add(number, FormConstraints.cell(1, row));
-        } else {
-            add(field, FormConstraints.fillRow(1, row));
-        }
-        add(FormConstraints.label(key, field), FormConstraints.cell(0, row));
     }
 
     private Pose pose() {

@@ -10,7 +10,6 @@ import java.awt.GridBagLayout;
 import java.util.Optional;
 import javax.swing.BoxLayout;
 import javax.swing.JCheckBox;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 
@@ -35,27 +34,16 @@ final class PropertiesForm extends JPanel {
     PropertiesForm() {
         setLayout(new BoxLayout(this, BoxLayout.PAGE_AXIS));
         JPanel fields = new JPanel(new GridBagLayout());
-        addText(fields, 0, "properties.name", name);
-        addText(fields, 1, "properties.description", description);
-        addNumber(fields, 2, "properties.width", width);
-        addNumber(fields, 3, "properties.height", height);
+        FormConstraints.addRow(fields, 0, "properties.name", name);
+        FormConstraints.addRow(fields, 1, "properties.description", description);
+        FormConstraints.addRow(fields, 2, "properties.width", width.withColumns(8));
+        FormConstraints.addRow(fields, 3, "properties.height", height.withColumns(8));
         fields.add(enclosed, FormConstraints.fillRow(1, 4));
-        addNumber(fields, 5, "properties.duration", duration);
-        addNumber(fields, 6, "properties.tick", tick);
-        addText(fields, 7, "properties.seed", seed);
+        FormConstraints.addRow(fields, 5, "properties.duration", duration.withColumns(8));
+        FormConstraints.addRow(fields, 6, "properties.tick", tick.withColumns(8));
+        FormConstraints.addRow(fields, 7, "properties.seed", seed);
         add(new TitledSection(fields));
         add(new TitledSection(Messages.get("expect.title"), expectation));
-    }
-
-    private static void addText(JPanel form, int row, String key, JComponent field) {
-        field.getAccessibleContext().setAccessibleName(Messages.get(key));
-        form.add(FormConstraints.label(key, field), FormConstraints.cell(0, row));
-        form.add(field, FormConstraints.fillRow(1, row));
-    }
-
-    private static void addNumber(JPanel form, int row, String key, NumberSpinner field) {
-        form.add(FormConstraints.label(key, field), FormConstraints.cell(0, row));
-        form.add(field.withName(Messages.get(key)).withColumns(8), FormConstraints.cell(1, row));
     }
 
     /** Shows properties. */

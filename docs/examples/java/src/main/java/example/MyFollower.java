@@ -4,6 +4,7 @@ import faultline.control.Controller;
 import faultline.control.ControllerProvider;
 import faultline.control.Decision;
 import faultline.control.Observation;
+import faultline.robot.Velocity;
 import java.util.Map;
 
 /** A first wall follower: searches for a wall, and keeps it on its left. */
@@ -33,14 +34,14 @@ public final class MyFollower implements ControllerProvider {
             double ahead = Math.min(sight.distance("front", 9), sight.distance("front-left", 9) + 0.05);
             if (ahead < distance + 0.05) {
                 besideWall = true;
-                return Decision.ofVelocities(sight.robot(), 0, -1, "TURN", "wall ahead");
+                return Decision.ofVelocity(sight.robot(), new Velocity(0, -1), "TURN", "wall ahead");
             }
             if (!besideWall) {
-                return Decision.ofVelocities(sight.robot(), 0.3, 0, "SEARCH", "");
+                return Decision.ofVelocity(sight.robot(), new Velocity(0.3, 0), "SEARCH", "");
             }
             double error = sight.distance("left", distance + 0.2) - distance;
             double omega = Math.max(-1, Math.min(0.7, 5 * error));
-            return Decision.ofVelocities(sight.robot(), 0.2, omega, "FOLLOW", "beside a wall");
+            return Decision.ofVelocity(sight.robot(), new Velocity(0.2, omega), "FOLLOW", "beside a wall");
         }
     }
 }
