@@ -12,8 +12,8 @@ import java.util.SplittableRandom;
 
 /**
  * A random room: a ring of walls with inner corners of at most 150 degrees and outer corners, furniture, poles and
- * visitors. No passage is narrower than {@link #PASSAGE}; things that stand at a wall touch it. The same seed gives the
- * same room, and the same room with other visitors.
+ * visitors. No passage is narrower than {@link #PASSAGE}; obstacles at a wall touch it. The same seed gives the same
+ * room, and the same room with other visitors.
  *
  * @param world the walls and everything that stands in them
  * @param start where the robot starts, at least {@link #START_CLEARANCE} from everything

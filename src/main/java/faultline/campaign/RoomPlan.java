@@ -7,7 +7,7 @@ import faultline.world.ObstacleShape;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A room that is being furnished: what stands where, and how far apart things are. */
+/** A room that is being furnished: the positions of its obstacles and the distances between them. */
 final class RoomPlan {
 
     /** Outlines are compared at points this far apart, metres. */

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
 /** Describes which controller drives the robot, and its settings: a scenario's {@code controller} element. */
 public sealed interface ControllerSpec {
 
-    /** {@return the distance from the wall that is wanted, metres; empty for a robot that follows none} */
+    /** {@return the wanted distance from the wall, metres; empty for a robot that follows none} */
     default OptionalDouble wantedDistance() {
         return OptionalDouble.empty();
     }
@@ -18,7 +18,7 @@ public sealed interface ControllerSpec {
         return 0;
     }
 
-    /** A controller of the program, which can take the place of another one of them during a run. */
+    /** A controller of the program, which can replace another controller of the program during a run. */
     sealed interface BuiltIn extends ControllerSpec {}
 
     /** The robot stays where it is: file type {@code none}. */
@@ -53,7 +53,7 @@ public sealed interface ControllerSpec {
         /**
          * Creates settings with diagnosis and automatic gains.
          *
-         * @param distance the distance between the robot's centre and the wall, in metres, positive
+         * @param distance the wanted reading of the sensor that faces the wall, in metres, positive
          * @param side the side of the robot on which the wall is
          * @param period the time between two decisions, in seconds; 0 for every tick
          * @param timingRule the timing rule
@@ -65,7 +65,7 @@ public sealed interface ControllerSpec {
         /**
          * Creates settings with automatic gains.
          *
-         * @param distance the distance between the robot's centre and the wall, in metres, positive
+         * @param distance the wanted reading of the sensor that faces the wall, in metres, positive
          * @param side the side of the robot on which the wall is
          * @param period the time between two decisions, in seconds; 0 for every tick
          * @param timingRule the timing rule

@@ -1,8 +1,8 @@
 package faultline.control;
 
 /**
- * The six states of the wall follower. The paper's Fig. 8 survives as a caption only; this reading of it is decision
- * 0002.
+ * The six states of the wall follower. Of the paper's Fig. 8 only the caption is known; decision 0002 gives our
+ * interpretation.
  */
 public enum FollowerState implements ControllerState {
     /** Drive on until a wall is seen. */

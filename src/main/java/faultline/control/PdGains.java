@@ -1,26 +1,28 @@
 package faultline.control;
 
 /**
- * What the PD distance controller multiplies with. The gains follow from one length l, the way on which an error dies
- * out: with e'' = -v omega, kp = v / l^2 and kd = 2 / l make the loop critically damped at any speed.
+ * The gains of the PD distance controller. They follow from one length l, the distance over which an error decays: with
+ * e'' = -v omega, kp = v / l^2 and kd = 2 / l make the loop critically damped at any speed.
  *
  * @param proportional kp, radians per second for each metre that the wall is too far
  * @param derivative kd, radians per second for each metre per second that it recedes
- * @param maxError the error that the P term is held at, metres
+ * @param maxError the error at which the P term is limited, metres
  */
 public record PdGains(double proportional, double derivative, double maxError) {
 
-    /** The shortest length, metres; shorter ones answer to the cone's edges. */
+    /** The shortest length, metres; shorter ones react to the cone's edges. */
     private static final double MIN_LENGTH = 0.06;
 
-    /** The motors must be faster than the loop: the length is at least the way of this many time constants. */
+    /**
+     * The motors must be faster than the loop: the length is at least the distance driven in this many time constants.
+     */
     private static final double MIN_LAGS = 3;
 
-    /** The steepest way back to the wanted distance, sine of the angle. */
+    /** The steepest return to the wanted distance, sine of the angle. */
     private static final double MAX_APPROACH_SINE = 0.5;
 
     /**
-     * The gains that the follower uses.
+     * Returns the gains that the follower uses.
      *
      * @param speed metres per second
      * @param lag the motors' time constant and the control's delay, seconds
@@ -31,9 +33,9 @@ public record PdGains(double proportional, double derivative, double maxError) {
     }
 
     /**
-     * The critically damped gains of a length.
+     * Returns the critically damped gains of a length.
      *
-     * @param length on which an error dies out, metres
+     * @param length over which an error decays, metres
      * @param speed metres per second
      * @return the gains
      */
@@ -42,7 +44,7 @@ public record PdGains(double proportional, double derivative, double maxError) {
     }
 
     /**
-     * Any gains, with the same limit on the way back.
+     * Returns any gains, with the same limit of the P term.
      *
      * @param proportional kp
      * @param derivative kd
@@ -54,7 +56,7 @@ public record PdGains(double proportional, double derivative, double maxError) {
     }
 
     /**
-     * The P term.
+     * Returns the P term.
      *
      * @param error measured less wanted distance, metres
      * @return radians per second
@@ -64,7 +66,7 @@ public record PdGains(double proportional, double derivative, double maxError) {
     }
 
     /**
-     * The D term.
+     * Returns the D term.
      *
      * @param rate of the error, metres per second
      * @return radians per second

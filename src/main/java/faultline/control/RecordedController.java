@@ -1,6 +1,6 @@
 package faultline.control;
 
-/** Repeats the decisions of an earlier run, and breaks the run where the record ends. */
+/** Repeats the decisions of an earlier run, and ends the run with an error at the end of the record. */
 public final class RecordedController implements Controller {
 
     private final ControllerSpec.Recorded record;
@@ -11,7 +11,7 @@ public final class RecordedController implements Controller {
     /**
      * Creates a controller.
      *
-     * @param record what to repeat
+     * @param record the decisions to repeat
      * @param initialState the state before the first decision
      */
     public RecordedController(ControllerSpec.Recorded record, ControllerState initialState) {

@@ -4,20 +4,20 @@ package faultline.control;
 public enum SensorFinding {
     /** It is trusted. */
     NONE,
-    /** It gives no answer. */
+    /** It does not answer. */
     OFF,
-    /** It reports the same distance to the last bit though the robot's motion must have changed it. */
+    /** It reports exactly the same distance although the robot's motion must have changed it. */
     STUCK,
     /** Its readings scatter. */
     NOISY,
     /** Its readings come and go. */
     INTERMITTENT,
-    /** What it reports contradicts what it reported before. */
+    /** Its readings contradict its earlier ones. */
     INCONSISTENT,
-    /** What it reports contradicts what other sensors saw. */
+    /** Its readings contradict those of other sensors. */
     CONTRADICTED,
-    /** It does not see what others see coming. */
+    /** It does not see what other sensors predict. */
     BLIND,
-    /** By it the robot aligns itself with the wall again and again and gets nowhere. */
+    /** If the robot steers by it, it aligns itself with the wall repeatedly without progress. */
     MISLEADING
 }

@@ -12,7 +12,7 @@ package faultline.control;
 public record SensorHealth(String sensor, SensorTrust trust, SensorFinding finding, double evidence, long sinceTick) {
 
     /**
-     * {@return the health of a sensor that nothing is known against}
+     * {@return the health of a sensor without any evidence against it}
      *
      * @param sensor the id of the sensor
      */

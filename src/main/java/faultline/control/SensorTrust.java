@@ -4,7 +4,7 @@ package faultline.control;
 public enum SensorTrust {
     /** It is used. */
     TRUSTED,
-    /** It is used, though there is evidence against it. */
+    /** It is used, although there is evidence against it. */
     SUSPECTED,
     /** It is not used; the {@link SensorFinding} gives the reason. */
     DISTRUSTED

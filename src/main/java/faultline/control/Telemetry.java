@@ -3,14 +3,14 @@ package faultline.control;
 import java.util.List;
 
 /**
- * What a controller shows of its working; shown and traced, never fed back. A number that does not apply now is not a
- * number.
+ * The internal values of a controller, for display and traces; never fed back. A value that does not apply is not a
+ * number (NaN).
  *
  * @param state its state
  * @param condition the named condition that led to the state, empty at the start
  * @param sinceTick the tick at which the state was entered
  * @param transitions how many transitions it has made
- * @param wall how it holds its distance to the wall
+ * @param wall its control of the distance to the wall
  * @param edges when the left sensor passed the wall
  * @param diagnosis which sensors it trusts
  */
@@ -27,13 +27,13 @@ public record Telemetry(
      * The distance control.
      *
      * @param wantedDistance the distance that it holds, metres
-     * @param measuredDistance the distance that it goes by, metres
+     * @param measuredDistance the distance that it measures, metres
      * @param proportional the PD controller's P term, radians per second
      * @param derivative the PD controller's D term, radians per second
      */
     public record WallControl(double wantedDistance, double measuredDistance, double proportional, double derivative) {
 
-        /** Of a controller that follows no wall. */
+        /** The value of a controller that follows no wall. */
         public static final WallControl NONE = new WallControl(Double.NaN, Double.NaN, Double.NaN, Double.NaN);
     }
 
@@ -46,7 +46,7 @@ public record Telemetry(
      */
     public record EdgeTimes(double tF3, double tF4, double tP) {
 
-        /** Of a controller that times no wall. */
+        /** The value of a controller that times no wall. */
         public static final EdgeTimes NONE = new EdgeTimes(Double.NaN, Double.NaN, Double.NaN);
     }
 
@@ -79,7 +79,7 @@ public record Telemetry(
      */
     public record Diagnosis(String rung, List<SensorHealth> health) {
 
-        /** Of a controller without a diagnosis. */
+        /** The value of a controller without a diagnosis. */
         public static final Diagnosis NONE = new Diagnosis("", List.of());
 
         /**

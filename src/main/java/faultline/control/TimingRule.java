@@ -13,7 +13,7 @@ public enum TimingRule {
 
     /**
      * The paper's exact rule: the first sample at which the wall is seen and the first at which it is no longer seen,
-     * and a turn back for exactly t_p = t_D / 2. It works only for a wall that stands alone.
+     * and a turn back for exactly t_p = t_D / 2. It works only for a single wall.
      */
     RANGE;
 

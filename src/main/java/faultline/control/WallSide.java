@@ -2,7 +2,7 @@ package faultline.control;
 
 import java.util.Locale;
 
-/** The side on which the wall is kept. */
+/** The side of the robot on which the wall is. */
 public enum WallSide {
     /** The wall is on the robot's left, as in the paper. */
     LEFT,
@@ -10,7 +10,7 @@ public enum WallSide {
     RIGHT;
 
     /**
-     * The name in scenario files.
+     * Returns the name in scenario files.
      *
      * @return lower case
      */

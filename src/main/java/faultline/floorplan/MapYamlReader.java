@@ -46,7 +46,7 @@ final class MapYamlReader {
      *
      * @param file the YAML file; its {@code image} is relative to it
      * @return what it says
-     * @throws FloorPlanException at the first thing that is wrong
+     * @throws FloorPlanException at the first error
      */
     static MapDescription read(Path file) throws FloorPlanException {
         MapYamlReader reader = new MapYamlReader(file);

@@ -11,14 +11,15 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * Where the states of a diagram stand: on a circle, in the order that makes the fewest arrows cross, and among those
- * the shortest. Arrows are straight, but two which lead to and fro bend to their left, so that they lie apart.
+ * The positions of the states of a diagram: on a circle, in the order with the fewest crossings of arrows and, among
+ * those, the shortest arrows. Arrows are straight, but two opposite arrows bend to their left, so that they do not
+ * coincide.
  */
 final class CircularStateLayout {
 
     private static final double BEND = 0.22;
     private static final int CURVE_POINTS = 40;
-    /** For crossings, every so manieth point of a curve will do. */
+    /** The step between the points of a curve that are checked for crossings. */
     private static final int COARSE_STEP = 5;
 
     private final Map<FollowerState, Vector2> positions = new EnumMap<>(FollowerState.class);
@@ -46,7 +47,7 @@ final class CircularStateLayout {
         return new CircularStateLayout(best, arrows, centre, radius);
     }
 
-    /** All orders that begin with some states. */
+    /** Returns all orders that begin with some states. */
     private static List<List<FollowerState>> permutations(List<FollowerState> begun, List<FollowerState> left) {
         if (left.isEmpty()) {
             return List.of(begun);
@@ -62,7 +63,7 @@ final class CircularStateLayout {
         return orders;
     }
 
-    /** A crossing counts more than any length. */
+    /** Returns the cost of an order; a crossing counts more than any length. */
     private static double cost(List<FollowerState> order, List<Arrow> arrows) {
         CircularStateLayout layout = new CircularStateLayout(order, arrows, Vector2.ZERO, 1);
         List<List<Vector2>> curves = arrows.stream().map(layout::coarseCurve).toList();
@@ -97,7 +98,7 @@ final class CircularStateLayout {
         return false;
     }
 
-    /** Whether two points lie on either side of a line. */
+    /** Returns whether two points lie on different sides of a line. */
     private static boolean labelPositions(Vector2 from, Vector2 to, Vector2 one, Vector2 other) {
         Vector2 way = to.minus(from);
         return way.cross(one.minus(from)) * way.cross(other.minus(from)) < 0;
@@ -107,7 +108,7 @@ final class CircularStateLayout {
         return positions.get(state);
     }
 
-    /** An arrow's curve between the rims of its states. */
+    /** Returns the curve of an arrow between the borders of its states. */
     List<Vector2> curve(Arrow arrow, double rim) {
         Vector2 from = position(arrow.from());
         Vector2 to = position(arrow.to());
@@ -123,7 +124,10 @@ final class CircularStateLayout {
                 .toList();
     }
 
-    /** A place on each curve for its number: as far as can be from all other curves, and from the numbers before it. */
+    /**
+     * Returns a position on each curve for its number: as far as possible from all other curves and from the numbers
+     * before it.
+     */
     static List<Vector2> labelPositions(List<List<Vector2>> curves) {
         List<Vector2> places = new ArrayList<>();
         for (List<Vector2> curve : curves) {

@@ -20,7 +20,9 @@ final class CornerAngleSweep implements Figure {
     private static final double LAST_ANGLE = 145;
     private static final double ANGLE_STEP = 10;
     static final int STARTS = 31;
-    /** Two sensors stand out; four lie on top of those that they agree with. */
+    /**
+     * The styles of the selections: two sensors stand out, and four are drawn on top of those with the same results.
+     */
     private static final List<Integer> STYLES = List.of(2, 1, 3, 0);
 
     private static final String CAPTION =

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** The study of eq. (4), t_p = t_D / 2: the quantities that are varied, and their values. */
+/** The study of eq. (4), t_p = t_D / 2: the varied quantities and their values. */
 final class EquationFour {
 
     private static final SimulationSetup CORNER =

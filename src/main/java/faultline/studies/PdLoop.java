@@ -25,7 +25,7 @@ record PdLoop(PdGains gains, double distanceError, double heading) {
 
     /**
      * The response of the loop, from the best to the worst. A settled loop keeps the distance within a millimetre; its
-     * heading may still chatter.
+     * heading may still oscillate.
      */
     enum LoopResponse {
         SETTLES,

@@ -3,35 +3,38 @@ package faultline.control.diagnosis;
 import faultline.sensor.Reading;
 
 /**
- * Foresees a surface ahead from a sensor that looks to the front at a slant. On a straight way the reading of a thing
- * beside the way falls by less than the cosine of the bearing at which its cone's inner edge lies; if it falls faster,
- * the surface reaches across that edge, and the rate tells its slant: R = h / cos(e - phi), so -dR/ds = cos(phi) /
- * cos(e - phi), where e is the edge's bearing and phi that of the surface's normal.
+ * Predicts a surface ahead from a sensor that looks diagonally forward. During straight motion the reading of an object
+ * beside the path falls by less than the cosine of the bearing of the cone's inner edge; if it falls faster, the
+ * surface extends across that edge, and the rate gives its slant: R = h / cos(e - phi), so -dR/ds = cos(phi) / cos(e -
+ * phi), where e is the edge's bearing and phi that of the surface's normal.
  */
 final class ApproachTest {
 
     private static final int POINTS = 7;
 
-    /** The least way that the rate is taken over, metres. */
+    /** The least distance over which the rate is measured, metres. */
     private static final double MIN_WAY = 0.08;
 
-    /** What the rate must exceed that of a thing beside the way by. */
+    /** The margin by which the rate must exceed that of an object beside the path. */
     private static final double MARGIN = 0.14;
 
     private static final double STRAIGHT = StrictMath.toRadians(3);
 
-    /** Beyond this, measured across the way, a surface need not reach it, metres. */
+    /** Beyond this distance from the path a surface need not extend to it, metres. */
     private static final double BESIDE = 0.33;
 
     private ApproachTest() {}
 
     static boolean applies(MountedCone cone) {
-        // On the side away from the wall: on the wall's side the wall itself comes and goes.
+        // Only on the side away from the wall: on the other side the wall itself comes and goes.
         double bearing = -cone.bearing();
         return bearing > cone.half() + 0.2 && bearing < 1.2;
     }
 
-    /** Returns how far ahead of the sensor the surface crosses the way, metres, infinite if none is foreseen. */
+    /**
+     * Returns the distance ahead of the sensor at which the surface crosses the path, metres; infinite if none is
+     * predicted.
+     */
     static double expectedAhead(MountedCone cone, ClaimRing claims) {
         for (int i = 0; i < POINTS; i++) {
             if (!claims.has(i) || claims.reading(i) < 0 || Math.abs(claims.axis(i) - claims.axis(0)) > STRAIGHT) {
@@ -48,7 +51,7 @@ final class ApproachTest {
         return claims.x(age) * cos + claims.y(age) * sin;
     }
 
-    /** Returns the slope of the readings over the way, by least squares. */
+    /** Returns the slope of the readings over the distance, by least squares. */
     private static double slope(ClaimRing claims, double cos, double sin) {
         double meanWay = 0;
         double meanReading = 0;
@@ -72,7 +75,8 @@ final class ApproachTest {
         if (rate < StrictMath.cos(edge) + MARGIN || across > BESIDE) {
             return Reading.NOTHING;
         }
-        // tan(phi) = (1 / rate - cos e) / sin e; the surface goes from its point on the edge to the middle of the way.
+        // tan(phi) = (1 / rate - cos e) / sin e; the surface extends from its point on the edge to the middle of the
+        // path.
         double tan = (1 / rate - StrictMath.cos(edge)) / StrictMath.sin(edge);
         return reading * StrictMath.cos(edge) + across * tan;
     }

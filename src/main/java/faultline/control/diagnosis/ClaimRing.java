@@ -1,8 +1,6 @@
 package faultline.control.diagnosis;
 
-/**
- * The last claims of one sensor: where its cone was, and what it reported; a claim of nothing has a negative reading.
- */
+/** The last claims of one sensor: where its cone was, and its reading; the reading is negative if it saw nothing. */
 final class ClaimRing {
 
     /** A power of two. */

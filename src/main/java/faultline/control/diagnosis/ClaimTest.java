@@ -1,15 +1,15 @@
 package faultline.control.diagnosis;
 
 /**
- * Tests what a sensor claims against the map: a surface must lie somewhere on the arc at the reported distance, so not
- * all of that arc can be free.
+ * Tests the claims of a sensor against the map: a surface must lie somewhere on the arc at the reported distance, so
+ * not all of that arc can be free.
  */
 final class ClaimTest {
 
     /** No contradiction. */
     static final int POSSIBLE = -1;
 
-    /** A claimed arc is looked at up to this much beyond the cone on either side, because cells are coarse, metres. */
+    /** A claimed arc is checked up to this far beyond the cone on either side, because cells are coarse, metres. */
     private static final double ARC_MARGIN = 0.025;
 
     private final EvidenceGrid grid;
@@ -25,7 +25,7 @@ final class ClaimTest {
      * @param age of the claim
      * @param oldest moment that counts
      * @param asked the sensors that count, a bit for each
-     * @return their bits, 0 if none alone has seen all of it, {@link #POSSIBLE} if some of it was seen free by no one
+     * @return their bits; 0 if none alone has seen all of it; {@link #POSSIBLE} if no sensor has seen a part of it free
      */
     int contradicting(InspectedSensor sensor, int age, int oldest, int asked) {
         ConeTable table = sensor.table();

@@ -1,9 +1,9 @@
 package faultline.control.diagnosis;
 
-/** The directions in a sensor's cone that its claims are looked at along, relative to its axis, computed once. */
+/** The directions in a sensor's cone in which its claims are checked, relative to its axis, computed once. */
 final class ConeTable {
 
-    /** Points on a claimed arc that are looked at. */
+    /** The number of points on a claimed arc that are checked. */
     static final int SAMPLES = 7;
 
     private final double[] cos = new double[SAMPLES];
@@ -37,7 +37,9 @@ final class ConeTable {
         return axisSin * cos[sample] + axisCos * sin[sample];
     }
 
-    /** Returns which way a point at the border of the cone is moved out of it: -1, 1, or 0 for one inside. */
+    /**
+     * Returns the direction in which a point at the border of the cone is moved out of it: -1, 1, or 0 for one inside.
+     */
     static int outward(int sample) {
         return sample == 0 ? -1 : sample == SAMPLES - 1 ? 1 : 0;
     }

@@ -3,14 +3,13 @@ package faultline.control.diagnosis;
 import java.util.Arrays;
 
 /**
- * How often each pair of sensors contradicted each other of late, and each sensor itself. Counts decay, so that a
- * contradiction that does not come back is forgotten.
+ * Counts how often each pair of sensors contradicted each other recently, and each sensor itself. Counts decay, so that
+ * a contradiction that does not recur is forgotten.
  */
 final class ConflictCounts {
 
     /**
-     * What one pair may contribute at most: two sensors that stand alone against each other do not condemn each other
-     * at once.
+     * The maximum that one pair may contribute: two sensors that contradict only each other are not distrusted at once.
      */
     private static final double MAX_PAIR = 6;
 
@@ -20,7 +19,7 @@ final class ConflictCounts {
 
     private final int sensors;
     private final double[] counts;
-    /** For each sensor, whether any of its counts is worth mentioning. */
+    /** For each sensor, whether any of its counts matters. */
     private final boolean[] active;
 
     ConflictCounts(int sensors) {
@@ -42,7 +41,7 @@ final class ConflictCounts {
         counts[i] = Math.min(one == other ? MAX_SELF : MAX_PAIR, counts[i] + weight);
     }
 
-    /** Lets all counts of one sensor fade. */
+    /** Reduces all counts of one sensor. */
     void fade(int sensor, double share) {
         if (!active[sensor]) {
             return;
@@ -63,7 +62,7 @@ final class ConflictCounts {
         return active[sensor];
     }
 
-    /** The count against a sensor: by itself and by the others of a mask. */
+    /** Returns the count against a sensor: by itself and by the others of a mask. */
     double against(int sensor, int others) {
         double sum = counts[sensor * sensors + sensor];
         for (int other = 0; other < sensors; other++) {
@@ -74,7 +73,7 @@ final class ConflictCounts {
         return sum;
     }
 
-    /** Returns whether two sensors contradict each other as often as counts. */
+    /** Returns whether two sensors contradict each other often enough to matter. */
     boolean isStandoff(int one, int other) {
         return one != other && pair(one, other) > MAX_PAIR - 1;
     }

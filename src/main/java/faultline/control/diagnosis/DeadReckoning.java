@@ -4,12 +4,12 @@ import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 
 /**
- * The robot's pose by dead reckoning: the controller's own voltages through the motor's model. In a frame in which the
- * wall is kept on the left, whose origin is where the robot started.
+ * The robot's pose by dead reckoning, from the controller's voltages and the model of the motors. The frame has its
+ * origin at the start of the run and the wall on the left.
  */
 public final class DeadReckoning {
 
-    /** Below this the series of sine and cosine to the fifth power are exact, radians. */
+    /** Below this angle the series of sine and cosine to the fifth power are exact, radians. */
     private static final double SMALL_TURN = 0.02;
 
     private double x;
@@ -31,11 +31,11 @@ public final class DeadReckoning {
     DeadReckoning() {}
 
     /**
-     * Lets voltages act for some ticks.
+     * Updates the pose after voltages have acted for some ticks.
      *
      * @param robot the robot as the controller believes it to be
-     * @param leftVolts of the side next to the wall
-     * @param rightVolts of the other side
+     * @param leftVolts on the side next to the wall
+     * @param rightVolts on the other side
      * @param dt the length of a tick, seconds
      * @param ticks how many
      */
@@ -66,12 +66,12 @@ public final class DeadReckoning {
         }
     }
 
-    /** Takes how much more to the left the robot drives than its motors say, 1/m. */
+    /** Sets how much more to the left the robot drives than its motors say, 1/m. */
     void setCurvature(double perMetre) {
         curvature = perMetre;
     }
 
-    /** Turns the heading; by a small angle without trigonometric functions, to their last digits. */
+    /** Turns the heading; by a small angle without trigonometric functions, up to rounding. */
     private void turn(double angle) {
         heading += angle;
         if (angle == 0) {
@@ -94,7 +94,7 @@ public final class DeadReckoning {
     }
 
     /**
-     * The position ahead of the start.
+     * Returns the position ahead of the start.
      *
      * @return metres
      */
@@ -103,7 +103,7 @@ public final class DeadReckoning {
     }
 
     /**
-     * The position to the left of the start.
+     * Returns the position to the left of the start.
      *
      * @return metres
      */
@@ -112,7 +112,7 @@ public final class DeadReckoning {
     }
 
     /**
-     * All turning so far.
+     * Returns the total turn.
      *
      * @return radians, positive to the left, not normalised
      */
@@ -131,7 +131,7 @@ public final class DeadReckoning {
     }
 
     /**
-     * The distance rolled in the last step.
+     * Returns the distance rolled in the last step.
      *
      * @return metres, negative backwards
      */
@@ -140,7 +140,7 @@ public final class DeadReckoning {
     }
 
     /**
-     * The turn of the last step.
+     * Returns the turn of the last step.
      *
      * @return radians, positive to the left
      */
@@ -148,18 +148,18 @@ public final class DeadReckoning {
         return turned;
     }
 
-    /** Returns how far it has rolled in all, forwards and backwards, metres. */
+    /** {@return the total distance rolled, forwards and backwards, metres} */
     public double way() {
         return way;
     }
 
-    /** Returns how much it has turned in all, either way, radians. */
+    /** Returns the total angle turned in both directions, radians. */
     double turning() {
         return turning;
     }
 
     /**
-     * The rate of turning now.
+     * Returns the current turn rate.
      *
      * @param robot the robot as the controller believes it to be
      * @return radians per second, positive to the left
@@ -169,7 +169,7 @@ public final class DeadReckoning {
     }
 
     /**
-     * The linear velocity now.
+     * Returns the current linear velocity.
      *
      * @return metres per second
      */

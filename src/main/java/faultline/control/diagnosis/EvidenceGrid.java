@@ -3,15 +3,15 @@ package faultline.control.diagnosis;
 /**
  * A map of square cells around the robot that wraps at its borders. Each cell remembers for each source, that is, a
  * sensor or the robot's own body, when that source last saw it free and when it last saw a surface there. Moments are
- * counted on a clock that runs with the robot's motion, because it is motion that makes dead reckoning uncertain; what
- * is older than the reader's memory does not count, so cells need not be cleared when the robot moves on.
+ * those of a clock that runs with the robot's motion, because motion makes dead reckoning uncertain. What is older than
+ * the reader's memory does not count, so cells need not be cleared as the robot moves.
  */
 public final class EvidenceGrid {
 
     /** The side of a cell, metres. */
     public static final double CELL = 0.025;
 
-    /** Cells along each axis, a power of two. */
+    /** The number of cells along each axis, a power of two. */
     public static final int SIZE = 128;
 
     private static final int WRAP = SIZE - 1;
@@ -22,7 +22,7 @@ public final class EvidenceGrid {
 
     private static final int PLANE = SIZE * SIZE;
 
-    /** Which rows of a sector are marked: every second one takes half the time, and the next mark makes up for it. */
+    /** Which rows of a sector are marked: every second one takes half the time, and the next mark covers the others. */
     enum Rows {
         ALL(1, 0),
         EVEN(2, 0),
@@ -57,7 +57,7 @@ public final class EvidenceGrid {
     }
 
     /**
-     * The cell that a coordinate falls into.
+     * Returns the cell of a coordinate.
      *
      * @param coordinate metres
      * @return column or row, not wrapped
@@ -71,7 +71,7 @@ public final class EvidenceGrid {
     }
 
     /**
-     * Which of some sources saw a cell free.
+     * Returns which of some sources saw a cell free.
      *
      * @param column the cell's column, not wrapped
      * @param row the cell's row, not wrapped
@@ -84,7 +84,7 @@ public final class EvidenceGrid {
     }
 
     /**
-     * Which of some sources saw a surface in a cell.
+     * Returns which of some sources saw a surface in a cell.
      *
      * @param column the cell's column, not wrapped
      * @param row the cell's row, not wrapped
@@ -140,13 +140,13 @@ public final class EvidenceGrid {
         return found;
     }
 
-    /** Notes that a source saw a surface in a cell. */
+    /** Records that a source saw a surface in a cell. */
     void markHit(int source, int column, int row, int moment) {
         hit[source * PLANE + cell(column, row)] = moment;
         lastHitInRow[source * SIZE + (row & WRAP)] = moment;
     }
 
-    /** Notes that a source occupied or saw free a disc. */
+    /** Records that a source occupied a disc or saw it free. */
     void markDisc(int source, double x, double y, double radius, int moment) {
         int last = cellOf(y + radius);
         for (int row = cellOf(y - radius); row <= last; row++) {
@@ -157,7 +157,7 @@ public final class EvidenceGrid {
     }
 
     /**
-     * Notes that a source saw a sector free: all cells whose centres lie in it.
+     * Records that a source saw a sector free: all cells whose centres lie in it.
      *
      * @param source the sensor
      * @param x of the apex, metres

@@ -7,7 +7,7 @@ import faultline.robot.RobotSpec;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The health of all sensors as it is shown: a list that is replaced only when something in it changes. */
+/** The health of all sensors for display: a list that is replaced only if something in it changes. */
 final class HealthReport {
 
     /** A sensor with this much evidence against it is suspected. */

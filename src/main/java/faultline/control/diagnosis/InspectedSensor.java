@@ -3,16 +3,16 @@ package faultline.control.diagnosis;
 import faultline.control.SensorFinding;
 import faultline.control.diagnosis.EvidenceGrid.Rows;
 
-/** A sensor under diagnosis: how it is mounted, what it claimed of late, and what was found against it. */
+/** A sensor under diagnosis: its mounting, its recent claims, and the findings against it. */
 final class InspectedSensor {
 
-    /** A sensor that is not trusted is tried again after this time, seconds; each relapse doubles it. */
+    /** A sensor that is not trusted is tried again after this time, seconds; each further finding doubles it. */
     private static final double FIRST_PENANCE = 3;
 
-    /** At once after a finding that takes long to be made again. */
+    /** The time after a finding that takes long to be repeated: none. */
     private static final double MAX_PENANCE = 48;
 
-    /** What sensors see that look ahead or beside the wall matters most; others are marked less often. */
+    /** Sensors that look ahead or to the wall's side matter most; the claims of others are marked less often. */
     private static final double AHEAD = StrictMath.toRadians(60);
 
     private static final double BESIDE = StrictMath.toRadians(30);
@@ -49,7 +49,7 @@ final class InspectedSensor {
         refit(cone);
     }
 
-    /** Takes changed settings. */
+    /** Applies changed settings. */
     void refit(MountedCone newCone) {
         if (!newCone.equals(cone)) {
             cone = newCone;
@@ -74,7 +74,7 @@ final class InspectedSensor {
         return looksAway;
     }
 
-    /** Notes that what it sees is marked in the map, and returns how many inspections the mark stands for. */
+    /** Records that its claim is marked in the map, and returns the number of inspections that the mark stands for. */
     int mark(DeadReckoning reckoning) {
         markedWay = reckoning.way();
         markedTurning = reckoning.turning();
@@ -145,17 +145,17 @@ final class InspectedSensor {
         return finding == SensorFinding.NONE;
     }
 
-    /** Returns when it was trusted or distrusted last, or failed again while it was not trusted, seconds. */
+    /** Returns when its trust changed last, or when it failed again while it was not trusted, seconds. */
     double since() {
         return since;
     }
 
-    /** Returns whether it has not been trusted for as long as its relapses ask. */
+    /** Returns whether it has been distrusted for as long as its findings require. */
     boolean hasDonePenance(double time) {
         return time - since > penance;
     }
 
-    /** Notes a reason not to trust it. */
+    /** Records a reason not to trust it. */
     void distrust(SensorFinding reason, double time) {
         if (isTrusted()) {
             finding = reason;
@@ -168,13 +168,13 @@ final class InspectedSensor {
         confirmations = 0;
     }
 
-    /** Trusts it. */
+    /** Trusts it again. */
     void trust(double time) {
         finding = SensorFinding.NONE;
         since = time;
     }
 
-    /** Returns how often others saw of late what it claims; counts decay. */
+    /** Returns how often others recently saw what it claims; counts decay. */
     double confirmations() {
         return confirmations;
     }
@@ -187,18 +187,18 @@ final class InspectedSensor {
         confirmations *= share;
     }
 
-    /** Counts how long it stands alone against another, and returns the count. */
+    /** Counts how long it alone contradicts another, and returns the count. */
     int countStandoff(boolean stands) {
         standoff = stands ? standoff + 1 : 0;
         return standoff;
     }
 
-    /** Notes that it did not see what another sensor foresaw. */
+    /** Records that it did not see what another sensor predicted. */
     void missSurface(double time) {
         blindAt = time;
     }
 
-    /** Returns when it last did not see what another sensor foresaw, seconds. */
+    /** Returns when it last did not see what another sensor predicted, seconds. */
     double blindAt() {
         return blindAt;
     }

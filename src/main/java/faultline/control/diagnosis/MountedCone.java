@@ -4,7 +4,7 @@ import faultline.geometry.Angles;
 import faultline.sensor.SensorSpec;
 
 /**
- * Where a sensor's cone sits in the frame in which the wall is kept on the left.
+ * The pose and size of a sensor's cone in a frame in which the wall is on the left.
  *
  * @param x the apex, metres ahead of the robot's centre
  * @param y the apex, metres to the left of it

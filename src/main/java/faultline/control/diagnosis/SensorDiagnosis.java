@@ -9,35 +9,35 @@ import faultline.sensor.Reading;
 import java.util.List;
 
 /**
- * Judges the sensors. One sensor is inspected at each step: what it reports must lie somewhere on the arc at the
- * reported distance, and what other trusted sensors, or it itself, saw free of late cannot hold that arc.
+ * Diagnoses the sensors. One sensor is inspected at each step: there must be a surface somewhere on the arc at the
+ * reported distance, so other trusted sensors, or the sensor itself, cannot recently have seen all of that arc free.
  */
 public final class SensorDiagnosis {
 
-    /** How far back free space counts in a test, motion clock. */
+    /** How long free space counts in a test, on the motion clock. */
     private static final int MEMORY = 700;
 
-    /** A sector is free up to this much before the reading, metres. */
+    /** A sector is free up to this far before the reading, metres. */
     private static final double FREE_MARGIN = 0.04;
 
-    /** Each claim is tested again after these numbers of inspections, when more has been seen free. */
+    /** Each claim is tested again after these numbers of inspections, because more has been seen free by then. */
     private static final int[] RETESTS = {5, 12, 24};
 
     /**
-     * As long as nothing is suspicious, what a sensor sees is marked after its cone moved sideways this much, metres.
+     * As long as nothing is suspicious, a sensor's claim is marked after its cone has moved sideways by this, metres.
      */
     private static final double MARKING = 0.05;
 
     /**
-     * A sector of less than this radius takes little time to mark. As long as nothing is suspicious, what sensors that
-     * look away see free is marked up to this distance only, metres.
+     * A sector of less than this radius takes little time to mark. As long as nothing is suspicious, the free space of
+     * sensors that look away from the path and the wall is marked up to this distance only, metres.
      */
     private static final double NEAR = 0.5;
 
     /** A contradiction is suspicious for this long, seconds. */
     private static final double SUSPICION = 1;
 
-    /** A sensor is inspected at each step, seconds. */
+    /** The time between two inspections, seconds. */
     private static final double STEP = 0.01;
 
     private static final double FADE = 0.97;
@@ -62,21 +62,21 @@ public final class SensorDiagnosis {
     private double bodyMarkedWay = Double.NEGATIVE_INFINITY;
 
     /**
-     * A diagnosis of all sensors as healthy.
+     * Creates a diagnosis with all sensors healthy.
      *
-     * @param side 1 where the wall is kept on the left, -1 on the right
+     * @param side 1 if the wall is on the left, -1 if it is on the right
      */
     public SensorDiagnosis(double side) {
         this.side = side;
     }
 
     /**
-     * Takes an observation.
+     * Processes an observation.
      *
      * @param observation the newest
-     * @param nearVolts what the motors on the wall's side were given since the last one
-     * @param farVolts what the others were given
-     * @param ticks how long ago the last one was
+     * @param nearVolts the voltage on the motors on the wall's side since the last observation
+     * @param farVolts the voltage on the others
+     * @param ticks the number of ticks since the last observation
      */
     public void update(Observation observation, double nearVolts, double farVolts, long ticks) {
         if (observation.robot() != robot) {
@@ -183,7 +183,7 @@ public final class SensorDiagnosis {
                         clock.ticks());
     }
 
-    /** Marks the last claim in the map: at once where that takes little time, otherwise after some motion. */
+    /** Marks the last claim in the map: at once if that takes little time, otherwise after some motion. */
     private void mark(InspectedSensor sensor, boolean sees, double reading) {
         sensor.countInspection();
         boolean due = alert || sensor.movedSinceMark(reckoning) > MARKING;
@@ -273,7 +273,7 @@ public final class SensorDiagnosis {
     }
 
     /**
-     * Notes a place that no sensor could see: it is taken for a surface until it is seen free.
+     * Records a place that no sensor could see: it counts as a surface until it is seen free.
      *
      * @param x metres
      * @param y metres
@@ -283,7 +283,7 @@ public final class SensorDiagnosis {
     }
 
     /**
-     * Notes that steering by a sensor leads nowhere.
+     * Records that the robot makes no progress if it steers by a sensor.
      *
      * @param sensor its place in the robot's list
      */
@@ -298,10 +298,10 @@ public final class SensorDiagnosis {
     }
 
     /**
-     * Whether a sensor is trusted.
+     * Returns whether a sensor is trusted.
      *
      * @param sensor its place in the robot's list
-     * @return false where there is a finding
+     * @return whether it is; false if there is a finding
      */
     public boolean isTrusted(int sensor) {
         return sensors[sensor].isTrusted();
@@ -313,7 +313,7 @@ public final class SensorDiagnosis {
     }
 
     /**
-     * The trusted sensors.
+     * Returns the trusted sensors.
      *
      * @return a bit for each by its place in the robot's list
      */
@@ -327,7 +327,7 @@ public final class SensorDiagnosis {
     }
 
     /**
-     * Where the robot is by dead reckoning.
+     * Returns the robot's pose by dead reckoning.
      *
      * @return the live pose
      */
@@ -336,7 +336,7 @@ public final class SensorDiagnosis {
     }
 
     /**
-     * What the sensors saw.
+     * Returns the map of what the sensors saw.
      *
      * @return the live map
      */
@@ -350,7 +350,7 @@ public final class SensorDiagnosis {
     }
 
     /**
-     * How the sensors are mounted in the frame in which the wall is kept on the left.
+     * Returns the cone of a sensor in a frame in which the wall is on the left.
      *
      * @param sensor its place in the robot's list
      * @return the cone

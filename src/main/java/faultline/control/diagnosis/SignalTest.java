@@ -4,11 +4,12 @@ import faultline.control.SensorFinding;
 import faultline.sensor.Reading;
 
 /**
- * The tests that need one sensor's readings only: does it answer, does it move, does it scatter, does it come and go?
+ * The tests that need the readings of one sensor only: whether it answers, whether its reading changes, scatters, or
+ * comes and goes.
  */
 final class SignalTest {
 
-    /** A reading that has not changed to the last bit over a turn of this much is stuck, radians. */
+    /** A reading that stays exactly the same over a turn of this angle is stuck, radians. */
     private static final double STUCK_TURN = StrictMath.toRadians(12);
 
     /** The same over this distance along the sensor's axis, metres. */
@@ -17,7 +18,7 @@ final class SignalTest {
     /** A third difference of readings beyond this shows noise, metres. */
     private static final double SCATTER = 0.08;
 
-    /** The share of such differences that a sensor may have. */
+    /** The maximum share of such differences. */
     private static final double MAX_SCATTER = 0.25;
 
     private static final double SCATTER_MEMORY = 200;
@@ -28,20 +29,20 @@ final class SignalTest {
     /** Neighbours that differ by less than this agree, metres. */
     private static final double NO_SPIKE = 0.02;
 
-    /** How many spikes within three seconds or so a sensor may have. */
+    /** The maximum number of spikes within about three seconds. */
     private static final double MAX_SPIKES = 2;
 
     private static final double SPIKE_MEMORY = 300;
 
-    /** Readings this near to the range may well come and go, metres. */
+    /** Readings this near to the range may come and go, metres. */
     private static final double NEAR_RANGE = 0.1;
 
-    /** How many times within a second or so a reading may come or go. */
+    /** The maximum number of times that a reading may come or go within about a second. */
     private static final double MAX_FLIPS = 7;
 
     private static final double FLIP_MEMORY = 150;
 
-    /** So few flips are not worth counting down. */
+    /** Fewer flips than this need not decay. */
     private static final double QUIET = 1e-3;
 
     private final MountedCone cone;
@@ -62,7 +63,7 @@ final class SignalTest {
         this.axisCos = StrictMath.cos(cone.bearing());
     }
 
-    /** Takes a reading after a piece of motion. */
+    /** Processes a reading after some motion. */
     SensorFinding test(double reading, double rolled, double turned) {
         if (quiet && reading == Reading.NOTHING) {
             return SensorFinding.NONE;

@@ -3,8 +3,8 @@ package faultline.control.diagnosis;
 import faultline.control.SensorFinding;
 
 /**
- * Decides from contradictions which sensors are trusted. A sensor is not trusted any more when its count exceeds a
- * threshold and is the greatest, or when it stands alone against one that others confirm more.
+ * Decides from contradictions which sensors are trusted. A sensor is no longer trusted if its count exceeds a threshold
+ * and is the greatest, or if it alone contradicts a sensor that others confirm more.
  */
 final class Verdicts {
 
@@ -14,7 +14,7 @@ final class Verdicts {
     private static final int CONFIRMATIONS = 12;
     private static final int MAX_STANDOFF = 25;
 
-    /** A sensor that was found contradicted less than this time ago may have been the victim, seconds. */
+    /** A sensor that was contradicted less than this time ago may have been right, seconds. */
     private static final double EXONERATION = 6;
 
     /** A sensor that missed a surface less than this time ago is blind, seconds. */
@@ -40,7 +40,7 @@ final class Verdicts {
         return trusted == (1 << sensors.length) - 1;
     }
 
-    /** Returns the count against a sensor as a share of what it takes not to trust it. */
+    /** Returns the count against a sensor as a share of the threshold. */
     double evidence(int sensor) {
         return conflicts.isActive(sensor) ? conflicts.against(sensor, trusted) / THRESHOLD : 0;
     }
@@ -66,7 +66,7 @@ final class Verdicts {
         return lastSuspicion;
     }
 
-    /** Counts a surface that a sensor should see and does not. */
+    /** Counts a surface that a sensor should see but does not. */
     void blameBlind(InspectedSensor sensor, double time) {
         conflicts.add(sensor.index(), sensor.index(), 3);
         sensor.missSurface(time);
@@ -102,7 +102,7 @@ final class Verdicts {
         }
     }
 
-    /** Returns whether a sensor and a better confirmed one contradict each other, and neither anyone else. */
+    /** Returns whether a sensor and a better confirmed one contradict each other, but no other sensor. */
     private boolean hasStandoff(InspectedSensor sensor) {
         for (InspectedSensor other : sensors) {
             if (other.isTrusted()
@@ -114,7 +114,7 @@ final class Verdicts {
         return false;
     }
 
-    /** Trusts those again whom only sensors contradicted that are not trusted any more. */
+    /** Trusts sensors again that were contradicted only by sensors that are no longer trusted. */
     private void exonerate(double time) {
         for (InspectedSensor sensor : sensors) {
             if (sensor.finding() == SensorFinding.CONTRADICTED

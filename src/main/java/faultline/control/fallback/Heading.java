@@ -3,8 +3,8 @@ package faultline.control.fallback;
 import faultline.control.diagnosis.DeadReckoning;
 
 /**
- * The way along the wall: of all directions from the wall's own clockwise, the first that keeps the wanted distance of
- * all surfaces.
+ * The direction along the wall: the first one, clockwise from the direction of the wall, that keeps the wanted distance
+ * from all surfaces.
  */
 final class Heading {
 
@@ -20,13 +20,13 @@ final class Heading {
     }
 
     /**
-     * The first direction that is open.
+     * Returns the first direction that is free.
      *
      * @param at where the robot is
      * @param from the direction of the wall, radians
-     * @param length that must be open, metres
-     * @param distance that is to be kept of surfaces, metres
-     * @return radians, not a number where no direction is open
+     * @param length that must be free, metres
+     * @param distance to be kept from surfaces, metres
+     * @return radians; not a number if no direction is free
      */
     double along(DeadReckoning at, double from, double length, double distance) {
         for (int i = 0; i < DIRECTIONS; i++) {

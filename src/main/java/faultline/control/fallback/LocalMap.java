@@ -5,12 +5,13 @@ import faultline.control.diagnosis.SensorDiagnosis;
 import java.util.Arrays;
 
 /**
- * The surroundings as trusted sensors saw them of late: for each place, how far the nearest surface is, and how far the
- * nearest place that nobody has seen free. Distances by two chamfer sweeps over a window of cells (Borgefors 1986).
+ * The surroundings as trusted sensors recently saw them: for each place, the distance to the nearest surface, and to
+ * the nearest place that no sensor has seen free. Distances are computed by two chamfer sweeps over a window of cells
+ * (Borgefors 1986).
  */
 final class LocalMap {
 
-    /** Cells along each axis of the window. */
+    /** The number of cells along each axis of the window. */
     private static final int WINDOW = 72;
 
     private static final int FAR = 10_000;
@@ -27,8 +28,8 @@ final class LocalMap {
     private double y;
 
     /**
-     * Takes the map as it stands; what is older than a memory does not count. What is near the robot is free unless a
-     * surface was seen there: no sensor can see it.
+     * Updates this map from the evidence; what is older than a memory does not count. Places near the robot are free
+     * unless a surface was seen there, because no sensor can see them.
      */
     void refresh(SensorDiagnosis diagnosis, int bodySource, int memory, double bodyRadius) {
         EvidenceGrid grid = diagnosis.grid();
@@ -87,23 +88,23 @@ final class LocalMap {
         return d[r * WINDOW + c] * (EvidenceGrid.CELL / STRAIGHT);
     }
 
-    /** From a point to the nearest surface, metres. */
+    /** Returns the distance from a point to the nearest surface, metres. */
     double toSurface(double px, double py) {
         return distance(surface, px, py);
     }
 
-    /** From a point to the nearest place that is not known to be free, metres. */
+    /** Returns the distance from a point to the nearest place that is not known to be free, metres. */
     double toUnknown(double px, double py) {
         return distance(unknown, px, py);
     }
 
     /**
-     * The direction of the nearest surface within some angle of a direction.
+     * Returns the direction of the nearest surface within some angle of a direction.
      *
      * @param towards radians
      * @param within radians
      * @param limit metres
-     * @return radians, not a number where there is none
+     * @return radians; not a number if there is none
      */
     double bearingOfSurface(double towards, double within, double limit) {
         double best = limit * limit;

@@ -9,12 +9,12 @@ import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
 
 /**
- * Follows a wall on the left by the local map. It rolls only where trusted sensors have seen free of late; where they
- * have not, it turns so that one of them sees what lies on the way.
+ * Follows a wall on the left with the local map. It drives only where trusted sensors have recently seen free space;
+ * otherwise it turns so that one of them sees what is in the way.
  */
 public final class MapFollower {
 
-    /** How far back what was seen counts, motion clock. */
+    /** How long a sighting counts, on the motion clock. */
     private static final int MEMORY = 1000;
 
     /** The time between two plans, in seconds. */
@@ -23,27 +23,30 @@ public final class MapFollower {
     /** How far ahead along the wall it looks, metres. */
     private static final double LOOK_AHEAD = 0.2;
 
-    /** What must be free around the robot's reach, metres. */
+    /** The free margin around the robot, metres. */
     private static final double CLEARANCE = 0.02;
 
     /** Ground within this of the turning circle is taken to be free, because no sensor can see it, metres. */
     private static final double NEAR = 0.05;
 
-    /** The wall is kept nearer than wanted by this, because cells count as surface before they are, metres. */
+    /** The distance to the wall is less than wanted by this, because surfaces are enlarged to whole cells, metres. */
     private static final double COARSENESS = 0.04;
 
-    /** After this distance without a wall it searches, metres. */
+    /** After this distance without a wall the robot searches, metres. */
     private static final double LOST = 1.2;
 
-    /** After a scan this much of the way must be known, metres. */
+    /** The length of the path that must be known after a scan, metres. */
     private static final double WORTHWHILE = 0.18;
 
-    /** A square that holds a lap round a pole at the wanted distance is wider than it by this, metres. */
+    /** A square that contains a lap around a pole at the wanted distance is wider than the lap by this, metres. */
     private static final double LAP_MARGIN = 0.4;
 
     private static final double ASIDE = StrictMath.toRadians(35);
 
-    /** The robot slows down when it is off its direction by more than this less 1, as a share of {@link #ASIDE}. */
+    /**
+     * The robot slows down if its heading differs from its direction by more than this less 1, as a share of
+     * {@link #ASIDE}.
+     */
     private static final double FULL_SPEED = 1.3;
 
     private static final double STEERING = 2.5;
@@ -69,9 +72,9 @@ public final class MapFollower {
     private double omega;
 
     /**
-     * A follower.
+     * Creates a follower.
      *
-     * @param diagnosis what it goes by
+     * @param diagnosis the diagnosis of the sensors
      * @param wantedDistance from the side of the robot to the wall, metres
      */
     public MapFollower(SensorDiagnosis diagnosis, double wantedDistance) {
@@ -80,7 +83,7 @@ public final class MapFollower {
     }
 
     /**
-     * Takes over, with the wall on the left.
+     * Begins to drive, with the wall on the left.
      *
      * @param atWall whether the robot is at the wall already
      */
@@ -96,7 +99,7 @@ public final class MapFollower {
     }
 
     /**
-     * Decides on the motion.
+     * Decides on the velocity.
      *
      * @param now the robot as the controller believes it to be
      * @param dt since the last decision, seconds
@@ -167,7 +170,7 @@ public final class MapFollower {
         state = scanning ? FollowerState.MEASURE : FollowerState.FOLLOW;
     }
 
-    /** No wall: straight on. */
+    /** Drives straight ahead, because there is no wall. */
     private void search() {
         state = FollowerState.SEARCH;
         if (!scanning) {
@@ -208,7 +211,7 @@ public final class MapFollower {
         scanTo = Double.isNaN(best) ? 0 : best + Math.copySign(OVERSHOOT, best);
     }
 
-    /** How far to turn until a cone's axis points at a place. */
+    /** Returns the angle to turn until a cone's axis points at a place. */
     private double turnFor(MountedCone cone, double px, double py) {
         double bearing = StrictMath.atan2(py - at().y(), px - at().x());
         return Angles.difference(at().heading() + cone.bearing(), bearing);
@@ -219,7 +222,7 @@ public final class MapFollower {
         if (scanning) {
             scanned += at().turned();
             if (Math.abs(scanned) >= Math.abs(scanTo)) {
-                // Seen all there is to see: what is still unknown is taken for a surface.
+                // Everything visible has been seen: what is still unknown counts as a surface.
                 giveUp();
                 scanning = false;
             }

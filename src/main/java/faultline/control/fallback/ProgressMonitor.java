@@ -3,16 +3,16 @@ package faultline.control.fallback;
 import faultline.control.diagnosis.DeadReckoning;
 
 /**
- * Notices by dead reckoning that a robot gets nowhere: within the time that it takes to drive many times across a
- * square it has not left that square. This covers spinning on the spot, being shut in, and small laps, round a pole or
- * round nothing.
+ * Detects by dead reckoning that a robot makes no progress: in the time that it takes to drive many times across a
+ * square it has not left that square. This covers turning on the spot, being enclosed, and small laps, around a pole or
+ * around nothing.
  */
 final class ProgressMonitor {
 
-    /** The time that counts, in times across the square. */
+    /** The time that counts, as a number of drives across the square. */
     private static final int CROSSINGS = 15;
 
-    /** Positions that are kept of that time. */
+    /** The number of positions that are kept of that time. */
     private static final int SAMPLES = 60;
 
     private final double[] xs = new double[SAMPLES];
@@ -27,7 +27,7 @@ final class ProgressMonitor {
     }
 
     /**
-     * Takes the position and returns whether the robot gets nowhere.
+     * Adds the position and returns whether the robot makes no progress.
      *
      * @param at where it is
      * @param side of the square, metres

@@ -3,9 +3,9 @@ package faultline.control.ladder;
 import java.util.Arrays;
 
 /**
- * Notices that the six states align the robot with the wall again and again and get nowhere in between. They do so when
- * the sensor that they steer by looks askew or reports late: after each alignment the wall seems to end or to lie
- * ahead.
+ * Detects that the six states align the robot with the wall repeatedly without progress in between. This happens if the
+ * sensor that they use for steering has a wrong bearing or reports late: after each alignment the wall seems to end or
+ * to lie ahead.
  */
 final class AlignmentMonitor {
 
@@ -13,8 +13,8 @@ final class AlignmentMonitor {
     private static final int ALIGNMENTS = 6;
 
     /**
-     * Metres. With sound sensors six alignments took 3 m and more in 150 random rooms, and 1.4 m and more in 100 rooms
-     * with noise of 8 mm; with a sensor that looks askew or reports late they take 0.4 to 0.9 m.
+     * Metres. With healthy sensors six alignments took 3 m and more in 150 random rooms, and 1.4 m and more in 100
+     * rooms with noise of 8 mm; with a sensor that has a wrong bearing or reports late they take 0.4 to 0.9 m.
      */
     private static final double WAY = 1.1;
 
@@ -31,7 +31,7 @@ final class AlignmentMonitor {
     }
 
     /**
-     * Takes an alignment and returns whether there were too many of late.
+     * Adds an alignment and returns whether there were too many recently.
      *
      * @param way that the robot has rolled in all, metres
      */

@@ -19,8 +19,9 @@ import faultline.sensor.Reading;
 import java.util.List;
 
 /**
- * The wall follower that carries on: a diagnosis watches all sensors, and the highest {@link Rung} of the ladder whose
- * needs the trusted ones meet drives. As long as all are trusted this is the six-state follower, to the last bit.
+ * A wall follower that tolerates faults: a diagnosis checks all sensors, and the highest {@link Rung} of the ladder
+ * whose requirements the trusted ones meet drives. As long as all are trusted, its decisions are exactly those of the
+ * six-state follower.
  */
 public final class FaultTolerantFollower implements Controller {
 
@@ -37,7 +38,7 @@ public final class FaultTolerantFollower implements Controller {
     private long lastTick;
     private int earlierTransitions;
     private long sinceTick;
-    /** The trusted sensors with which the map follower got nowhere; it is not tried again with the same ones. */
+    /** The trusted sensors with which the map follower made no progress; it is not tried again with the same ones. */
     private int stuckWith;
 
     private StopReason stopReason = StopReason.NO_SENSOR;
@@ -120,7 +121,7 @@ public final class FaultTolerantFollower implements Controller {
         };
     }
 
-    /** Notes an alignment; after too many the sensor that the six states steer by is not trusted any more. */
+    /** Counts an alignment; after too many, the sensor that the six states use for steering is no longer trusted. */
     private Decision watched(Decision decision) {
         boolean aligned = decision.telemetry().state() == FollowerState.FOLLOW
                 && last.telemetry().state() == FollowerState.ALIGN;
@@ -130,7 +131,7 @@ public final class FaultTolerantFollower implements Controller {
         return decision;
     }
 
-    /** Returns a decision with its telemetry completed: transitions are counted on across rungs. */
+    /** Returns a decision with its telemetry completed: the count of transitions continues across rungs. */
     private Decision shown(Decision decision) {
         Telemetry now = decision.telemetry();
         Telemetry before = last.telemetry();
@@ -158,7 +159,7 @@ public final class FaultTolerantFollower implements Controller {
         return new Decision(decision.leftVolts(), decision.rightVolts(), telemetry);
     }
 
-    /** Returns what the diagnosis found, the same instance as long as nothing has changed. */
+    /** Returns the result of the diagnosis, the same instance as long as nothing has changed. */
     private Telemetry.Diagnosis verdict() {
         if (shownRung != rung || shownHealth != diagnosis.health()) {
             shownRung = rung;

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.OptionalInt;
 
 /**
- * A strategy of the ladder with the sensors that it needs. {@link #LADDER} is the one table that the choice, the
- * diagram and the documentation go by: the first rung whose needs are met drives.
+ * A strategy of the ladder with the sensors that it needs. The choice, the diagram and the documentation use the same
+ * table, {@link #LADDER}: the first rung whose requirements are met drives.
  */
 public enum Rung {
     /** All sensors are trusted: the six states. */
@@ -53,7 +53,7 @@ public enum Rung {
         }
     };
 
-    /** What drives. */
+    /** What drives the robot. */
     enum Strategy {
         SIX_STATES,
         MAP,
@@ -96,7 +96,7 @@ public enum Rung {
         return needs;
     }
 
-    /** Returns the trusted sensor that the six states follow the wall by. */
+    /** Returns the trusted sensor that the six states use to follow the wall. */
     static OptionalInt facingWall(SensorDiagnosis diagnosis) {
         return serving(diagnosis, QUARTER, FACING);
     }

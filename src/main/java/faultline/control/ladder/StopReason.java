@@ -4,7 +4,7 @@ package faultline.control.ladder;
 enum StopReason {
     /** No sensor that looks to the wall's side is trusted. */
     NO_SENSOR("no trusted sensor on the side of the wall"),
-    /** The strategy for a few sensors gets nowhere. */
+    /** The strategy for a few sensors makes no progress. */
     NO_PROGRESS("no progress for a minute");
 
     private final String condition;

@@ -12,8 +12,9 @@ final class AlignmentManoeuvre {
     private static final double BACKED_OFF_RATIO = 1.3;
 
     /**
-     * What is farther than wanted by more than the greater of these when the spin begins is not the wall that was met:
-     * metres, and a fraction of the wanted distance, which leaves room for the level of {@link TimingRule#MARGIN}.
+     * A reading that exceeds the wanted distance by more than the greater of these when the spin begins is not of the
+     * wall that was met: metres, and a fraction of the wanted distance, which leaves room for the level of
+     * {@link TimingRule#MARGIN}.
      */
     private static final double OTHER_WALL_MARGIN = 0.15;
 
@@ -43,7 +44,7 @@ final class AlignmentManoeuvre {
         this.edgeTimer = new EdgeTimer(rule);
     }
 
-    /** Takes another rule, which holds from the next spin. */
+    /** Sets the timing rule, which holds from the next spin. */
     void setRule(TimingRule newRule) {
         nextRule = newRule;
     }
@@ -55,8 +56,8 @@ final class AlignmentManoeuvre {
     // TURN: spin right until the left sensor comes to the wall.
 
     /**
-     * Starts; beside a wall that was met sideways, by turning away from it to the left, so that the sensor can come to
-     * it.
+     * Starts a spin. Beside a wall that was met sideways, the robot first turns away from it to the left, so that the
+     * sensor can come to it.
      */
     void begin(boolean wallMetSideways) {
         if (rule != nextRule) {
@@ -75,7 +76,7 @@ final class AlignmentManoeuvre {
         }
     }
 
-    /** Takes the reading of a decision in TURN. */
+    /** Processes the reading of a decision in TURN. */
     void updateTurn() {
         if (!backingOff) {
             edgeTimer.addApproachSample(
@@ -83,7 +84,7 @@ final class AlignmentManoeuvre {
         }
     }
 
-    /** The turn rate of TURN. */
+    /** Returns the turn rate of TURN, radians per second. */
     double turnRate() {
         if (backingOff) {
             nearestReading = Math.min(nearestReading, left().reading());
@@ -101,7 +102,7 @@ final class AlignmentManoeuvre {
 
     // MEASURE: spin on until it leaves the wall.
 
-    /** Takes the reading of a decision in MEASURE. */
+    /** Processes the reading of a decision in MEASURE. */
     void updateMeasure() {
         edgeTimer.updateNoise(estimate.leftNoise(), estimate.isLeftNoiseKnown());
         edgeTimer.addPassSample(spinClock(), left().reading());
@@ -114,9 +115,9 @@ final class AlignmentManoeuvre {
     // ALIGN: turn back for t_p, and let the spin die out.
 
     /**
-     * Plans the turn back: for t_p = t_D / 2 from F4 on, eq. (4). F4 was noticed a little late, and until the motors
-     * have reversed the spin goes on for their lag; all that is turned back as well, unless the paper is to be taken to
-     * the letter.
+     * Plans the turn back: for t_p = t_D / 2 from F4 on, eq. (4). F4 is noticed a little late, and the spin continues
+     * for the motors' lag until they have reversed. The robot turns back by that as well, unless the paper's exact rule
+     * applies.
      */
     void planTurnBack() {
         remainingTurn = estimate.turnRate() * edgeTimer.tP();
@@ -126,7 +127,7 @@ final class AlignmentManoeuvre {
         }
     }
 
-    /** The turn rate of ALIGN; the last decision of the turn back turns just what is left. */
+    /** Returns the turn rate of ALIGN, radians per second; the last decision turns just the remaining angle. */
     double alignTurnRate() {
         double rate = Math.max(0, Math.min(estimate.turnRate(), remainingTurn / estimate.period()));
         remainingTurn -= rate * estimate.period();
@@ -138,8 +139,8 @@ final class AlignmentManoeuvre {
     }
 
     /**
-     * The left reading; nothing where that is of something else than the wall that was met. By the paper's rule all
-     * that is in range counts.
+     * Returns the left reading; infinite if it is not of the wall that was met. By the paper's rule every reading in
+     * range counts.
      */
     private double wallReading() {
         double wanted = estimate.wantedCentreDistance();
@@ -153,8 +154,8 @@ final class AlignmentManoeuvre {
     }
 
     /**
-     * The time that spinning right at the constant rate takes to come to the present heading, seconds: the clock of
-     * t_F3, t_F4 and t_p.
+     * Returns the time in which a spin to the right at the constant rate reaches the current heading, seconds: the
+     * clock of t_F3, t_F4 and t_p.
      */
     private double spinClock() {
         return realClock

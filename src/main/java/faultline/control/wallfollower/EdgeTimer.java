@@ -6,18 +6,19 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Times a spin past a wall: when the left sensor came to it (frame F3), when it left it (F4), and how far to turn back,
- * t_p = t_D / 2 (eq. (4) of the paper).
+ * Times a spin past a wall: when the left sensor comes to it (frame F3), when it leaves it (F4), and how long to turn
+ * back, t_p = t_D / 2 (eq. (4) of the paper).
  *
- * <p>Both moments are taken at one and the same reading, on either side of the nearest one. Where the wall enters from
- * nowhere and leaves to nowhere that reading is the range, which is the paper's rule exactly; a level nearer to the
- * wall keeps the walls of a corner apart. Between two samples the moment is interpolated. Time is the spin clock's: it
- * runs as fast as the robot turns, in units of the constant rate, so that spinning up costs nothing.
+ * <p>Both moments are taken at the same reading, on either side of the nearest one. If the wall comes into range and
+ * leaves it again, that reading is the range, which is exactly the paper's rule; a level nearer to the wall separates
+ * the walls of a corner. Between two samples the moment is interpolated. Time is that of the spin clock, which runs as
+ * fast as the robot turns, in units of the constant rate, so that the acceleration of the spin does not matter.
  */
 final class EdgeTimer {
 
     /**
-     * A reading has turned round when it is this far from its extreme, metres, or five times what noise is left in it.
+     * A reading has turned round if it differs from its extreme by this much, metres, or by five standard deviations of
+     * its remaining noise.
      */
     private static final double MIN_REVERSAL = 0.001;
 
@@ -25,8 +26,8 @@ final class EdgeTimer {
 
     /**
      * Noisy readings are averaged over no more than this turn, radians. Between the walls of a corner of 150 degrees
-     * the reading rises by 4 mm over 10 degrees; a longer mean would flatten that, a shorter one would leave it in the
-     * noise.
+     * the reading rises by 4 mm over 10 degrees; a longer mean would flatten that rise, and a shorter one would leave
+     * it in the noise.
      */
     private static final double MAX_AVERAGED_TURN = StrictMath.toRadians(5);
 
@@ -53,7 +54,7 @@ final class EdgeTimer {
      * Starts a new spin. By the paper's rule every sample counts by itself.
      *
      * @param noise the standard deviation of the readings' noise, metres
-     * @param known whether the noise is known; otherwise {@link #updateNoise} makes it known during the spin
+     * @param known whether the noise is known; otherwise {@link #updateNoise} sets it during the spin
      * @param newStep the turn between two readings, radians
      */
     void start(double noise, boolean known, double newStep) {
@@ -82,15 +83,15 @@ final class EdgeTimer {
         reversalMargin = Math.max(MIN_REVERSAL, NOISE_FACTOR * noise / Math.sqrt(averaged));
     }
 
-    /** As many samples as bring the noise below what counts as a turn, if that many fit. */
+    /** Returns the number of samples whose mean has less noise than what counts as a turn, as far as possible. */
     private static int blockSize(double noise, double step) {
         double wanted = NOISE_FACTOR * noise / MIN_REVERSAL;
         return (int) Math.max(1, Math.min(MAX_AVERAGED_TURN / step, Math.ceil(wanted * wanted)));
     }
 
     /**
-     * While the sensor has not come to the wall: keeps the falling side's beginning. What the robot still rolls may
-     * bring a wall nearer by as much; that is no fall.
+     * Adds a sample before the sensor has come to the wall, and keeps the beginning of the falling side. The distance
+     * that the robot still rolls may bring a wall nearer; that is no fall.
      */
     void addApproachSample(double clock, double reading, double rolled) {
         highestReading -= rolled;
@@ -107,7 +108,7 @@ final class EdgeTimer {
         samples.add(new Sample(average.clock(), average.reading()));
     }
 
-    /** Whether the readings fall: the sensor comes to a wall. */
+    /** Returns whether the readings fall: the sensor comes to a wall. */
     boolean reachesWall() {
         if (samples.isEmpty()) {
             return false;
@@ -128,7 +129,7 @@ final class EdgeTimer {
         farthestSinceNearest = reading;
     }
 
-    /** While the sensor passes the wall. */
+    /** Adds a sample while the sensor passes the wall. */
     void addPassSample(double clock, double reading) {
         if (average.add(clock, reading)) {
             addSample();
@@ -140,14 +141,16 @@ final class EdgeTimer {
     }
 
     /**
-     * Whether the reading has risen again to the level of timing, or turned round before, or is gone: then F3 and F4
-     * are known.
+     * Returns whether the reading has risen again to the timing level, has turned round before, or is infinite: then F3
+     * and F4 are known.
      */
     boolean leavesWall() {
         return rule == TimingRule.RANGE ? leavesRange() : leavesLevel();
     }
 
-    /** The first sample without the wall is F4, as the first with it was F3: both are late by up to one period. */
+    /**
+     * Takes the first sample without the wall as F4, as the first with it was F3: both are late by up to one period.
+     */
     private boolean leavesRange() {
         if (lastSample().reading() < Reading.NOTHING) {
             return false;
@@ -188,7 +191,8 @@ final class EdgeTimer {
     }
 
     /**
-     * When the reading was at the level between two samples: interpolated, or half way where one of them saw nothing.
+     * Returns when the reading was at the level between two samples: interpolated, or half way if one of them is
+     * infinite.
      */
     private static double crossingTime(Sample one, Sample other, double level) {
         if (one.reading() == Reading.NOTHING
@@ -200,17 +204,17 @@ final class EdgeTimer {
         return one.clock() + Math.max(0, Math.min(1, share)) * (other.clock() - one.clock());
     }
 
-    /** Frame F3, seconds on the spin clock; not a number before it. */
+    /** Returns the moment of frame F3, seconds on the spin clock; not a number before it. */
     double tF3() {
         return tF3;
     }
 
-    /** Frame F4, seconds on the spin clock; not a number before it. */
+    /** Returns the moment of frame F4, seconds on the spin clock; not a number before it. */
     double tF4() {
         return tF4;
     }
 
-    /** How long to turn back from F4, seconds. */
+    /** Returns how long to turn back from F4, seconds. */
     double tP() {
         double tD = tF4 - tF3;
         return tD / 2; // eq. (4): t_p = t_D / 2

@@ -3,21 +3,21 @@ package faultline.control.wallfollower;
 import faultline.sensor.Reading;
 
 /**
- * Remembers what the front sensor saw last. A thin thing slips out of the cone at its edge when it is near, though it
- * still stands in the body's way; for a while dead reckoning stands in for the reading.
+ * Remembers the last reading of the front sensor. A thin object leaves the cone at its edge when it is near, although
+ * it is still in the robot's way; for a while dead reckoning replaces the reading.
  */
 final class FrontRangeMemory {
 
-    /** A turn of more than this makes what was seen worthless, radians. */
+    /** A turn of more than this invalidates the remembered reading, radians. */
     private static final double MAX_TURN = StrictMath.toRadians(10);
 
-    /** The body must clear what it passes by this much, metres. */
+    /** The robot must pass obstacles at this distance, metres. */
     private static final double MIN_CLEARANCE = 0.03;
 
     private final Target latestTarget = new Target();
     private final Target nearest = new Target();
 
-    /** Something seen ahead, as far as dead reckoning knows. */
+    /** An object that was seen ahead, with its position by dead reckoning. */
     private static final class Target {
 
         private double distance = Reading.NOTHING;
@@ -37,12 +37,12 @@ final class FrontRangeMemory {
         }
     }
 
-    /** Takes a new reading after a piece of way. */
+    /** Processes a reading after some motion. */
     void update(SensorView front, double rolled, double turn, double halfWidth) {
         latestTarget.advance(rolled, turn);
         nearest.advance(rolled, turn);
         if (front.detects()) {
-            // It can only be lost at the cone's edge; an edge beyond the body's flank is no danger.
+            // It can leave the cone only at its edge; an edge beyond the robot's side is no danger.
             boolean inTheWay = front.reading() * StrictMath.sin(front.halfCone()) < halfWidth + MIN_CLEARANCE;
             latestTarget.set(inTheWay ? front.reading() : Reading.NOTHING);
             if (inTheWay && front.reading() <= nearest.distance) {
@@ -51,21 +51,21 @@ final class FrontRangeMemory {
         }
     }
 
-    /** What was seen is dealt with. */
+    /** Forgets what was seen. */
     void clear() {
         latestTarget.set(Reading.NOTHING);
         nearest.set(Reading.NOTHING);
     }
 
     /**
-     * How far ahead of the sensor the nearest thing in the way is, metres, though the tip of it may have slipped out of
-     * the cone and more of it be seen behind.
+     * Returns the distance from the sensor to the nearest object in the way, metres, even if its tip has left the cone
+     * and only a part behind it is seen.
      */
     double nearest() {
         return nearest.distance;
     }
 
-    /** The front sensor with what it remembers in place of nothing. */
+    /** Returns the front sensor with the remembered reading if it sees nothing. */
     SensorView withRememberedRange(SensorView front) {
         return front.detects()
                 ? front

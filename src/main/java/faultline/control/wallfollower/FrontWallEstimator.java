@@ -1,23 +1,23 @@
 package faultline.control.wallfollower;
 
 /**
- * How far the robot's centre is from the wall ahead, at any angle of that wall.
+ * Estimates the distance from the robot's centre to the wall ahead, at any angle of that wall.
  *
- * <p>One front reading fits a wall of any angle: the more slanted, the nearer its foot. A sensor looking aside settles
- * it, because a wall slanted to that side would show there no farther than it does. What counts is the most slanted
- * wall that contradicts no sensor; with nothing to tell, the wall is taken as square.
+ * <p>One front reading fits walls of all angles: the more slanted the wall, the nearer its foot. A sensor that looks
+ * aside decides, because a wall slanted to that side would give a reading there. The estimate is the most slanted wall
+ * that contradicts no sensor; without such a sensor, the wall is taken to be square.
  */
 final class FrontWallEstimator {
 
     /**
      * Along a wall, walls ahead are taken to be slanted by no more than this: inner corners from 35 to 155 degrees are
-     * measured. With more, the side walls of a narrow passage would count as slanted walls ahead.
+     * measured. If it were more, the side walls of a narrow passage would count as slanted walls ahead.
      */
     static final double MAX_LEFT_SLANT = StrictMath.toRadians(65);
 
     static final double MAX_RIGHT_SLANT = StrictMath.toRadians(55);
 
-    /** In the open any slant is possible that the front sensor can see. */
+    /** Without a wall beside the robot, any slant is possible that the front sensor can see. */
     static final double MAX_SEARCH_SLANT = StrictMath.toRadians(78);
 
     private static final int BISECTION_STEPS = 12;
@@ -25,14 +25,14 @@ final class FrontWallEstimator {
     private FrontWallEstimator() {}
 
     /**
-     * Whether the wall ahead will be within a distance of the robot's centre when it has rolled on.
+     * Returns whether the wall ahead will be within a distance of the robot's centre after some more motion.
      *
      * @param distance metres
      * @param rolled how far it rolls on, metres
      * @param sight the sensors
      * @param mostLeft how far the wall may be slanted with its foot to the left, radians
      * @param mostRight how far it may be slanted with its foot to the right, radians
-     * @return false where the front sensor sees nothing
+     * @return whether it will be; false if the front sensor sees nothing
      */
     static boolean isWithin(double distance, double rolled, SensorViews sight, double mostLeft, double mostRight) {
         return sight.front().detects()
@@ -40,10 +40,7 @@ final class FrontWallEstimator {
                         || isWithin(distance, rolled, sight.front(), sight.frontRight(), -mostRight));
     }
 
-    /**
-     * The nearest wall that the front reading allows at all is looked at first: most of the time it settles the
-     * question.
-     */
+    /** Checks the nearest wall that the front reading allows first, which decides in most cases. */
     private static boolean isWithin(double distance, double rolled, SensorView front, SensorView side, double limit) {
         return distanceAfter(rolled, front, limit) <= distance
                 && distanceAfter(rolled, front, maxPossibleSlant(front, side, limit)) <= distance;
@@ -54,8 +51,8 @@ final class FrontWallEstimator {
     }
 
     /**
-     * The bearing of the foot of the most slanted wall, between square and a limit, that the side sensor does not
-     * contradict.
+     * Returns the bearing of the foot of the most slanted wall, between square and a limit, that the side sensor does
+     * not contradict.
      */
     private static double maxPossibleSlant(SensorView front, SensorView side, double limit) {
         if (!side.present() || contradicts(side, front, 0)) {
@@ -77,7 +74,10 @@ final class FrontWallEstimator {
         return possible;
     }
 
-    /** A wall at this bearing that gives the front reading would show to the side sensor nearer than anything does. */
+    /**
+     * Returns whether a wall at this bearing that gives the front reading would be nearer to the side sensor than
+     * anything that it sees.
+     */
     private static boolean contradicts(SensorView side, SensorView front, double bearing) {
         return front.wallDistance(bearing) < side.wallDistance(bearing);
     }

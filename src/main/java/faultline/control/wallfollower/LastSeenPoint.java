@@ -4,9 +4,9 @@ import faultline.geometry.Vector2;
 import faultline.sensor.Reading;
 
 /**
- * The nearest thing that one sensor has seen on a straight way, though it may have slipped out of its cone since. What
- * a robot passes leaves a cone at its rear edge, so that is where it was when it was seen last: a corner, say, that is
- * between two cones now.
+ * The nearest point that one sensor has seen during straight motion, even if it has left the cone since. What the robot
+ * passes leaves a cone at its rear edge, so the point was there when it was last seen: for example a corner that is now
+ * between two cones.
  */
 final class LastSeenPoint {
 
@@ -15,13 +15,13 @@ final class LastSeenPoint {
     private Vector2 mountPosition = Vector2.ZERO;
     private Vector2 fromMount = NOT_SEEN;
 
-    /** Takes a reading after a piece of straight way; what is behind the mounting position by now is forgotten. */
+    /** Processes a reading after some straight motion, and forgets what is behind the mounting position. */
     void update(SensorView eye, double rolled) {
         fromMount = new Vector2(fromMount.x() - rolled, fromMount.y());
         if (fromMount.x() < 0) {
             clear();
         }
-        // As near as was to be expected, or nearer: it is still in sight. Farther: something else is.
+        // As near as expected, or nearer: the point is still in sight. Farther: another one is.
         if (eye.detects() && eye.reading() <= fromMount.length()) {
             double side = eye.bearing() < 0 ? -1 : 1;
             mountPosition = eye.mountPosition();
@@ -33,7 +33,7 @@ final class LastSeenPoint {
         fromMount = NOT_SEEN;
     }
 
-    /** How far it will be from the robot's centre after some more way, metres; infinite where nothing was seen. */
+    /** Returns its distance from the robot's centre after some more motion, metres; infinite if nothing was seen. */
     double distanceAfter(double rolled) {
         return mountPosition.plus(fromMount).minus(new Vector2(rolled, 0)).length();
     }

@@ -1,17 +1,17 @@
 package faultline.control.wallfollower;
 
 /**
- * Learns how noisy a sensor's readings are. The third difference of four readings is all but free of smooth motion, be
- * it as quick as a spin past a wall, and its variance is twenty times the noise's: 1 + 9 + 9 + 1.
+ * Estimates the noise of a sensor's readings. The third difference of four readings hardly depends on smooth motion,
+ * even in a spin past a wall, and its variance is twenty times that of the noise: 1 + 9 + 9 + 1.
  */
 final class NoiseEstimator {
 
-    /** A third difference beyond this is no noise but something else coming into sight, metres. */
+    /** A third difference beyond this is not noise but another object that comes into sight, metres. */
     private static final double OUTLIER_THRESHOLD = 0.08;
 
     private static final double VARIANCE_GAIN = 20;
 
-    /** How many readings are looked back on in the long run. */
+    /** The number of past readings that count. */
     private static final double MAX_COUNT = 100;
 
     /** The number of third differences from which the estimate is used. */
@@ -23,7 +23,7 @@ final class NoiseEstimator {
     private double previousFirstDifference = Double.NaN;
     private double previousSecondDifference = Double.NaN;
 
-    /** Takes a reading, which may be infinite for nothing. */
+    /** Processes a reading; infinite if the sensor sees nothing. */
     void update(double reading) {
         double first = reading - previous;
         double second = first - previousFirstDifference;
@@ -37,7 +37,7 @@ final class NoiseEstimator {
         previousSecondDifference = second;
     }
 
-    /** The standard deviation of the noise as far as it has shown, metres. */
+    /** Returns the estimated standard deviation of the noise, metres. */
     double standardDeviation() {
         return Math.sqrt(variance);
     }

@@ -9,8 +9,8 @@ import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
 
 /**
- * The commanded motion, and dead reckoning from it through the motor's model: how far the robot has rolled and turned.
- * In the follower's frame, in which the wall is kept on the left.
+ * Holds the commanded motion, and computes from it and the model of the motors how far the robot has rolled and turned.
+ * Works in the follower's frame, in which the wall is on the left.
  */
 final class Odometer {
 
@@ -30,7 +30,7 @@ final class Odometer {
         command = new Velocity(newV, newOmega);
     }
 
-    /** Returns the voltages that command the motion, with what the follower shows of itself. */
+    /** Returns the voltages that command the motion, with the follower's telemetry. */
     Decision decision(RobotSpec robot, WallSide side, Telemetry telemetry) {
         MotorSpec motor = robot.motor();
         WheelSpeeds wanted = WheelSpeeds.of(command, robot.track());
@@ -39,7 +39,7 @@ final class Odometer {
         return side == WallSide.LEFT ? new Decision(near, far, telemetry) : new Decision(far, near, telemetry);
     }
 
-    /** Takes it that the command has acted for some ticks. */
+    /** Updates the estimate: the command has acted for some ticks. */
     void advance(RobotSpec robot, double dt, long ticks) {
         MotorSpec motor = robot.motor();
         double decay = motor.decay(dt);
@@ -77,9 +77,9 @@ final class Odometer {
     }
 
     /**
-     * Returns how long the motors' lag lasts, seconds: a speed w that is no longer commanded still gives a distance of
-     * w times this. It is the sum of the decays of all ticks to come, which for short ticks is the motor's time
-     * constant.
+     * Returns how long the motors' lag lasts, seconds: a speed w that is no longer commanded still results in a
+     * distance of w times this. It is the sum of the decays of all later ticks, which for short ticks is the motor's
+     * time constant.
      */
     static double motorLag(RobotSpec robot, double dt) {
         double decay = robot.motor().decay(dt);

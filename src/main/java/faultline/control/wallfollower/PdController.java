@@ -2,7 +2,10 @@ package faultline.control.wallfollower;
 
 import faultline.control.PdGains;
 
-/** The PD distance controller: omega = kp e + kd e', where e is how much too far the wall is; see {@link PdGains}. */
+/**
+ * The PD distance controller: omega = kp e + kd e', where e is the distance error, positive if the wall is too far; see
+ * {@link PdGains}.
+ */
 final class PdController {
 
     private final PdGains gains;
@@ -11,7 +14,7 @@ final class PdController {
     private double derivative;
 
     /**
-     * A law for a speed.
+     * Creates a controller for a speed.
      *
      * @param speed metres per second
      * @param gains the gains
@@ -22,7 +25,7 @@ final class PdController {
     }
 
     /**
-     * The turn rate that corrects an error.
+     * Returns the turn rate that corrects an error.
      *
      * @param error measured less wanted distance, metres
      * @param heading relative to the wall, radians, positive towards it
@@ -34,12 +37,12 @@ final class PdController {
         return proportional + derivative;
     }
 
-    /** The P term of the last call, radians per second. */
+    /** Returns the P term of the last call, radians per second. */
     double proportional() {
         return proportional;
     }
 
-    /** The D term of the last call, radians per second. */
+    /** Returns the D term of the last call, radians per second. */
     double derivative() {
         return derivative;
     }

@@ -1,6 +1,6 @@
 package faultline.control.wallfollower;
 
-/** SEARCH: drives straight on until a wall is met. */
+/** SEARCH: drives straight ahead until the robot meets a wall. */
 final class SearchState implements StateBehaviour {
 
     private final StateEstimate estimate;

@@ -9,23 +9,23 @@ import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
 
 /**
- * The sensors that the follower uses, found by their bearing and not by their name, in a frame in which the wall is
- * kept on the left. A right-handed follower is a left-handed one in a mirror.
+ * The sensors that the follower uses, found by their bearings and not by their names, in a frame in which the wall is
+ * on the left. A follower with the wall on the right is the mirror image of one with the wall on the left.
  *
  * @param left faces the wall; two sensors, this and {@code front}, follow most walls
  * @param front looks ahead
- * @param frontLeft tells an obtuse corner ahead from a square one
+ * @param frontLeft distinguishes an obtuse corner ahead from a square one
  * @param frontRight the third sensor, which an acute inner corner needs
- * @param right only guards a search
+ * @param right used only in a search
  */
 record SensorViews(SensorView left, SensorView front, SensorView frontLeft, SensorView frontRight, SensorView right) {
 
-    /** A sensor serves for a direction if its bearing is at most this far off. */
+    /** A sensor is used for a direction if its bearing differs by at most this. */
     private static final double BEARING_TOLERANCE = StrictMath.toRadians(20);
 
     private static final double QUARTER_TURN = StrictMath.PI / 2;
 
-    /** The follower's sensors in an observation. */
+    /** Returns the follower's sensors in an observation. */
     static SensorViews of(Observation observation, WallSide hand) {
         double side = hand == WallSide.LEFT ? 1 : -1;
         return new SensorViews(
@@ -36,12 +36,12 @@ record SensorViews(SensorView left, SensorView front, SensorView frontLeft, Sens
                 findView(observation, -QUARTER_TURN, side));
     }
 
-    /** This sight with another front sensor. */
+    /** Returns these sensors with another front sensor. */
     SensorViews withFront(SensorView other) {
         return new SensorViews(left, other, frontLeft, frontRight, right);
     }
 
-    /** This sight with another front left sensor. */
+    /** Returns these sensors with another front left sensor. */
     SensorViews withFrontLeft(SensorView other) {
         return new SensorViews(left, front, other, frontRight, right);
     }

@@ -7,8 +7,8 @@ import faultline.geometry.Angles;
 final class SpinStates {
 
     /**
-     * A spin that ends within this of the heading at which it began has found the same wall again: the slight corner
-     * ahead does not show apart from it.
+     * A spin that ends within this of its initial heading has found the same wall again: the slight corner ahead cannot
+     * be distinguished from it.
      */
     private static final double SAME_HEADING_TOLERANCE = StrictMath.toRadians(15);
 
@@ -74,8 +74,8 @@ final class SpinStates {
     }
 
     /**
-     * Returns whether the last spin found the wall again beside which it began; false after a search, which has
-     * followed no wall yet.
+     * Returns whether the last spin found the wall beside which it began again; false after a search, in which no wall
+     * was followed.
      */
     boolean foundSameWall() {
         double turned = Angles.difference(startHeading, estimate.odometer().heading());

@@ -2,7 +2,7 @@ package faultline.control.wallfollower;
 
 import faultline.control.FollowerState;
 
-/** What the follower does in one of its states. */
+/** The behaviour of the follower in one of its states. */
 interface StateBehaviour {
 
     /**
@@ -12,7 +12,7 @@ interface StateBehaviour {
      */
     default void enter(FollowerState from) {}
 
-    /** Takes the reading of a decision, before the transitions are tried. */
+    /** Processes the reading of a decision, before the transitions are checked. */
     default void processReading() {}
 
     /** Commands the motion of the state. */

@@ -8,14 +8,14 @@ import java.util.List;
 public final class StateDiagram {
 
     /**
-     * All arrows in the order in which they are tried; of those that leave a state, the first whose condition holds is
-     * taken.
+     * All transitions in the order in which they are checked; of those that leave a state, the first whose condition
+     * holds is taken.
      */
     public static final List<Arrow> TRANSITIONS = WallFollower.TRANSITIONS.stream()
             .map(transition -> new Arrow(transition.from(), transition.to(), transition.condition()))
             .toList();
 
-    /** The state that the follower begins in. */
+    /** The initial state of the follower. */
     public static final FollowerState INITIAL_STATE = WallFollower.INITIAL_STATE;
 
     private StateDiagram() {}

@@ -7,22 +7,22 @@ import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 
 /**
- * What the follower knows at a decision: its sensors with what they remember, its own motion by dead reckoning, and how
- * far its readings can be trusted.
+ * The follower's knowledge at a decision: its sensors with what they remember, its motion by dead reckoning, and the
+ * noise of its readings.
  */
 final class StateEstimate {
 
     private static final double QUARTER_TURN = StrictMath.PI / 2;
 
-    /** Two sensors see one wall if it would be this much nearer for one of them at most, metres. */
+    /** Two sensors see the same wall if the distances that they give differ by at most this, metres. */
     private static final double SAME_WALL_TOLERANCE = 0.02;
 
-    /** By how many deviations the nearest of many readings is nearer than their mean. */
+    /** The number of standard deviations by which the nearest of many readings is nearer than their mean. */
     private static final double MINIMUM_BIAS_FACTOR = 3;
 
     /**
-     * What is at the far front corner, or slipped out of the front cone, is turned from when it is this near to the
-     * circle that the platform turns in, metres.
+     * The robot turns away from an object at the far front corner, or one that has left the front cone, if it is this
+     * near to the circle in which the platform turns, metres.
      */
     private static final double CORNER_CLEARANCE = 0.06;
 
@@ -47,12 +47,12 @@ final class StateEstimate {
         controlPeriod = spec.period();
     }
 
-    /** Takes another wanted distance, metres. */
+    /** Sets the wanted distance, metres. */
     void setWantedDistance(double metres) {
         wantedDistance = metres;
     }
 
-    /** Takes a new observation, up to which a command has acted. */
+    /** Processes an observation, until which a command has acted. */
     void update(Observation observation) {
         odometer.advance(observation.robot(), observation.dt(), observation.tick() - lastTick);
         lastTick = observation.tick();
@@ -66,8 +66,8 @@ final class StateEstimate {
     }
 
     /**
-     * Returns whether something in the way, seen or remembered, will be within the guarded radius of the robot's centre
-     * when it has rolled out.
+     * Returns whether an obstacle in the way, seen or remembered, will be within the guarded radius of the robot's
+     * centre when the robot has stopped.
      */
     boolean isFrontTargetWithinTurningCircle() {
         return frontMemory.nearest() + views.front().mountPosition().x() - stoppingDistance() <= guardedRadius();
@@ -78,7 +78,7 @@ final class StateEstimate {
         return robot().boundingRadius() + CORNER_CLEARANCE;
     }
 
-    /** Remembers what the sensors that look ahead see on a straight way. */
+    /** Remembers what the sensors that look ahead see during straight motion. */
     void updateLastSeenPoints() {
         lastSeenFront.update(currentFront, odometer.deltaDistance());
         lastSeenFrontLeft.update(views.frontLeft(), odometer.deltaDistance());
@@ -86,9 +86,9 @@ final class StateEstimate {
     }
 
     /**
-     * Whether something that was seen on a straight way, though it may be between the cones now, will be within a
-     * distance of the robot's centre when it has rolled out. The nearest of many noisy readings is too near by some
-     * deviations.
+     * Returns whether a point that was seen during straight motion, even if it is now between the cones, will be within
+     * a distance of the robot's centre when the robot has stopped. The nearest of many noisy readings is too near by
+     * some standard deviations.
      */
     boolean isLastSeenPointWithin(double distance) {
         double nearest = Math.min(
@@ -99,7 +99,7 @@ final class StateEstimate {
         return nearest + MINIMUM_BIAS_FACTOR * noise() <= distance;
     }
 
-    /** What was seen ahead is dealt with. */
+    /** Forgets what was seen ahead. */
     void clearFrontMemory() {
         frontMemory.clear();
         lastSeenFront.clear();
@@ -107,7 +107,7 @@ final class StateEstimate {
         lastSeenFrontRight.clear();
     }
 
-    /** Returns the commanded motion and what dead reckoning makes of it. */
+    /** Returns the commanded motion with its dead reckoning. */
     Odometer odometer() {
         return odometer;
     }
@@ -129,32 +129,32 @@ final class StateEstimate {
         return current.tick();
     }
 
-    /** How long a decision holds, seconds. */
+    /** Returns how long a decision holds, seconds. */
     double period() {
         return current.dt() * PeriodicController.ticksPerPeriod(controlPeriod, current.dt());
     }
 
-    /** How long the motors' lag lasts, seconds. */
+    /** Returns how long the motors' lag lasts, seconds. */
     double motorLag() {
         return Odometer.motorLag(robot(), current.dt());
     }
 
-    /** The rate that the robot spins at, radians per second. */
+    /** Returns the rate at which the robot spins, radians per second. */
     double turnRate() {
         return Math.min(robot().turnRate(), 2 * robot().motor().maxSpeed() / robot().track());
     }
 
-    /** The standard deviation of the left sensor's noise as far as it has shown, metres. */
+    /** Returns the estimated standard deviation of the left sensor's noise, metres. */
     double leftNoise() {
         return leftNoise.standardDeviation();
     }
 
-    /** Returns whether the left sensor has seen enough for its noise to be known. */
+    /** Returns whether the left sensor has enough readings for an estimate of its noise. */
     boolean isLeftNoiseKnown() {
         return leftNoise.isKnown();
     }
 
-    /** The standard deviation of the readings' noise as far as any sensor in use has shown it, metres. */
+    /** Returns the greatest estimated standard deviation of the noise of the sensors in use, metres. */
     double noise() {
         return Math.max(leftNoise.standardDeviation(), frontNoise.standardDeviation());
     }
@@ -166,7 +166,7 @@ final class StateEstimate {
         return views.left().present() ? views.left().mountPosition().y() : robot().width() / 2;
     }
 
-    /** From the robot's centre to the wall where the distance is as wanted, metres. */
+    /** Returns the distance from the robot's centre to the wall if the reading is as wanted, metres. */
     double wantedCentreDistance() {
         return wantedDistance + sideMountOffset();
     }
@@ -176,7 +176,7 @@ final class StateEstimate {
         return robot().speed() * (motorLag() + current.dt());
     }
 
-    /** Whether a wall ahead, however slanted, will be at the wanted distance when the robot has rolled out. */
+    /** Returns whether a wall ahead, at any slant, will be at the wanted distance when the robot has stopped. */
     boolean isWallAheadWhileSearching() {
         return FrontWallEstimator.isWithin(
                 wantedCentreDistance(),
@@ -186,7 +186,10 @@ final class StateEstimate {
                 FrontWallEstimator.MAX_SEARCH_SLANT);
     }
 
-    /** The same along a wall, which is itself no wall ahead: what the front left sensor sees of it says nothing. */
+    /**
+     * Returns the same along a wall, which does not count as a wall ahead: the front left sensor's reading of it is
+     * ignored.
+     */
     boolean isWallAheadWhileFollowing() {
         boolean seesTheWall = views.left().detects()
                 && views.frontLeft().wallDistance(QUARTER_TURN)

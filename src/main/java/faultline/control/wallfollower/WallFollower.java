@@ -50,7 +50,7 @@ public final class WallFollower implements Controller {
     /** The state in which the follower starts. */
     static final FollowerState INITIAL_STATE = SEARCH;
 
-    /** More than a whole turn, radians: what has not been seen by then is not there. */
+    /** More than a whole turn, radians: a wall that has not been seen by then does not exist. */
     private static final double MAX_SPIN = StrictMath.toRadians(400);
 
     private ControllerSpec.WallFollowing spec;

@@ -6,8 +6,8 @@ import faultline.control.FollowerState;
 final class WallStates {
 
     /**
-     * Where a spin has found the same wall again, the robot steers through the slight corner ahead by the left sensor
-     * and looks out for walls ahead only after this distance, metres.
+     * If a spin has found the same wall again, the robot steers through the slight corner ahead by the left sensor and
+     * checks for walls ahead only after this distance, metres.
      */
     private static final double STEER_THROUGH_DISTANCE = 0.15;
 
@@ -51,7 +51,7 @@ final class WallStates {
         };
     }
 
-    /** Returns ROUND: circles the corner while it is in sight, and bends tightly until it is back otherwise. */
+    /** Returns ROUND: circles the corner while it is in sight; otherwise turns tightly until it is seen again. */
     StateBehaviour round() {
         return new StateBehaviour() {
             @Override

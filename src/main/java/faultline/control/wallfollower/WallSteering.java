@@ -5,15 +5,16 @@ import faultline.control.GainRule;
 /** FOLLOW and ROUND: steering along a wall, and around its outer corners, by the left sensor. */
 final class WallSteering {
 
-    /** A reading this much beyond the wanted one is not of the wall that is followed, metres. */
+    /** A reading that exceeds the wanted one by this is not of the followed wall, metres. */
     private static final double GATE = 0.06;
 
-    /** The innovation that counts as a bend, as a share of what a corner gives in the end. */
+    /** The innovation that counts as a bend, as a share of the final innovation at a corner. */
     private static final double BEND_SHARE = 0.6;
 
     /**
-     * How many deviations of the noise a bend is at least, in one reading and in two running. Noise is known from a
-     * hundred readings only, and may be a third more than that; a run has thousands of readings.
+     * The number of standard deviations of the noise that a bend must exceed, in one reading and in two successive
+     * ones. The noise is estimated from a hundred readings only, and may be a third greater; a run has thousands of
+     * readings.
      */
     private static final double NOISE_FACTOR = 8;
 
@@ -37,7 +38,7 @@ final class WallSteering {
         configure(wanted, gainRule);
     }
 
-    /** Takes another wanted distance, metres, and another choice of gains. */
+    /** Sets the wanted distance, metres, and the choice of gains. */
     final void configure(double wanted, GainRule newGainRule) {
         wantedDistance = wanted;
         gainRule = newGainRule;
@@ -48,18 +49,19 @@ final class WallSteering {
         tracker.start(left().detects() ? left().reading() : wantedDistance);
     }
 
-    /** Takes the reading of a decision along a straight wall. */
+    /** Processes the reading of a decision along a straight wall. */
     void trackWall() {
         tracker.predict(estimate.odometer().deltaDistance(), estimate.odometer().deltaHeading(), 0);
         if (isWallInSight()) {
-            // Slanted to a straight wall by more than half the cone, the sensor reads the cone's edge and not the foot.
+            // If the robot is slanted to a straight wall by more than half the cone, the reading is at the cone's edge
+            // and not the foot.
             double off = Math.max(0, Math.abs(tracker.heading()) - left().halfCone());
             tracker.correct(
                     left().reading() * StrictMath.cos(off), estimate.odometer().deltaDistance(), radius());
         }
     }
 
-    /** Takes the reading of a decision around an outer corner. */
+    /** Processes the reading of a decision around an outer corner. */
     void trackCorner() {
         tracker.predict(estimate.odometer().deltaDistance(), estimate.odometer().deltaHeading(), 1 / radius());
         if (isWallInSight()) {
@@ -67,22 +69,22 @@ final class WallSteering {
         }
     }
 
-    /** The wall is seen to bend away: from now on its corner is tracked. */
+    /** Tracks the corner, because the wall bends away. */
     void switchToCorner() {
         tracker.turnHeading(-bendAngle());
     }
 
-    /** The corner is seen to go over into a wall: from now on that is tracked. */
+    /** Tracks the wall into which the corner continues. */
     void switchToWall() {
         tracker.turnHeading(bendAngle());
     }
 
-    /** The turn rate along a straight wall. */
+    /** Returns the turn rate along a straight wall, radians per second. */
     double wallTurnRate() {
         return correction();
     }
 
-    /** The turn rate around a corner: that of the circle about it, corrected. */
+    /** Returns the turn rate around a corner, radians per second: that of the circle about it, corrected. */
     double cornerTurnRate() {
         return estimate.robot().speed() / radius() + correction();
     }
@@ -140,8 +142,8 @@ final class WallSteering {
     }
 
     /**
-     * A straight wall that is taken for a corner gives all of the corner's innovation for as long as it lasts, so there
-     * is time to average the noise away.
+     * A straight wall that is taken for a corner gives the full innovation as long as it lasts, so there is time to
+     * average the noise.
      */
     private double bendDriftThreshold() {
         return Math.max(
@@ -156,8 +158,8 @@ final class WallSteering {
     }
 
     /**
-     * How far the robot has gone round a corner by the time that it shows: an innovation e takes a way of sqrt(2 e r)
-     * on a circle of radius r.
+     * Returns how far the robot has driven around a corner until it is detected: an innovation e needs a distance of
+     * sqrt(2 e r) on a circle of radius r.
      */
     private double bendAngle() {
         int count = Math.min(meanLength(), tracker.innovationCount());
@@ -165,7 +167,7 @@ final class WallSteering {
         return Math.sqrt(2 * Math.min(shown, WallTracker.cornerInnovation(radius())) / radius());
     }
 
-    /** From the followed wall, or the corner that is rounded, to the robot's centre, metres. */
+    /** Returns the distance from the followed wall, or the corner, to the robot's centre, metres. */
     private double radius() {
         return Math.max(estimate.robot().width() / 2, tracker.distance() + estimate.sideMountOffset());
     }
@@ -174,12 +176,12 @@ final class WallSteering {
         return estimate.views().left();
     }
 
-    /** The P term of the last decision, radians per second; not a number before the first. */
+    /** Returns the P term of the last decision, radians per second; not a number before the first. */
     double proportional() {
         return pdController == null ? Double.NaN : pdController.proportional();
     }
 
-    /** The D term of the last decision, radians per second; not a number before the first. */
+    /** Returns the D term of the last decision, radians per second; not a number before the first. */
     double derivative() {
         return pdController == null ? Double.NaN : pdController.derivative();
     }

@@ -3,21 +3,21 @@ package faultline.control.wallfollower;
 /**
  * Tracks the wall on the left through one sensor's readings and dead reckoning: its distance r and the robot's heading
  * gamma relative to it, positive towards the wall. A steady-state Kalman filter of second order (an alpha-beta filter),
- * whose bandwidth goes with the way rolled and not with time.
+ * whose bandwidth depends on the distance rolled and not on time.
  *
- * <p>Along a wall r' = -v sin gamma and gamma' = omega - v k, where k is the curvature of the way that keeps the
- * distance: 0 along a straight wall, 1 / radius around a corner. A wall that bends otherwise than assumed shows as an
- * innovation, that is, a reading that is not as predicted.
+ * <p>Along a wall r' = -v sin gamma and gamma' = omega - v k, where k is the curvature of the path that keeps the
+ * distance: 0 along a straight wall, 1 / radius around a corner. If the wall bends in another way, there is an
+ * innovation: a difference between the reading and its prediction.
  */
 final class WallTracker {
 
-    /** How much way the filter looks back on, as a share of the distance from the centre to the wall. */
+    /** The distance over which the filter averages, as a share of the distance from the centre to the wall. */
     private static final double MEMORY_SHARE = 0.086;
 
-    /** A reading that is off by more than this belongs to something else, metres. */
+    /** A reading that differs by more than this is of another object, metres. */
     private static final double OUTLIER_THRESHOLD = 0.05;
 
-    /** The way over which innovations are averaged, metres. */
+    /** The distance over which innovations are averaged, metres. */
     private static final double DRIFT_DISTANCE = 0.2;
 
     /** The number of innovations that are kept. */
@@ -41,7 +41,7 @@ final class WallTracker {
         clearInnovations();
     }
 
-    /** Predicts across a piece of way. */
+    /** Predicts the state after some motion. */
     void predict(double rolled, double turned, double curvature) {
         double middle = heading + (turned - curvature * rolled) / 2;
         heading += turned - curvature * rolled;
@@ -51,7 +51,7 @@ final class WallTracker {
         innovation = 0;
     }
 
-    /** Corrects by a reading after a piece of way. */
+    /** Corrects the state by a reading after some motion. */
     void correct(double reading, double rolled, double radius) {
         innovation = reading - distance;
         if (Math.abs(innovation) > OUTLIER_THRESHOLD) {
@@ -61,7 +61,7 @@ final class WallTracker {
         }
         innovations[innovationCount++ % MAX_INNOVATIONS] = innovation;
         drift += Math.min(1, Math.abs(rolled) / DRIFT_DISTANCE) * (innovation - drift);
-        // Critically damped at the bandwidth 1 / (MEMORY radius) per metre of way.
+        // Critically damped at the bandwidth 1 / (MEMORY radius) per metre.
         double share = Math.min(0.5, Math.abs(rolled) / (MEMORY_SHARE * radius));
         distance += Math.min(1, 1.4 * share) * innovation;
         if (rolled > 0) {
@@ -69,7 +69,7 @@ final class WallTracker {
         }
     }
 
-    /** Turns the tracked heading because the wall is seen to go another way. */
+    /** Turns the tracked heading because the wall has another direction. */
     void turnHeading(double angle) {
         switched = true;
         heading += angle;
@@ -84,22 +84,22 @@ final class WallTracker {
         drift = 0;
     }
 
-    /** The distance of the wall, metres. */
+    /** Returns the distance of the wall, metres. */
     double distance() {
         return distance;
     }
 
-    /** The robot's heading relative to the wall, radians, positive towards it. */
+    /** Returns the robot's heading relative to the wall, radians, positive towards it. */
     double heading() {
         return heading;
     }
 
-    /** How much farther than predicted the last reading was, metres. */
+    /** Returns by how much the last reading exceeded its prediction, metres. */
     double innovation() {
         return innovation;
     }
 
-    /** How much farther than predicted the reading before that was, metres. */
+    /** Returns by how much the reading before the last one exceeded its prediction, metres. */
     double previousInnovation() {
         return previousInnovation;
     }
@@ -134,20 +134,23 @@ final class WallTracker {
     }
 
     /**
-     * How much farther than predicted the readings were on the whole of late, metres: a small bend shows here that is
-     * below the noise of a single reading.
+     * Returns by how much recent readings exceeded their predictions on average, metres: this detects a small bend that
+     * is below the noise of a single reading.
      */
     double drift() {
         return drift;
     }
 
-    /** What share of a reading's noise is left in the {@link #drift}, if readings come once a piece of way. */
+    /**
+     * Returns the share of a reading's noise that remains in the {@link #drift}, from the distance between two
+     * readings.
+     */
     static double driftNoiseShare(double rolled) {
         return Math.sqrt(Math.abs(rolled) / DRIFT_DISTANCE / 2);
     }
 
     /**
-     * The innovation that a corner gives in the end if the tracker takes its two sides for one straight wall, metres:
+     * Returns the final innovation at a corner if the tracker takes its two sides for one straight wall, metres:
      * (MEMORY radius)^2 / radius.
      *
      * @param radius from the corner to the robot's centre, metres

@@ -67,8 +67,8 @@ public final class XmlParser {
     }
 
     /**
-     * Reports the first thing that the schema does not allow. Only for files without other problems, because the
-     * validator is slow to report many.
+     * Reports the first violation of the schema. Only for files without other problems, because the validator is slow
+     * to report many.
      */
     public void reportSchemaError() {
         try {
