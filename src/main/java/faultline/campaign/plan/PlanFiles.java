@@ -90,7 +90,11 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
         return PlanReader.read(name, ScenarioFiles.readBytes(file, KIND), resolver);
     }
 
-    /** Returns the name that a copy gives a scenario by its number in the plan, from 1. */
+    /**
+     * {@return the name that a copy gives a scenario by its number in the plan, from 1}
+     *
+     * @param number the number of the scenario in the plan, from 1
+     */
     public static String copyName(int number) {
         return "scenario-" + number + ".xml";
     }

@@ -29,7 +29,11 @@ public final class ValueSyntax {
 
     private ValueSyntax() {}
 
-    /** Returns how many values a text lists, a drawn one counting as one; empty if it is none of the four ways. */
+    /**
+     * {@return how many values a text lists, a drawn one counting as one; empty if it is none of the four ways}
+     *
+     * @param text the text
+     */
     public static OptionalInt count(String text) {
         return parse(text, "").stream().mapToInt(List::size).findFirst();
     }

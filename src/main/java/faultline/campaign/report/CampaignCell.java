@@ -25,18 +25,32 @@ public record CampaignCell(
     /** The label of a cell that is a sum over all faults or sensors. */
     public static final String ALL = CellTable.ALL;
 
+    /**
+     * Creates a cell from copies of the lists.
+     *
+     * @param labels what the runs have in common, in the order of {@link #labelColumns}; {@link #ALL} for a sum
+     * @param runs their numbers
+     * @param carriedOn the share of those in which the robot carried on
+     * @param withoutContact the share of those in which it touched nothing
+     * @param coverageOrNaN the mean coverage, NaN if there is none
+     * @param distanceRmsOrNaN the mean distance error on straight walls, metres, NaN if there is none
+     */
     public CampaignCell {
         labels = List.copyOf(labels);
         runs = List.copyOf(runs);
     }
 
-    /** Returns the columns of {@code runs.csv} that the labels are of. */
+    /**
+     * {@return the columns of {@code runs.csv} that the labels are of}
+     *
+     * @param plan the plan
+     */
     public static List<String> labelColumns(CampaignPlan plan) {
         return new CellTable(new RunData(plan, List.of())).labelColumns();
     }
 
     /**
-     * Returns the cells of a table, in the order in which their first runs come.
+     * {@return the cells of a table, in the order in which their first runs come}
      *
      * @param plan of the campaign
      * @param lines the header and the rows of {@code runs.csv}

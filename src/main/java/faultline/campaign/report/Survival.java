@@ -62,7 +62,7 @@ public record Survival(int successes, int n, Interval interval) {
         return squares > 1e-12 ? Math.max(1, clustered / squares) : (double) n / worlds;
     }
 
-    /** Returns the share, 0 without runs. */
+    /** {@return the share, 0 without runs} */
     public double share() {
         return n == 0 ? 0 : (double) successes / n;
     }

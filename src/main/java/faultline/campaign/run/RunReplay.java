@@ -14,13 +14,13 @@ public final class RunReplay {
     private RunReplay() {}
 
     /**
-     * Returns the scenario of a run.
+     * {@return the scenario of a run}
      *
      * @param plan of the campaign
      * @param index the number of the run
      * @param outcome as in the table
      * @param simulatedSeconds how long the run lasted
-     * @throws ScenarioException if the plan's values, each good by itself, make no good scenario together
+     * @throws ScenarioException if the plan's values, each valid by itself, make no valid scenario together
      */
     public static Scenario scenario(CampaignPlan plan, long index, String outcome, double simulatedSeconds)
             throws ScenarioException {

@@ -113,7 +113,11 @@ public final class HeadlessRun {
 
         private static final long serialVersionUID = 1L;
 
-        /** Creates the exception for a coverage that cannot be computed. */
+        /**
+         * Creates the exception for a coverage that cannot be computed.
+         *
+         * @param cause the cause
+         */
         public ResultFailedException(Throwable cause) {
             super("its coverage could not be computed: " + cause, cause);
         }
