@@ -22,11 +22,6 @@ class OptionalUseTest {
     private static final Set<Class<?>> OPTIONALS =
             Set.of(Optional.class, OptionalDouble.class, OptionalInt.class, OptionalLong.class);
 
-    /** The views in windows do not keep the rule yet. */
-    private static boolean isChecked(String className) {
-        return !className.matches("faultline\\.gui\\.([A-Z]|(canvas|dialog|gallery|instrument|panel)\\.).*");
-    }
-
     private static Stream<Class<?>> classes() throws Exception {
         Path root = Path.of(faultline.app.Main.class
                 .getProtectionDomain()
@@ -41,9 +36,7 @@ class OptionalUseTest {
                         .toString()
                         .replaceAll("[/\\\\]", ".")
                         .replaceAll("\\.class$", "");
-                if (isChecked(name)) {
-                    classes.add(Class.forName(name, false, OptionalUseTest.class.getClassLoader()));
-                }
+                classes.add(Class.forName(name, false, OptionalUseTest.class.getClassLoader()));
             }
         }
         return classes.stream();

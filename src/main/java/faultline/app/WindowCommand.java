@@ -11,7 +11,6 @@ import java.awt.HeadlessException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 
 /** The command without a name: opens the window, or runs without one if there is no display. */
 final class WindowCommand {
@@ -31,8 +30,7 @@ final class WindowCommand {
 
     /** Opens the default scenario. */
     int run() throws ScenarioException {
-        return openWindow(
-                () -> GuiLauncher.open(Optional.empty()), Scenario.loadShipped(DEFAULT_SCENARIO), DEFAULT_SCENARIO);
+        return openWindow(() -> GuiLauncher.open(null), Scenario.loadShipped(DEFAULT_SCENARIO), DEFAULT_SCENARIO);
     }
 
     /**
@@ -48,7 +46,7 @@ final class WindowCommand {
         Path file = Arguments.parsePath(arguments.files().get(0));
         Scenario scenario = Scenario.load(file);
         if (given.size() == 1) {
-            return openWindow(() -> GuiLauncher.open(Optional.of(file)), scenario, file.toString());
+            return openWindow(() -> GuiLauncher.open(file), scenario, file.toString());
         }
         requireDisplay("--controller");
         Optional<String> controller = arguments.value("--controller");
@@ -81,9 +79,9 @@ final class WindowCommand {
         if (!hasDisplay()) {
             throw new UsageException("--startup-time needs a display, and there is none");
         }
-        Optional<Path> file = parsed.files().isEmpty()
-                ? Optional.empty()
-                : Optional.of(Arguments.parsePath(parsed.files().get(0)));
+        Path file = parsed.files().isEmpty()
+                ? null
+                : Arguments.parsePath(parsed.files().get(0));
         GuiLauncher.openUntilFirstPaint(
                 file, () -> output.println(String.format(Locale.ROOT, "startup_s: %.2f", ProcessAge.seconds())));
         return ExitCode.SUCCESS;

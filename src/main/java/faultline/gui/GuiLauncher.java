@@ -9,7 +9,6 @@ import faultline.gui.text.SwingMessages;
 import faultline.gui.window.MainWindow;
 import java.awt.EventQueue;
 import java.nio.file.Path;
-import java.util.Optional;
 import java.util.function.Consumer;
 
 /** Opens the window. */
@@ -23,9 +22,9 @@ public final class GuiLauncher {
     /**
      * Opens the window asynchronously on the event dispatch thread. There must be a display.
      *
-     * @param file the scenario to open, empty for the default one
+     * @param file the scenario to open, null for the default one
      */
-    public static void open(Optional<Path> file) {
+    public static void open(Path file) {
         Thread.setDefaultUncaughtExceptionHandler(new UncaughtExceptionDialog());
         EventQueue.invokeLater(() -> openOnEventThread(file, window -> openScenario(window, file)));
     }
@@ -40,16 +39,16 @@ public final class GuiLauncher {
     public static void open(Path file, ControllerSelection controller, ControllerSelection ghostOrNull) {
         Thread.setDefaultUncaughtExceptionHandler(new UncaughtExceptionDialog());
         EventQueue.invokeLater(
-                () -> openOnEventThread(Optional.of(file), window -> window.open(file, controller, ghostOrNull)));
+                () -> openOnEventThread(file, window -> window.open(file, controller, ghostOrNull)));
     }
 
     /**
      * Opens the window and closes it after it has painted its first frame.
      *
-     * @param file the scenario to open, empty for the default one
+     * @param file the scenario to open, null for the default one
      * @param painted called on the event dispatch thread after the first frame
      */
-    public static void openUntilFirstPaint(Optional<Path> file, Runnable painted) {
+    public static void openUntilFirstPaint(Path file, Runnable painted) {
         EventQueue.invokeLater(() -> {
             MainWindow window = createWindow(WindowPreferences.forCurrentUser());
             openScenario(window, file);
@@ -70,17 +69,21 @@ public final class GuiLauncher {
         return window;
     }
 
-    private static void openScenario(MainWindow window, Optional<Path> file) {
-        file.ifPresentOrElse(window::open, () -> window.openShipped(DEFAULT_SCENARIO));
+    private static void openScenario(MainWindow window, Path file) {
+        if (file == null) {
+            window.openShipped(DEFAULT_SCENARIO);
+        } else {
+            window.open(file);
+        }
     }
 
-    private static void openOnEventThread(Optional<Path> file, Consumer<MainWindow> opener) {
+    private static void openOnEventThread(Path file, Consumer<MainWindow> opener) {
         WindowPreferences preferences = WindowPreferences.forCurrentUser();
         MainWindow window = createWindow(preferences);
         opener.accept(window);
         // One question at a time: the gallery does not cover the recovery prompt.
         window.enableRecovery(RecoveryStore.forCurrentUser(), () -> {
-            if (file.isEmpty() && preferences.isGalleryShownAtStart()) {
+            if (file == null && preferences.isGalleryShownAtStart()) {
                 window.showExamples();
             }
         });

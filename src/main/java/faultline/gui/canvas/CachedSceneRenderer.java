@@ -73,7 +73,11 @@ final class CachedSceneRenderer {
         }
         DrawContext context = new DrawContext(graphics, camera, palette).withFont(LocalizedLabels.font());
         reference.ifPresent(earlier -> ReferenceOverlayPainter.paintRobot(context, earlier, frame.snapshot()));
-        painter.paintDynamic(context, frame, byMotion.get(true), driven.tailStart(path.shownContent()));
+        painter.paintDynamic(
+                context,
+                frame,
+                byMotion.get(true),
+                driven.tailStart(path.shownContent().orElse(null)));
         byMotion.get(true).stream()
                 .filter(scene::isSelected)
                 .forEach(obstacle -> SelectionPainter.paintOutline(context, obstacle));

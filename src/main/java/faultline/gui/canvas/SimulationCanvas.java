@@ -112,10 +112,10 @@ public final class SimulationCanvas extends JComponent {
         repaint();
     }
 
-    /** Shows a reference run, empty for none. */
-    public void setReferenceOverlay(Optional<ReferenceOverlay> overlay) {
+    /** Shows a reference run, null for none. */
+    public void setReferenceOverlay(ReferenceOverlay overlay) {
         assert EventQueue.isDispatchThread();
-        model.referenceOverlay().set(overlay);
+        model.referenceOverlay().set(Optional.ofNullable(overlay));
     }
 
     /** Shows or hides a layer. */

@@ -62,13 +62,14 @@ public final class FileController {
     private static void doNothing() {}
 
     private void open() {
-        runIfChangesHandled(
-                () -> fileDialogs.chooseFileToOpen("open", workspace.file()).ifPresent(documentStore::open));
+        runIfChangesHandled(() -> fileDialogs
+                .chooseFileToOpen("open", workspace.file().orElse(null))
+                .ifPresent(documentStore::open));
     }
 
     /** Asks for the reference run to load. */
     public Optional<Path> chooseReferenceRunFile() {
-        return fileDialogs.chooseFileToOpen("openGhost", workspace.file());
+        return fileDialogs.chooseFileToOpen("openGhost", workspace.file().orElse(null));
     }
 
     /** Opens a file and discards unsaved changes. */

@@ -26,10 +26,17 @@ final class FileDialogs {
         this.parent = parent;
     }
 
-    /** Asks for a file to open; empty if cancelled. */
-    Optional<Path> chooseFileToOpen(String action, Optional<Path> open) {
+    /**
+     * Asks for a file to open; empty if cancelled.
+     *
+     * @param action the name of the action
+     * @param selected the file that is selected at first, null for none
+     */
+    Optional<Path> chooseFileToOpen(String action, Path selected) {
         JFileChooser chooser = createChooser(action, "xml");
-        open.map(Path::toAbsolutePath).map(Path::toFile).ifPresent(chooser::setSelectedFile);
+        if (selected != null) {
+            chooser.setSelectedFile(selected.toAbsolutePath().toFile());
+        }
         return selectedFile(chooser, chooser.showOpenDialog(parent));
     }
 

@@ -1,5 +1,6 @@
 package faultline.gui.dialog;
 
+import faultline.gui.document.TaskProgress;
 import faultline.gui.document.WorkspaceTask;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
@@ -47,7 +48,7 @@ final class ProgressDialog extends JDialog {
         content.add(progressBar, BorderLayout.CENTER);
         content.add(createButtons(), BorderLayout.SOUTH);
         setContentPane(content);
-        setProgress(task.progress().fraction());
+        setProgress(task.progress());
         pack();
         setSize(new Dimension(Math.max(TextSize.scaled(WIDTH), getWidth()), getHeight()));
         setResizable(false);
@@ -69,7 +70,8 @@ final class ProgressDialog extends JDialog {
     }
 
     /** Shows the completed share. */
-    void setProgress(OptionalDouble share) {
+    void setProgress(TaskProgress progress) {
+        OptionalDouble share = progress.fraction();
         progressBar.setIndeterminate(share.isEmpty());
         share.ifPresent(known -> progressBar.setValue((int) (PROGRESS_STEPS * known)));
     }

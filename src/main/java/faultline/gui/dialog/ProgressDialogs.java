@@ -4,7 +4,6 @@ import faultline.gui.document.WorkspaceTask;
 import java.awt.Dialog;
 import java.awt.EventQueue;
 import java.awt.Window;
-import java.util.Optional;
 import java.util.stream.Stream;
 
 /** Shows a progress dialog for a task that takes longer than half a second, and lets the user cancel it. */
@@ -15,8 +14,11 @@ public final class ProgressDialogs {
 
     private final Window owner;
     private final Runnable cancelHandler;
-    private Optional<WorkspaceTask> currentTask = Optional.empty();
-    private Optional<ProgressDialog> dialog = Optional.empty();
+    /** Null if no task runs. */
+    private WorkspaceTask currentTask;
+    /** Null if none is open. */
+    private ProgressDialog dialog;
+
     private int polls;
 
     public ProgressDialogs(Window owner, Runnable cancel) {
@@ -24,37 +26,48 @@ public final class ProgressDialogs {
         this.cancelHandler = cancel;
     }
 
-    /** Updates the dialog; called about sixty times per second. */
-    public void update(Optional<WorkspaceTask> now) {
-        if (!now.equals(currentTask)) {
+    /** Updates the dialog of the current task; called about sixty times per second while a task runs. */
+    public void update(WorkspaceTask task) {
+        if (!task.equals(currentTask)) {
             closeDialog();
-            currentTask = now;
+            currentTask = task;
         }
-        now.ifPresent(this::update);
+        polls += isOtherDialogOpen() ? 0 : 1;
+        if (dialog != null) {
+            dialog.setProgress(task.progress());
+        }
+        if (polls == POLLS_BEFORE_DIALOG) {
+            ProgressDialog created = new ProgressDialog(owner, task, cancelHandler);
+            dialog = created;
+            // Asynchronously: the caller must be able to poll again while the modal dialog is open.
+            EventQueue.invokeLater(() -> {
+                if (dialog == created) {
+                    created.setVisible(true);
+                }
+            });
+        }
     }
 
-    private void update(WorkspaceTask task) {
-        polls += isOtherDialogOpen() ? 0 : 1;
-        dialog.ifPresent(shown -> shown.setProgress(task.progress().fraction()));
-        if (polls == POLLS_BEFORE_DIALOG) {
-            ProgressDialog made = new ProgressDialog(owner, task, cancelHandler);
-            dialog = Optional.of(made);
-            // Asynchronously: the caller must be able to poll again while the modal dialog is open.
-            EventQueue.invokeLater(
-                    () -> dialog.filter(shown -> shown == made).ifPresent(shown -> shown.setVisible(true)));
+    /** Closes the dialog, because no task runs. */
+    public void clear() {
+        if (currentTask != null) {
+            closeDialog();
+            currentTask = null;
         }
     }
 
     /** Returns whether another modal dialog is open. */
     private boolean isOtherDialogOpen() {
-        return dialog.isEmpty()
+        return dialog == null
                 && Stream.of(owner.getOwnedWindows())
                         .anyMatch(window -> window instanceof Dialog && window.isShowing());
     }
 
     private void closeDialog() {
-        dialog.ifPresent(Window::dispose);
-        dialog = Optional.empty();
+        if (dialog != null) {
+            dialog.dispose();
+            dialog = null;
+        }
         polls = 0;
     }
 }

@@ -5,7 +5,6 @@ import faultline.geometry.Angles;
 import faultline.gui.text.Messages;
 import java.util.List;
 import java.util.Locale;
-import java.util.OptionalDouble;
 
 /** Formats the values of an alignment manoeuvre; a dash for a value that is not yet known. */
 final class AlignmentText {
@@ -21,7 +20,7 @@ final class AlignmentText {
     record Row(String name, String value) {}
 
     static List<Row> rows(AlignmentTrace spin, TimingRule rule) {
-        OptionalDouble predicted = spin.isTimed() ? OptionalDouble.of(spin.predictedHeading()) : OptionalDouble.empty();
+        double predicted = spin.isTimed() ? spin.predictedHeading() : Double.NaN;
         return List.of(
                 row("rule", Messages.get("spin.rule." + rule.fileName())),
                 row("f3", seconds(spin.origin() + spin.f3())),
@@ -30,7 +29,7 @@ final class AlignmentText {
                 row("tP", seconds(spin.tP())),
                 row("predicted", degrees(predicted, "%.2f°")),
                 row("achieved", degrees(spin.achievedHeading(), "%.2f°")),
-                row("error", degrees(spin.headingError(), "%+.2f°")));
+                row("error", degrees(spin.headingError().orElse(Double.NaN), "%+.2f°")));
     }
 
     private static Row row(String key, String value) {
@@ -41,10 +40,10 @@ final class AlignmentText {
         return Double.isNaN(value) ? "–" : String.format(Locale.ROOT, "%.3f s", value);
     }
 
-    private static String degrees(OptionalDouble radians, String format) {
-        return radians.isEmpty()
+    private static String degrees(double radians, String format) {
+        return Double.isNaN(radians)
                 ? "–"
-                : String.format(Locale.ROOT, format, Math.toDegrees(Angles.normalize(radians.getAsDouble())))
+                : String.format(Locale.ROOT, format, Math.toDegrees(Angles.normalize(radians)))
                         .replace('-', '\u2212');
     }
 }

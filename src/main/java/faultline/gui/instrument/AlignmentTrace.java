@@ -36,7 +36,7 @@ record AlignmentTrace(
         double f4,
         double tP,
         double origin,
-        OptionalDouble achievedHeading) {
+        double achievedHeading) {
 
     /**
      * A reading.
@@ -107,7 +107,7 @@ record AlignmentTrace(
                 shown.tF4(),
                 shown.tP(),
                 (ticks.align() - 1) * dt(frame) - Math.abs(turnedBy / rate),
-                ticks.done() ? OptionalDouble.of(now) : OptionalDouble.empty());
+                ticks.done() ? now : Double.NaN);
     }
 
     private static double dt(SessionFrame frame) {
@@ -147,8 +147,8 @@ record AlignmentTrace(
      * yet known.
      */
     OptionalDouble headingError() {
-        return achievedHeading.isPresent() && isTimed()
-                ? OptionalDouble.of(Angles.normalize(achievedHeading.getAsDouble() - predictedHeading()))
+        return !Double.isNaN(achievedHeading) && isTimed()
+                ? OptionalDouble.of(Angles.normalize(achievedHeading - predictedHeading()))
                 : OptionalDouble.empty();
     }
 }

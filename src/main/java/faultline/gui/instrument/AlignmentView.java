@@ -14,7 +14,6 @@ import java.awt.Font;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Collectors;
 import javax.accessibility.AccessibleContext;
 import javax.swing.JComponent;
@@ -36,7 +35,8 @@ public final class AlignmentView extends JComponent {
 
     private int sensor;
     private TimingRule timingRule = TimingRule.EQUAL_READINGS;
-    private transient Optional<AlignmentTrace> trace = Optional.empty();
+    /** Null if there is no manoeuvre. */
+    private transient AlignmentTrace trace;
 
     /** Creates an empty view. */
     public AlignmentView() {
@@ -51,7 +51,7 @@ public final class AlignmentView extends JComponent {
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         sensor = SignalGroup.followedSensor(frame.snapshot().sensors());
-        trace = AlignmentTrace.latest(frame);
+        trace = AlignmentTrace.latest(frame).orElse(null);
         String words = accessibleText();
         if (!words.equals(getAccessibleContext().getAccessibleDescription())) {
             getAccessibleContext().setAccessibleDescription(words);
@@ -65,7 +65,7 @@ public final class AlignmentView extends JComponent {
     }
 
     List<AlignmentText.Row> rows() {
-        return trace.map(shown -> AlignmentText.rows(shown, timingRule)).orElse(List.of());
+        return trace == null ? List.of() : AlignmentText.rows(trace, timingRule);
     }
 
     /** Names the rule by which the controller chooses F3 and F4. */
@@ -82,8 +82,11 @@ public final class AlignmentView extends JComponent {
         double scale = TextSize.imageScale(getWidth(), getHeight(), MIN_SIZE);
         Antialiasing.paint(graphics, g -> {
             g.scale(scale, scale);
-            trace.ifPresentOrElse(
-                    shown -> paint(g, shown, getWidth() / scale, getHeight() / scale), () -> paintMessage(g));
+            if (trace == null) {
+                paintMessage(g);
+            } else {
+                paint(g, trace, getWidth() / scale, getHeight() / scale);
+            }
         });
     }
 

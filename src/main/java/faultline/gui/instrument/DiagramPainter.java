@@ -24,6 +24,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
 
 /**
  * Paints the state diagram. The current state is filled and bold; the last transition is a thick arrow and is described
@@ -57,12 +58,10 @@ final class DiagramPainter {
 
     void paint(double width, double height) {
         Optional<RunEvent.StateChanged> last = lastTransition(frame);
-        StateDiagram.TRANSITIONS.stream()
-                .filter(arrow -> !isLast(arrow, last))
-                .forEach(arrow -> paintArrow(arrow, false));
-        StateDiagram.TRANSITIONS.stream()
-                .filter(arrow -> isLast(arrow, last))
-                .forEach(arrow -> paintArrow(arrow, true));
+        Predicate<Arrow> isLast =
+                arrow -> last.filter(transition -> connects(arrow, transition)).isPresent();
+        StateDiagram.TRANSITIONS.stream().filter(isLast.negate()).forEach(arrow -> paintArrow(arrow, false));
+        StateDiagram.TRANSITIONS.stream().filter(isLast).forEach(arrow -> paintArrow(arrow, true));
         for (FollowerState state : FollowerState.values()) {
             paintState(state);
         }
@@ -111,10 +110,8 @@ final class DiagramPainter {
         return StateText.condition(last.from(), last.to(), last.condition());
     }
 
-    private static boolean isLast(Arrow arrow, Optional<RunEvent.StateChanged> last) {
-        return last.isPresent()
-                && arrow.from() == last.get().from()
-                && arrow.to() == last.get().to();
+    private static boolean connects(Arrow arrow, RunEvent.StateChanged transition) {
+        return arrow.from() == transition.from() && arrow.to() == transition.to();
     }
 
     private void paintArrow(Arrow arrow, boolean lit) {

@@ -11,7 +11,6 @@ import java.awt.Point;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.util.Optional;
 import java.util.function.LongConsumer;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
@@ -123,8 +122,8 @@ public final class EventLogView extends JPanel {
         }
     }
 
-    /** Shows the moment at which the run differs from the reference run, or removes it. */
-    public void setDivergence(Optional<RunEvent.Diverged> divergence) {
+    /** Shows the moment at which the run differs from the reference run, null for never. */
+    public void setDivergence(RunEvent.Diverged divergence) {
         assert EventQueue.isDispatchThread();
         events.setDivergence(divergence);
     }

@@ -4,7 +4,7 @@ import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.gui.text.Messages;
 import faultline.gui.timeline.EventText;
-import java.util.Optional;
+import java.util.Objects;
 import javax.swing.table.AbstractTableModel;
 
 /** The event log as a table of time, kind and description. */
@@ -19,19 +19,20 @@ final class EventTableModel extends AbstractTableModel {
     /** The number of the oldest event that has a row. */
     private long firstEvent;
 
-    private transient Optional<RunEvent.Diverged> divergence = Optional.empty();
+    /** Null if the run does not differ from the reference run. */
+    private transient RunEvent.Diverged divergence;
 
-    /** Inserts the divergence from the reference run among the events of the run, or removes it. */
-    void setDivergence(Optional<RunEvent.Diverged> newDivergence) {
-        if (newDivergence.equals(divergence)) {
+    /** Inserts the divergence from the reference run among the events of the run; null removes it. */
+    void setDivergence(RunEvent.Diverged newDivergence) {
+        if (Objects.equals(newDivergence, divergence)) {
             return;
         }
-        if (divergence.isPresent()) {
+        if (divergence != null) {
             int row = divergenceRow();
-            divergence = Optional.empty();
+            divergence = null;
             fireTableRowsDeleted(row, row);
         }
-        if (newDivergence.isPresent()) {
+        if (newDivergence != null) {
             divergence = newDivergence;
             fireTableRowsInserted(divergenceRow(), divergenceRow());
         }
@@ -46,9 +47,9 @@ final class EventTableModel extends AbstractTableModel {
             fireTableDataChanged();
             return true;
         }
-        Optional<RunEvent.Diverged> marked = divergence;
-        if (marked.isPresent() && insertsBeforeDivergence(marked.get(), before, newest)) {
-            setDivergence(Optional.empty());
+        RunEvent.Diverged marked = divergence;
+        if (marked != null && insertsBeforeDivergence(marked, before, newest)) {
+            setDivergence(null);
         }
         removeOldest(newest.firstIndex());
         appendEvents(newest);
@@ -98,21 +99,21 @@ final class EventTableModel extends AbstractTableModel {
     RunEvent eventAt(int row) {
         int extra = divergenceRow();
         if (row == extra) {
-            return divergence.orElseThrow();
+            return divergence;
         }
         return log.get(firstEvent + (row < extra ? row : row - 1));
     }
 
     /** Returns the row of the divergence, after all events of earlier ticks; past the last row if there is none. */
     private int divergenceRow() {
-        return divergence
-                .map(event -> (int) (Math.max(firstEvent, log.firstIndexSince(event.tick())) - firstEvent))
-                .orElse(Integer.MAX_VALUE);
+        return divergence == null
+                ? Integer.MAX_VALUE
+                : (int) (Math.max(firstEvent, log.firstIndexSince(divergence.tick())) - firstEvent);
     }
 
     @Override
     public int getRowCount() {
-        return (int) (log.endIndex() - firstEvent) + (divergence.isPresent() ? 1 : 0);
+        return (int) (log.endIndex() - firstEvent) + (divergence == null ? 0 : 1);
     }
 
     @Override

@@ -10,7 +10,6 @@ import faultline.gui.timeline.TimelineItem;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.LongConsumer;
 import javax.swing.JComponent;
 import javax.swing.JSplitPane;
@@ -28,7 +27,9 @@ public final class InstrumentDock extends JTabbedPane {
     private final AlignmentView alignment = new AlignmentView();
     private final EventLogView events;
     private final PositionedSplitPane split;
-    private transient Optional<SessionFrame> newestFrame = Optional.empty();
+    /** Null before the first frame. */
+    private transient SessionFrame newestFrame;
+
     private transient List<TimelineItem> shownItems = List.of();
     private int skippedFrames;
 
@@ -47,7 +48,7 @@ public final class InstrumentDock extends JTabbedPane {
         setMinimumSize(MIN_SIZE);
         setPreferredSize(new Dimension(TextSize.scaled(DEFAULT_SIZE.width), TextSize.scaled(DEFAULT_SIZE.height)));
         getAccessibleContext().setAccessibleName(Messages.get("instruments"));
-        addChangeListener(event -> newestFrame.ifPresent(this::update));
+        addChangeListener(event -> update());
     }
 
     private void addInstrument(String key, JComponent instrument) {
@@ -62,16 +63,15 @@ public final class InstrumentDock extends JTabbedPane {
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();
         skippedFrames++;
-        boolean isNew = newestFrame.isEmpty() || newestFrame.get() != frame;
-        if (skippedFrames >= FRAMES_PER_UPDATE && isNew) {
+        if (skippedFrames >= FRAMES_PER_UPDATE && newestFrame != frame) {
             skippedFrames = 0;
-            newestFrame = Optional.of(frame);
-            update(frame);
+            newestFrame = frame;
+            update();
         }
     }
 
-    /** Shows in the event log where the run differs from the reference run, or removes the mark. */
-    public void setDivergence(Optional<RunEvent.Diverged> divergence) {
+    /** Shows in the event log where the run differs from the reference run, null for nowhere. */
+    public void setDivergence(RunEvent.Diverged divergence) {
         events.setDivergence(divergence);
     }
 
@@ -105,15 +105,18 @@ public final class InstrumentDock extends JTabbedPane {
         }
     }
 
-    private void update(SessionFrame frame) {
+    private void update() {
+        if (newestFrame == null) {
+            return;
+        }
         if (getSelectedComponent() == split) {
-            chart.setFrame(frame);
-            diagram.setFrame(frame);
+            chart.setFrame(newestFrame);
+            diagram.setFrame(newestFrame);
         } else if (getSelectedComponent() == alignment) {
-            showTimingRule(frame.controller());
-            alignment.setFrame(frame);
+            showTimingRule(newestFrame.controller());
+            alignment.setFrame(newestFrame);
         } else {
-            events.setFrame(frame);
+            events.setFrame(newestFrame);
         }
     }
 

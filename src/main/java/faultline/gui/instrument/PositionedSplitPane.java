@@ -1,7 +1,6 @@
 package faultline.gui.instrument;
 
 import java.awt.Component;
-import java.util.Optional;
 import java.util.function.IntUnaryOperator;
 import javax.swing.BorderFactory;
 import javax.swing.JSplitPane;
@@ -13,7 +12,9 @@ import javax.swing.KeyStroke;
  */
 public final class PositionedSplitPane extends JSplitPane {
 
-    private transient Optional<IntUnaryOperator> place = Optional.empty();
+    /** Maps the available size to the position of the divider; null before the first call of {@link #place}. */
+    private transient IntUnaryOperator place;
+
     private int placedSize;
     private boolean placing;
 
@@ -46,7 +47,7 @@ public final class PositionedSplitPane extends JSplitPane {
      * @param location maps the size of the pane, less that of the divider, to the divider's position; pixels
      */
     public void place(IntUnaryOperator location) {
-        place = Optional.of(location);
+        place = location;
         placedSize = 0;
         runPlacing(this::placeIfSized);
         revalidate();
@@ -55,7 +56,7 @@ public final class PositionedSplitPane extends JSplitPane {
     /** Stores the position chosen by the user, which then moves with its share of the pane's growth. */
     private void rememberPosition(int location, int room) {
         double share = getResizeWeight();
-        place = Optional.of(size -> location + (int) Math.round(share * (size - room)));
+        place = size -> location + (int) Math.round(share * (size - room));
         placedSize = room;
     }
 
@@ -81,9 +82,9 @@ public final class PositionedSplitPane extends JSplitPane {
 
     private boolean placeIfSized() {
         int size = availableSize();
-        boolean due = place.isPresent() && size > 0 && size != placedSize;
+        boolean due = place != null && size > 0 && size != placedSize;
         if (due) {
-            setDividerLocation(Math.max(0, Math.min(place.get().applyAsInt(size), size)));
+            setDividerLocation(Math.max(0, Math.min(place.applyAsInt(size), size)));
             placedSize = size;
         }
         return due;

@@ -18,7 +18,6 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import java.util.Locale;
-import java.util.Optional;
 import javax.accessibility.AccessibleContext;
 import javax.swing.JComponent;
 import javax.swing.ToolTipManager;
@@ -30,7 +29,8 @@ public final class StateDiagramView extends JComponent {
     private static final Dimension MIN_SIZE = new Dimension(330, 150);
     private static final int PICK_WIDTH = 10;
 
-    private transient Optional<SessionFrame> frame = Optional.empty();
+    /** Null before the first frame. */
+    private transient SessionFrame frame;
 
     /** Creates an empty diagram. */
     public StateDiagramView() {
@@ -44,10 +44,10 @@ public final class StateDiagramView extends JComponent {
     /** Shows a frame with the recording of its run. */
     public void setFrame(SessionFrame newest) {
         assert EventQueue.isDispatchThread();
-        boolean moved = frame.isEmpty()
-                || frame.get().telemetry().transitions() != newest.telemetry().transitions()
-                || !frame.get().telemetry().state().equals(newest.telemetry().state());
-        frame = Optional.of(newest);
+        boolean moved = frame == null
+                || frame.telemetry().transitions() != newest.telemetry().transitions()
+                || !frame.telemetry().state().equals(newest.telemetry().state());
+        frame = newest;
         if (moved) {
             getAccessibleContext().setAccessibleDescription(accessibleText(newest));
         }
@@ -77,21 +77,22 @@ public final class StateDiagramView extends JComponent {
     protected void paintComponent(Graphics graphics) {
         graphics.setColor(Theme.current().palette().canvas());
         graphics.fillRect(0, 0, getWidth(), getHeight());
-        Antialiasing.paint(
-                graphics,
-                g -> frame.ifPresent(shown -> {
-                    g.scale(scale(), scale());
-                    if (isFollower(shown)) {
-                        new DiagramPainter(g, currentLayout(), Theme.current(), shown)
-                                .paint(getWidth() / scale(), getHeight() / scale());
-                    } else {
-                        paintMessage(
-                                g,
-                                Messages.get(
-                                        "diagram.other",
-                                        StateText.name(shown.telemetry().state())));
-                    }
-                }));
+        if (frame != null) {
+            Antialiasing.paint(graphics, this::paintFrame);
+        }
+    }
+
+    private void paintFrame(Graphics2D g) {
+        g.scale(scale(), scale());
+        if (isFollower(frame)) {
+            new DiagramPainter(g, currentLayout(), Theme.current(), frame)
+                    .paint(getWidth() / scale(), getHeight() / scale());
+        } else {
+            paintMessage(
+                    g,
+                    Messages.get(
+                            "diagram.other", StateText.name(frame.telemetry().state())));
+        }
     }
 
     /** Draws the parts of a sentence on separate lines, because the view may be narrow. */
@@ -122,8 +123,7 @@ public final class StateDiagramView extends JComponent {
     }
 
     private String arrowText(Arrow arrow) {
-        long count = frame.map(shown -> shown.recording().stateTally().transitionCount(arrow.from(), arrow.to()))
-                .orElse(0L);
+        long count = frame == null ? 0 : frame.recording().stateTally().transitionCount(arrow.from(), arrow.to());
         return Messages.get(
                 "diagram.arrow",
                 StateText.name(arrow.from()),

@@ -13,7 +13,6 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
-import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.BorderFactory;
@@ -130,14 +129,15 @@ public final class ControlPanel extends JPanel {
                 && typed.commitPendingEdit();
     }
 
-    /**
-     * Highlights a sensor's row and shows its details.
-     *
-     * @param sensor the id of the sensor, empty for none
-     */
-    public void selectSensor(Optional<String> sensor) {
-        sensors.selectSensor(sensor);
-        sensorDetails.selectSensor(sensor);
+    /** Highlights the row of a sensor and shows its details. */
+    public void selectSensor(String id) {
+        sensors.selectSensor(id);
+        sensorDetails.selectSensor(id);
+    }
+
+    /** Removes the highlight from the row of a sensor, whose details remain. */
+    public void clearSensorSelection() {
+        sensors.selectSensor(null);
     }
 
     /**
@@ -145,7 +145,7 @@ public final class ControlPanel extends JPanel {
      *
      * @param listener receives the id of the sensor
      */
-    public void addSelectionListener(Consumer<Optional<String>> listener) {
+    public void addSelectionListener(Consumer<String> listener) {
         sensors.addSelectionListener(listener);
     }
 }

@@ -27,7 +27,7 @@ public final class SensorDetailsPanel extends JPanel {
 
     private final transient UndoController editor;
     private final transient SensorMountFields mountFields;
-    private final transient List<Consumer<Optional<String>>> listeners = new ArrayList<>();
+    private final transient List<Consumer<String>> listeners = new ArrayList<>();
     private final JComboBox<String> sensorChoice = new JComboBox<>();
     private final transient FaultFields<FaultKind, Fault> fault = FaultFields.forSensors();
     private final JButton inject = new JButton(Messages.get("faults.inject"));
@@ -51,8 +51,8 @@ public final class SensorDetailsPanel extends JPanel {
 
     private void configureControls() {
         sensorChoice.addActionListener(event -> {
-            mountFields.setSensor(selectedSensor());
-            listeners.forEach(listener -> listener.accept(selectedSensor()));
+            mountFields.setSensor(selectedSensor().orElse(null));
+            selectedSensor().ifPresent(id -> listeners.forEach(listener -> listener.accept(id)));
         });
         inject.setToolTipText(Messages.get("faults.inject.tip"));
         inject.addActionListener(event -> inject());
@@ -87,20 +87,16 @@ public final class SensorDetailsPanel extends JPanel {
         return Optional.ofNullable((String) sensorChoice.getSelectedItem());
     }
 
-    /**
-     * Selects a sensor.
-     *
-     * @param id the id of the sensor; empty keeps the selection
-     */
-    void selectSensor(Optional<String> id) {
+    /** Selects a sensor. */
+    void selectSensor(String id) {
         assert EventQueue.isDispatchThread();
-        if (id.isPresent() && !id.equals(selectedSensor())) {
-            sensorChoice.setSelectedItem(id.get());
+        if (!id.equals(sensorChoice.getSelectedItem())) {
+            sensorChoice.setSelectedItem(id);
         }
     }
 
     /** Adds a listener for sensors selected here. */
-    void addChoiceListener(Consumer<Optional<String>> listener) {
+    void addChoiceListener(Consumer<String> listener) {
         listeners.add(listener);
     }
 
@@ -113,7 +109,7 @@ public final class SensorDetailsPanel extends JPanel {
             ids = now;
             sensorChoice.setModel(new DefaultComboBoxModel<>(now.toArray(String[]::new)));
             inject.setEnabled(!now.isEmpty());
-            mountFields.setSensor(selectedSensor());
+            mountFields.setSensor(selectedSensor().orElse(null));
         }
         mountFields.update();
         faultList.setSensors(sensors);

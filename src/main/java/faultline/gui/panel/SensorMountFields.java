@@ -7,6 +7,7 @@ import faultline.gui.text.Messages;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import java.awt.GridBagConstraints;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -48,7 +49,8 @@ final class SensorMountFields {
             metres -> configureSensor(spec ->
                     spec.withMountPosition(new Vector2(spec.mountPosition().x(), metres))));
     private final CachedDegrees shownBearing = new CachedDegrees();
-    private Optional<String> sensor = Optional.empty();
+    /** The id of the sensor, null for none. */
+    private String sensor;
 
     SensorMountFields(UndoController editor) {
         this.editor = editor;
@@ -85,15 +87,19 @@ final class SensorMountFields {
     }
 
     private Optional<SensorSpec> spec() {
-        return sensor.flatMap(id -> editor.pendingEdits().robot().sensor(id));
+        return sensor == null ? Optional.empty() : editor.pendingEdits().robot().sensor(sensor);
     }
 
-    /** Selects another sensor, after committing the number being typed for the previous one. */
-    void setSensor(Optional<String> chosen) {
-        if (!chosen.equals(sensor)) {
+    /**
+     * Selects another sensor, after committing the number being typed for the previous one.
+     *
+     * @param id the id of the sensor, null for none
+     */
+    void setSensor(String id) {
+        if (!Objects.equals(id, sensor)) {
             fields().forEach(NumberSpinner::commitPendingEdit);
-            sensor = chosen;
-            fields().forEach(field -> field.setEnabled(chosen.isPresent()));
+            sensor = id;
+            fields().forEach(field -> field.setEnabled(id != null));
             update();
         }
     }

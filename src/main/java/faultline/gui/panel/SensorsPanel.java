@@ -12,6 +12,7 @@ import java.awt.GridBagLayout;
 import java.awt.Shape;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
@@ -24,9 +25,10 @@ public final class SensorsPanel extends JPanel {
 
     private final transient UndoController editor;
     private final transient List<SensorRow> rows = new ArrayList<>();
-    private final transient List<Consumer<Optional<String>>> listeners = new ArrayList<>();
+    private final transient List<Consumer<String>> listeners = new ArrayList<>();
     private List<String> ids = List.of();
-    private transient Optional<String> selected = Optional.empty();
+    /** The id of the highlighted sensor, null for none. */
+    private String selected;
 
     /**
      * Creates a panel without sensors.
@@ -54,12 +56,12 @@ public final class SensorsPanel extends JPanel {
     /**
      * Highlights the row of a sensor.
      *
-     * @param sensor the id of the sensor, empty for none
+     * @param id the id of the sensor, null for none
      */
-    public void selectSensor(Optional<String> sensor) {
+    void selectSensor(String id) {
         assert EventQueue.isDispatchThread();
-        if (!sensor.equals(selected)) {
-            selected = sensor;
+        if (!Objects.equals(id, selected)) {
+            selected = id;
             selectedRow().ifPresent(row -> scrollRectToVisible(row.bounds()));
             repaint();
         }
@@ -70,20 +72,19 @@ public final class SensorsPanel extends JPanel {
      *
      * @param listener receives the id of the sensor
      */
-    public void addSelectionListener(Consumer<Optional<String>> listener) {
+    public void addSelectionListener(Consumer<String> listener) {
         listeners.add(listener);
     }
 
     /** Highlights the row of a sensor and notifies the listeners. */
-    void selectByUser(Optional<String> sensor) {
-        selectSensor(sensor);
-        listeners.forEach(listener -> listener.accept(selected));
+    void selectByUser(String id) {
+        selectSensor(id);
+        listeners.forEach(listener -> listener.accept(id));
     }
 
     private Optional<SensorRow> selectedRow() {
-        return selected.map(ids::indexOf)
-                .filter(index -> index >= 0 && index < rows.size())
-                .map(rows::get);
+        int index = ids.indexOf(selected);
+        return index >= 0 && index < rows.size() ? Optional.of(rows.get(index)) : Optional.empty();
     }
 
     @Override
@@ -111,7 +112,7 @@ public final class SensorsPanel extends JPanel {
         add(new MutedLabel(Messages.get("sensors.true")), FormConstraints.cell(4, 0));
         add(new MutedLabel(Messages.get("sensors.reported")), FormConstraints.cell(5, 0));
         for (int i = 0; i < sensors.size(); i++) {
-            SensorRow row = new SensorRow(i, ids.get(i), editor, id -> selectByUser(Optional.of(id)));
+            SensorRow row = new SensorRow(i, ids.get(i), editor, this::selectByUser);
             row.addTo(this, i + 1);
             rows.add(row);
         }

@@ -9,8 +9,6 @@ import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.Font;
 import java.awt.event.MouseAdapter;
-import java.util.Objects;
-import java.util.Optional;
 import java.util.function.LongConsumer;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
@@ -78,26 +76,30 @@ public final class VerdictBanner extends JPanel {
         detail.setBorder(BorderFactory.createEmptyBorder(2, SUCCESS.size() + title.getIconTextGap(), 0, 0));
     }
 
-    /** Shows a verdict, or nothing; one that the user has closed stays closed until there is another. */
-    public void setVerdict(Optional<RunVerdict> newVerdict, double newDt) {
+    /** Shows a verdict; one that the user has closed stays closed until there is another. */
+    public void setVerdict(RunVerdict next, double newDt) {
         assert EventQueue.isDispatchThread();
-        RunVerdict next = newVerdict.orElse(null);
         dt = newDt;
-        if (Objects.equals(next, verdict)) {
+        if (next.equals(verdict)) {
             return;
         }
         verdict = next;
-        if (next != null) {
-            title.setText(next.title());
-            title.setIcon(next.success() ? SUCCESS : FAILURE);
-            detail.setText(next.detail());
-            detail.setVisible(!next.detail().isEmpty());
-            back.setVisible(next.event() >= 0);
-            wrapDetail();
-            getAccessibleContext().setAccessibleName(next.title() + ". " + next.detail());
-            updateBorder();
-        }
-        setVisible(next != null);
+        title.setText(next.title());
+        title.setIcon(next.success() ? SUCCESS : FAILURE);
+        detail.setText(next.detail());
+        detail.setVisible(!next.detail().isEmpty());
+        back.setVisible(next.event() >= 0);
+        wrapDetail();
+        getAccessibleContext().setAccessibleName(next.title() + ". " + next.detail());
+        updateBorder();
+        setVisible(true);
+    }
+
+    /** Shows no verdict. */
+    public void clearVerdict() {
+        assert EventQueue.isDispatchThread();
+        verdict = null;
+        setVisible(false);
     }
 
     /** Gives the text the width that it will have, because its height depends on it. */

@@ -28,7 +28,6 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.LongConsumer;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -101,7 +100,9 @@ final class MainPanel extends JPanel {
         add(panelSplit, BorderLayout.CENTER);
         add(statusBar, BorderLayout.SOUTH);
         canvas.tools().addNoteListener(statusBar::showNote);
-        canvas.tools().addSensorListener(controlPanel::selectSensor);
+        canvas.tools()
+                .addSensorListener(sensor ->
+                        sensor.ifPresentOrElse(controlPanel::selectSensor, controlPanel::clearSensorSelection));
         controlPanel.addSelectionListener(canvas.tools()::selectSensor);
         canvas.addCursorListener(point -> statusBar.showCursor(point.orElse(null)));
         canvas.addCameraListener(camera -> statusBar.showScale(camera.scale()));
@@ -129,15 +130,17 @@ final class MainPanel extends JPanel {
     /** Shows what the run of a scenario has come to, and at its end the verdict. */
     void setRun(SessionFrame frame, Session.Status now, Scenario scenario) {
         controlPanel.setRun(frame, now, scenario);
-        banner.setVerdict(RunVerdict.of(frame, now, scenario), scenario.setup().dt());
+        RunVerdict.of(frame, now, scenario)
+                .ifPresentOrElse(
+                        verdict -> banner.setVerdict(verdict, scenario.setup().dt()), banner::clearVerdict);
     }
 
     /** Shows a reference run and where it first differs from the run, each null for none. */
     void setReferenceRun(ReferenceOverlay overlay, RunEvent.Diverged divergence) {
-        canvas.setReferenceOverlay(Optional.ofNullable(overlay));
+        canvas.setReferenceOverlay(overlay);
         timeline.bar().setDivergence(divergence);
         instruments.setReference(overlay == null ? null : overlay.run());
-        instruments.setDivergence(Optional.ofNullable(divergence));
+        instruments.setDivergence(divergence);
     }
 
     TimelinePanel timeline() {

@@ -288,7 +288,7 @@ public final class MainWindow extends JFrame {
     }
 
     private void poll() {
-        progressDialogs.update(workspace.task());
+        workspace.task().ifPresentOrElse(progressDialogs::update, progressDialogs::clear);
         // Status before frame: if the status says paused, the frame is the one at which the run is paused.
         runController.status().ifPresent(status -> runController.frame().ifPresent(frame -> {
             mainPanel.setFrame(frame, status);

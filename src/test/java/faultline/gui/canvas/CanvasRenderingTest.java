@@ -24,7 +24,6 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /** With its cached layers, the canvas looks as if it had been painted at once. No display is needed. */
@@ -90,12 +89,12 @@ class CanvasRenderingTest {
         Frame frame = SampleFrames.fullFrame();
         ReferenceOverlay overlay = SampleReferenceOverlays.office();
         shown(frame);
-        runOnEdt(() -> canvas.setReferenceOverlay(Optional.of(overlay)));
+        runOnEdt(() -> canvas.setReferenceOverlay(overlay));
         BufferedImage file = callOnEdt(
                 () -> canvas.renderRequest(Palette.LIGHT).orElseThrow().toImage(1));
         assertTrue(Pixels.countVisiblyDifferent(file, picture(frame)) > 100, "the reference run is shown");
         assertTrue(Pixels.countVisiblyDifferent(file, shown(frame)) < 30, "but for joints of its path");
-        runOnEdt(() -> canvas.setReferenceOverlay(Optional.empty()));
+        runOnEdt(() -> canvas.setReferenceOverlay(null));
         assertLooksLikeAFile(frame);
     }
 

@@ -60,18 +60,16 @@ class AlignmentTraceTest {
                 .snapshot()
                 .pose()
                 .heading();
-        assertTrue(
-                Math.abs(handOver - spin.achievedHeading().orElseThrow()) > 0.01,
-                "the turn back is not over when ALIGN begins");
+        assertTrue(Math.abs(handOver - spin.achievedHeading()) > 0.01, "the turn back is not over when ALIGN begins");
         double atFollow = SampleRuns.frame(setup, arrival(frame, FollowerState.FOLLOW) - 1)
                 .snapshot()
                 .pose()
                 .heading();
-        assertEquals(atFollow, spin.achievedHeading().orElseThrow(), 1e-5);
+        assertEquals(atFollow, spin.achievedHeading(), 1e-5);
         assertEquals(0, Math.toDegrees(spin.headingError().orElseThrow()), 0.5);
         assertEquals(
                 0,
-                Math.toDegrees(Math.IEEEremainder(spin.achievedHeading().orElseThrow(), Math.PI / 2)),
+                Math.toDegrees(Math.IEEEremainder(spin.achievedHeading(), Math.PI / 2)),
                 1.0,
                 "along a wall of the room");
     }

@@ -11,7 +11,6 @@ import faultline.engine.recording.RunEvent;
 import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import javax.swing.JTable;
 import javax.swing.event.TableModelEvent;
 import org.junit.jupiter.api.Test;
@@ -46,7 +45,7 @@ class EventTableModelTest {
     }
 
     private void diverge(long tick) {
-        runOnEdt(() -> events.setDivergence(Optional.of(new RunEvent.Diverged(tick, tick * 0.01))));
+        runOnEdt(() -> events.setDivergence(new RunEvent.Diverged(tick, tick * 0.01)));
     }
 
     @Test
@@ -108,21 +107,21 @@ class EventTableModelTest {
 
     @Test
     void onlyNewRowsAreReported() {
-        List<String> told = notifications();
+        List<String> notifications = notifications();
         recordEvent(1);
         recordEvent(5);
         update();
-        assertEquals(List.of("+0..0", "+1..1"), told);
+        assertEquals(List.of("+0..0", "+1..1"), notifications);
     }
 
     @Test
     void anotherRunIsReportedAsAWhole() {
         recordEvent(1);
-        List<String> told = notifications();
+        List<String> notifications = notifications();
         EventRecorder other = new EventRecorder();
         other.add(new RunEvent.CommandExecuted(1, 0.01, new Command.SwitchSensor("left", true)));
         assertTrue(callOnEdt(() -> events.update(other.view())));
-        assertEquals(List.of("all"), told);
+        assertEquals(List.of("all"), notifications);
     }
 
     @Test
@@ -130,9 +129,9 @@ class EventTableModelTest {
         fill(LOG_CAPACITY);
         choose(1000);
         long tick = tickOfChosen();
-        List<String> told = notifications();
+        List<String> notifications = notifications();
         assertTrue(recordEvent(100_000));
-        assertEquals(List.of("-0.." + (CHUNK - 1), "+" + (LOG_CAPACITY - CHUNK) + ".." + (LOG_CAPACITY - CHUNK)), told);
+        assertEquals(List.of("-0.." + (CHUNK - 1), "+" + (LOG_CAPACITY - CHUNK) + ".." + (LOG_CAPACITY - CHUNK)), notifications);
         assertEquals(1000 - CHUNK, chosen());
         assertEquals(tick, tickOfChosen());
         assertEquals(LOG_CAPACITY - CHUNK + 1, events.getRowCount());
@@ -151,11 +150,11 @@ class EventTableModelTest {
         fill(LOG_CAPACITY);
         diverge(50);
         choose(5);
-        List<String> told = notifications();
+        List<String> notifications = notifications();
         assertTrue(recordEvent(100_000));
         assertEquals(
                 List.of("-6.." + CHUNK, "-0..4", "+" + (LOG_CAPACITY - CHUNK + 1) + ".." + (LOG_CAPACITY - CHUNK + 1)),
-                told);
+                notifications);
         assertEquals(0, chosen());
         assertEquals(50, tickOfChosen());
         assertEquals(10 * CHUNK, events.eventAt(1).tick());
@@ -168,7 +167,7 @@ class EventTableModelTest {
         diverge(30);
         assertEquals(70, tickOfChosen());
         assertEquals(8, chosen());
-        runOnEdt(() -> events.setDivergence(Optional.empty()));
+        runOnEdt(() -> events.setDivergence(null));
         assertEquals(70, tickOfChosen());
         assertEquals(7, chosen());
     }
@@ -178,9 +177,9 @@ class EventTableModelTest {
         recordEvent(1);
         diverge(7);
         choose(0);
-        List<String> told = notifications();
+        List<String> notifications = notifications();
         recordEvent(5);
-        assertEquals(List.of("-1..1", "+1..1", "+2..2"), told);
+        assertEquals(List.of("-1..1", "+1..1", "+2..2"), notifications);
         assertEquals(0, chosen());
     }
 }

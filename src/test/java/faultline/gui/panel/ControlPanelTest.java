@@ -24,7 +24,6 @@ import faultline.world.Snapshot;
 import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -222,7 +221,7 @@ class ControlPanelTest {
     @Test
     void theMountOfTheChosenSensorCanBeSet() {
         runOnEdt(() -> {
-            panel.selectSensor(Optional.of("left"));
+            panel.selectSensor("left");
             spinner(Messages.get("mount.bearing.tip")).setValue(80.0);
             spinner(Messages.get("mount.noise.tip")).setValue(0.004);
             spinner(Messages.get("mount.ahead.tip")).setValue(0.05);
@@ -239,7 +238,7 @@ class ControlPanelTest {
     @Test
     void whatTwoControlsSetOfOneSensorBothArrives() {
         runOnEdt(() -> {
-            panel.selectSensor(Optional.of("left"));
+            panel.selectSensor("left");
             spinner("Range of left, metres").setValue(1.5);
             spinner(Messages.get("mount.noise.tip")).setValue(0.004);
         });
@@ -251,7 +250,7 @@ class ControlPanelTest {
 
     @Test
     void theFieldsShowTheChosenSensor() {
-        runOnEdt(() -> panel.selectSensor(Optional.of("front-left")));
+        runOnEdt(() -> panel.selectSensor("front-left"));
         assertEquals("front-left", callOnEdt(() -> ComponentFinder.find(panel, JComboBox.class, "Sensor")
                 .getSelectedItem()));
         assertEquals(
@@ -260,20 +259,20 @@ class ControlPanelTest {
 
     @Test
     void aSensorChosenByNameIsMarkedToo() {
-        List<Optional<String>> told = new ArrayList<>();
+        List<String> selected = new ArrayList<>();
         runOnEdt(() -> {
-            panel.addSelectionListener(told::add);
+            panel.addSelectionListener(selected::add);
             ComponentFinder.find(panel, JComboBox.class, "Sensor").setSelectedItem("rear");
         });
-        assertEquals(List.of(Optional.of("rear")), told);
+        assertEquals(List.of("rear"), selected);
     }
 
     @Test
     void whatIsBeingTypedGoesToTheSensorThatItWasTypedFor() {
         runOnEdt(() -> {
-            panel.selectSensor(Optional.of("left"));
+            panel.selectSensor("left");
             spinner(Messages.get("mount.bearing.tip")).textField().setText("75");
-            panel.selectSensor(Optional.of("front"));
+            panel.selectSensor("front");
         });
         assertEquals(
                 List.of(new Command.ConfigureSensor(

@@ -21,7 +21,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
@@ -131,7 +130,7 @@ public final class Screenshots {
         runOnEdt(() -> {
             ComponentFinder.find(driver.window(), JComboBox.class, "Sensor").setSelectedItem(sensor);
             ComponentFinder.find(driver.window(), JButton.class, "Inject").doClick(0);
-            driver.canvas().tools().selectSensor(Optional.empty());
+            driver.canvas().tools().clearSensorSelection();
         });
     }
 

@@ -64,12 +64,13 @@ public record PathLayer(RobotPath path, PathStyle style) implements LayerContent
                 : Optional.empty();
     }
 
-    /** Returns the index of the first point to be painted with each frame: the last one in the image. */
-    public int tailStart(Optional<PathLayer> shown) {
-        int painted = shown.map(PathLayer::path)
-                .filter(path::isContinuationOf)
-                .map(RobotPath::size)
-                .orElse(path.size());
+    /**
+     * Returns the index of the first point to be painted with each frame: the last one in the image.
+     *
+     * @param shown the layer in the image, null for none
+     */
+    public int tailStart(PathLayer shown) {
+        int painted = shown != null && path.isContinuationOf(shown.path) ? shown.path.size() : path.size();
         return Math.max(painted, path.size() - MAX_TAIL) - 1;
     }
 }

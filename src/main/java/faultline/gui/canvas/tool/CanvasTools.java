@@ -177,9 +177,13 @@ public final class CanvasTools {
 
     /** Selects the sensor whose cone is at a position on the canvas. */
     public void selectSensorAt(Point at) {
-        selectSensor(ConeHitTest.sensorAt(
-                        context.viewport().camera().get(), context.model().sensors(), new Vector2(at.x, at.y))
-                .map(sensor -> sensor.spec().id()));
+        context.model()
+                .sensor()
+                .set(ConeHitTest.sensorAt(
+                                context.viewport().camera().get(),
+                                context.model().sensors(),
+                                new Vector2(at.x, at.y))
+                        .map(sensor -> sensor.spec().id()));
     }
 
     /** Selects obstacles that are about to be placed, as soon as a frame has them all. */
@@ -192,12 +196,17 @@ public final class CanvasTools {
         context.model().selection().addListener(listener);
     }
 
-    /** Selects a sensor, empty for none. */
-    public void selectSensor(Optional<String> sensor) {
+    /** Selects a sensor; one that does not exist clears the selection. */
+    public void selectSensor(String id) {
         assert EventQueue.isDispatchThread();
-        context.model()
-                .sensor()
-                .set(sensor.filter(id -> context.model().sensor(id).isPresent()));
+        context.model().sensor().set(context.model().sensor(id).map(sensor -> sensor.spec()
+                .id()));
+    }
+
+    /** Selects no sensor. */
+    public void clearSensorSelection() {
+        assert EventQueue.isDispatchThread();
+        context.model().sensor().set(Optional.empty());
     }
 
     /** Adds a listener that is called with the id of the selected sensor, empty for none, when it changes. */
