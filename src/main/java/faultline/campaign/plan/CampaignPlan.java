@@ -154,7 +154,7 @@ public final class CampaignPlan {
         return seeds.first() + block % seeds.count();
     }
 
-    /** The levels of a cell; those of the last factor change fastest. */
+    /** Returns the levels of a cell; those of the last factor change fastest. */
     private List<Factor.Level> levels(long cell) {
         Factor.Level[] levels = new Factor.Level[factors.size()];
         long rest = cell;

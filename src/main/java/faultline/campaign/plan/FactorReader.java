@@ -29,7 +29,7 @@ final class FactorReader {
         this.problems = problems;
     }
 
-    /** The name that a factor gives its columns. */
+    /** Returns the name that a factor gives its columns. */
     static String columnName(AttributeReader fields, String fallback) {
         String name = fields.text("name").orElse(fallback);
         if (!name.matches("[a-z][a-z0-9_]{0,60}")) {
@@ -38,7 +38,7 @@ final class FactorReader {
         return name;
     }
 
-    /** An attribute and the values that it is given. */
+    /** Reads a factor that sets one attribute to several values. */
     Optional<Factor> readSet(XmlElement node) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
@@ -80,7 +80,7 @@ final class FactorReader {
         return values;
     }
 
-    /** Named sets of attributes, each of which gets one fixed value. */
+    /** Reads a factor of named sets of attributes, each with one fixed value. */
     Optional<Factor> readVariants(XmlElement node) {
         ElementRules.checkChildren(node, List.of("variant"), problems);
         AttributeReader fields = new AttributeReader(node, problems);
@@ -119,7 +119,7 @@ final class FactorReader {
         return path.map(found -> new Edit.SetAttribute(found, new Value.Fixed(value), node.location()));
     }
 
-    /** Which sensors are on: every combination of the given ones, or those that are listed. */
+    /** Reads a factor of sensors that are on: every combination of the given ones, or the listed ones. */
     Optional<Factor> readMasks(XmlElement node) {
         ElementRules.checkChildren(node, List.of("mask"), problems);
         AttributeReader fields = new AttributeReader(node, problems);

@@ -79,7 +79,7 @@ final class FaultsReader {
         return new Column(name, unit, MEANINGS.getOrDefault(attribute, attribute + " of the fault"));
     }
 
-    /** Every combination of the values of one element; those of the last attribute change fastest. */
+    /** Returns every combination of the values of one element; those of the last attribute change fastest. */
     private List<Map<String, Value>> readFault(XmlElement node, String factor) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
@@ -112,7 +112,7 @@ final class FaultsReader {
         return combined;
     }
 
-    /** How long a fault lasts gives its end. */
+    /** Replaces the duration of a fault by its end. */
     private static Map<String, Value> withEnd(Map<String, Value> level) {
         Map<String, Value> timed = new LinkedHashMap<>(level);
         Value lasts = timed.remove("lasts");

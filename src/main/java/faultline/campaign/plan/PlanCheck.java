@@ -54,7 +54,7 @@ final class PlanCheck {
         }
     }
 
-    /** Both ends of every interval, and every word of every choice. */
+    /** Returns the draws that give both ends of every interval and every word of every choice. */
     private static Set<Double> uniforms(List<Edit> edits) {
         Set<Double> uniforms = new TreeSet<>(Set.of(0.0, Math.nextDown(1.0)));
         edits.forEach(edit -> values(edit).forEach(value -> {
@@ -73,7 +73,7 @@ final class PlanCheck {
                 : List.copyOf(((Edit.AddFault) edit).attributes().values());
     }
 
-    /** A problem whose place is in the scenario, not in the plan, is reported at the level's first change. */
+    /** Reports a problem; one whose place is in the scenario, not in the plan, at the level's first change. */
     private void report(String world, Problem problem, List<Edit> edits, Set<String> reported) {
         boolean inPlan = edits.stream().anyMatch(edit -> edit.location().equals(problem.location()));
         SourceLocation location = inPlan || edits.isEmpty()

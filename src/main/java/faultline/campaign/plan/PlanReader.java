@@ -137,7 +137,7 @@ final class PlanReader {
         }
     }
 
-    /** A single fixed value is no factor. */
+    /** Adds a set of values; a single fixed value is not a factor. */
     private void addSet(XmlElement node, FactorReader reader) {
         reader.readSet(node).ifPresent(factor -> {
             Factor.Level first = factor.levels().get(0);

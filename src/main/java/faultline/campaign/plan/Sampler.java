@@ -49,7 +49,7 @@ final class Sampler implements Value.Uniforms {
         return hash;
     }
 
-    /** A random order of all strata, by Fisher and Yates. */
+    /** Returns a random order of all strata, by Fisher and Yates. */
     private int[] permutation(long key) {
         int[] order = new int[blocks];
         long state = mix(key + 1);
@@ -66,7 +66,7 @@ final class Sampler implements Value.Uniforms {
         return (bits >>> 11) * 0x1.0p-53;
     }
 
-    /** The output function of SplitMix64 (Steele, Lea and Flood 2014), which no JDK can change. */
+    /** Computes the output function of SplitMix64 (Steele, Lea and Flood 2014), independently of the JDK. */
     private static long mix(long z) {
         long first = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
         long second = (first ^ (first >>> 27)) * 0x94D049BB133111EBL;

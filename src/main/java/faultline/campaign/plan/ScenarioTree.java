@@ -77,7 +77,7 @@ final class ScenarioTree {
         return index < named.size() ? Optional.of(named.get(index)) : Optional.empty();
     }
 
-    /** A sensor or an element that stands for its defaults when it is left out. */
+    /** Creates a sensor, or an element that has its defaults if it is missing. */
     private static XmlElement create(XmlElement node, AttributePath.Step step, SourceLocation location)
             throws NoSuchElementException {
         boolean sensor = node.name().equals("robot")

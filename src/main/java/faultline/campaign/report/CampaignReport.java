@@ -106,7 +106,7 @@ public final class CampaignReport {
         }
     }
 
-    /** The runs that have a scenario file of their own, or, in an unfinished campaign, none. */
+    /** Returns the runs that have a scenario file of their own; none in an unfinished campaign. */
     private String worstRuns() {
         List<RunRow> worst = data.rows().stream()
                 .filter(row -> !row.text("outcome").equals("broken"))

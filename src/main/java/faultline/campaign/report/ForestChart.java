@@ -40,7 +40,7 @@ final class ForestChart {
         this.middle = left + (PLOT_WIDTH - 20) / 2.0;
     }
 
-    /** The end of the axis: the next full ten percentage points. */
+    /** Returns the end of the axis: the next full ten percentage points. */
     private static double extent(List<Comparison.Difference> differences) {
         double most = 0;
         for (Comparison.Difference difference : differences) {

@@ -69,7 +69,10 @@ public record Interval(double low, double high) {
         return new Interval(mean - half, mean + half);
     }
 
-    /** The 0.975 quantile of Student's t: exact for 1 and 2, by Cornish and Fisher's expansion to 0.5 % from 3 on. */
+    /**
+     * Returns the 0.975 quantile of Student's t: exact for 1 and 2, by Cornish and Fisher's expansion to 0.5 % from 3
+     * on.
+     */
     static double studentQuantile(int freedom) {
         if (freedom == 1) {
             return 12.706204736;

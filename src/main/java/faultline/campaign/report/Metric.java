@@ -36,12 +36,12 @@ enum Metric {
         return OptionalDouble.of(result.collision().isPresent() ? 1 : 0);
     }
 
-    /** The name of its column. */
+    /** Returns the name of its column. */
     String column() {
         return column;
     }
 
-    /** What it measures, for people. */
+    /** Returns what it measures, as shown to users. */
     String meaning() {
         return meaning;
     }
@@ -50,12 +50,12 @@ enum Metric {
         return String.format(Locale.ROOT, format, number);
     }
 
-    /** The value of a run, empty where it has none. */
+    /** Returns the value of a run, empty if it has none. */
     OptionalDouble of(ControllerRuns.Run run) {
         return value.apply(run);
     }
 
-    /** The values of those runs that have one. */
+    /** Returns the values of those runs that have one. */
     double[] values(List<ControllerRuns.Run> runs) {
         return runs.stream()
                 .map(this::of)
@@ -64,7 +64,7 @@ enum Metric {
                 .toArray();
     }
 
-    /** The 95 % interval of the mean of some values; of a share where the values are 0 and 1. */
+    /** Returns the 95 % interval of the mean of some values; that of a share if the values are 0 and 1. */
     Interval interval(double[] values) {
         double mean = Arrays.stream(values).average().orElse(Double.NaN);
         if (this == COLLISION) {
@@ -74,7 +74,7 @@ enum Metric {
         return Interval.mean(mean, Math.sqrt(squares / Math.max(1, values.length - 1)), values.length);
     }
 
-    /** The mean of some values with its interval, if there are at least two, and their range. */
+    /** Returns the mean of some values with its interval, if there are at least two, and their range. */
     String summary(double[] values) {
         if (values.length == 0) {
             return "none";

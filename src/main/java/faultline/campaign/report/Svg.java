@@ -101,7 +101,7 @@ final class Svg {
                     yStep);
         }
 
-        /** The round number that divides a span into three to six parts. */
+        /** Returns the round number that divides a span into three to six parts. */
         private static double step(double span) {
             double power = Math.pow(10, Math.floor(Math.log10(span / 4)));
             double parts = span / 4 / power;

@@ -82,7 +82,7 @@ final class VariantSections {
         return row;
     }
 
-    /** A difference, bold if it is clear of 0. */
+    /** Returns a difference as text, bold if its interval does not contain 0. */
     private static String points(Comparison.Difference difference, double scale) {
         double low = scale * difference.interval().low();
         double high = scale * difference.interval().high();
@@ -168,7 +168,7 @@ final class VariantSections {
                                 + "<div class=\"charts\">" + charts + "</div>\n");
     }
 
-    /** The values of a fault have another meaning for each kind of fault. */
+    /** Returns the runs by kind of fault, because the meaning of a fault's value depends on its kind. */
     private Map<String, List<RunRow>> responseGroups(Column column) {
         Optional<FactorSummary> faults = data.factor(FactorKind.FAULTS)
                 .filter(factor ->

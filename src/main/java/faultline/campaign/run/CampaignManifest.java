@@ -101,7 +101,7 @@ final class CampaignManifest {
                 .orElse("(not from a jar)");
     }
 
-    /** The hash of the program's jar, empty if it does not run from one. */
+    /** Returns the hash of the program's jar, empty if it does not run from one. */
     private static String programHash() {
         try {
             Path program = Path.of(CampaignManifest.class

@@ -48,7 +48,7 @@ public final class CampaignMerge {
         return folder.readManifest().orElseThrow(() -> new IOException(folder + ": there is no campaign"));
     }
 
-    /** Every run must be in exactly one part. */
+    /** Checks that every run is in exactly one part. */
     private void checkWhole() throws IOException {
         long next = 0;
         for (Part part : parts) {

@@ -142,8 +142,8 @@ final class WallSteering {
     }
 
     /**
-     * A straight wall that is taken for a corner gives the full innovation as long as it lasts, so there is time to
-     * average the noise.
+     * Returns the drift that counts as a bend back to a wall. A straight wall that is taken for a corner gives the full
+     * innovation as long as it lasts, so there is time to average the noise.
      */
     private double bendDriftThreshold() {
         return Math.max(

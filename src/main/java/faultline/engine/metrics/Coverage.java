@@ -34,7 +34,10 @@ final class Coverage implements CoverageMeter {
     private boolean[] passed = new boolean[0];
     private double share = Double.NaN;
 
-    /** A record of passing walls; the circuit is got when it is first needed, as that takes long in large worlds. */
+    /**
+     * Creates a record of passing walls; the circuit is computed when it is first needed, because that takes long in
+     * large worlds.
+     */
     Coverage(Supplier<WallCircuit> circuits) {
         this.circuits = circuits;
     }

@@ -43,7 +43,7 @@ final class CoverageOnDemand implements CoverageMeter {
     private int pieces;
     private double share = Double.NaN;
 
-    /** A record of passing walls at a distance from the robot's centre, metres. */
+    /** Creates a record of passing walls at a distance from the robot's centre, metres. */
     CoverageOnDemand(WallReference walls, double distance) {
         this.walls = walls;
         this.distance = distance;

@@ -177,7 +177,10 @@ public enum TraceFormat {
         return new TraceColumn(name, "", meaning, (s, row) -> row.append(text.apply(s)));
     }
 
-    /** A number is the shortest that reads back to the same bits; one that does not apply leaves the cell empty. */
+    /**
+     * Returns a column of numbers, each in the shortest form that reads back to the same bits; one that does not apply
+     * leaves the cell empty.
+     */
     private static TraceColumn number(String name, String unit, String meaning, ToDoubleFunction<Simulation> value) {
         NumberText text = new NumberText();
         return new TraceColumn(name, unit, meaning, (s, row) -> {

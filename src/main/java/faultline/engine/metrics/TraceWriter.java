@@ -20,7 +20,7 @@ public final class TraceWriter implements TickObserver {
     private List<TraceColumn> columns = List.of();
 
     /**
-     * A trace on a writer, which the caller closes.
+     * Creates a trace on a writer, which the caller closes.
      *
      * @param out where the rows go; buffered
      * @param format which columns it has

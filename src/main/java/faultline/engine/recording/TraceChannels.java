@@ -24,7 +24,7 @@ public final class TraceChannels {
     private TraceChannels() {}
 
     /**
-     * What a sensor would read without noise and faults.
+     * Returns the channel of a sensor's reading without noise and faults.
      *
      * @param sensor its place in the robot's list, from 0
      * @return the channel, metres
@@ -34,7 +34,7 @@ public final class TraceChannels {
     }
 
     /**
-     * What a sensor reports.
+     * Returns the channel of a sensor's reported reading.
      *
      * @param sensor its place in the robot's list, from 0
      * @return the channel, metres
@@ -44,7 +44,7 @@ public final class TraceChannels {
     }
 
     /**
-     * How many channels a robot has.
+     * Returns the number of channels of a robot.
      *
      * @param sensors how many sensors it has
      * @return all channels

@@ -24,7 +24,7 @@ final class TraceRecorder {
     private final List<TraceLevelRecorder> levels = new ArrayList<>();
 
     /**
-     * An empty recording.
+     * Creates an empty recording.
      *
      * @param channels how many numbers each tick has
      */
@@ -53,7 +53,7 @@ final class TraceRecorder {
     }
 
     /**
-     * All that is recorded by now.
+     * Returns everything recorded so far.
      *
      * @return a view that stays as it is
      */

@@ -94,7 +94,7 @@ final class BatchResults {
         return row;
     }
 
-    /** A share with its interval, in percent; nothing if no run tells. */
+    /** Returns a share with its interval, in percent; empty without runs. */
     private static ResultCell shareCell(Survival share) {
         if (share.n() == 0) {
             return ResultCell.ofNumber(Double.NaN, 0);

@@ -87,7 +87,7 @@ final class FaultChoices extends JPanel {
         return DecimalText.format(kind.defaultValue());
     }
 
-    /** From half to twice the default number, within the limits of the kind. */
+    /** Returns the interval from half to twice the default number, within the limits of the kind. */
     private static String drawnValues(FaultKind kind) {
         double low = Math.max(kind.minValue(), kind.defaultValue() / SPREAD);
         double high = Math.min(kind.maxValue(), kind.defaultValue() * SPREAD);

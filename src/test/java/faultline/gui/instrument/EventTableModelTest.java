@@ -131,7 +131,9 @@ class EventTableModelTest {
         long tick = tickOfChosen();
         List<String> notifications = notifications();
         assertTrue(recordEvent(100_000));
-        assertEquals(List.of("-0.." + (CHUNK - 1), "+" + (LOG_CAPACITY - CHUNK) + ".." + (LOG_CAPACITY - CHUNK)), notifications);
+        assertEquals(
+                List.of("-0.." + (CHUNK - 1), "+" + (LOG_CAPACITY - CHUNK) + ".." + (LOG_CAPACITY - CHUNK)),
+                notifications);
         assertEquals(1000 - CHUNK, chosen());
         assertEquals(tick, tickOfChosen());
         assertEquals(LOG_CAPACITY - CHUNK + 1, events.getRowCount());
