@@ -11,6 +11,7 @@ import java.awt.HeadlessException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /** The command without a name: opens the window, or runs without one if there is no display. */
 final class WindowCommand {

@@ -21,7 +21,11 @@ public record Frame(
         RobotPath path,
         long trajectoryHash) {
 
-    /** Returns this frame with its path as part of a later path of the same run. */
+    /**
+     * {@return this frame with its path as part of a later path of the same run}
+     *
+     * @param later the later path
+     */
     public Frame withPrefixOf(RobotPath later) {
         return new Frame(snapshot, telemetry, leftVolts, rightVolts, later.prefix(path), trajectoryHash);
     }

@@ -38,8 +38,7 @@ public final class GuiLauncher {
      */
     public static void open(Path file, ControllerSelection controller, ControllerSelection ghostOrNull) {
         Thread.setDefaultUncaughtExceptionHandler(new UncaughtExceptionDialog());
-        EventQueue.invokeLater(
-                () -> openOnEventThread(file, window -> window.open(file, controller, ghostOrNull)));
+        EventQueue.invokeLater(() -> openOnEventThread(file, window -> window.open(file, controller, ghostOrNull)));
     }
 
     /**

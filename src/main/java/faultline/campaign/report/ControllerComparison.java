@@ -30,7 +30,7 @@ public final class ControllerComparison {
         this.windowCommands = List.copyOf(windowCommands);
     }
 
-    /** Returns the commands that show pairs of the controllers in the window. */
+    /** {@return the commands that show pairs of the controllers in the window} */
     public List<String> windowCommands() {
         return windowCommands;
     }
