@@ -4,12 +4,14 @@ import faultline.external.ChildSource;
 import faultline.external.ExternalController;
 import faultline.io.DecimalText;
 import faultline.io.MessageText;
+import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.jar.JarFile;
 
 /**
  * The options that go with {@code --controller}.
@@ -39,8 +41,19 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
             throw new UsageException(
                     "--jar is " + MessageText.quoted(jar.get().toString()) + ", and there is no such file");
         }
+        if (jar.isPresent() && !isJar(jar.get())) {
+            throw new UsageException("--jar is " + MessageText.quoted(jar.get().toString()) + ", which is no jar");
+        }
         return new ControllerOptions(
                 patience(given), given.has("--truth"), jar.stream().toList());
+    }
+
+    private static boolean isJar(Path file) {
+        try (JarFile jar = new JarFile(file.toFile())) {
+            return jar.size() > 0;
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     private static double patience(Arguments given) throws UsageException {

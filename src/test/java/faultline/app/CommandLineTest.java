@@ -190,6 +190,7 @@ class CommandLineTest {
             run a.xml --sed 1               | there is no option "--sed" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json; did you mean "--seed"?
             run a.xml -x                    | there is no option "-x" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json
             run a.xml --pace 0              | --pace is "0"; expected a multiple of real time above 0, up to 1000000
+            run a.xml --jar pom.xml         | --jar is "pom.xml", which is no jar
             run a.xml --jar none.jar        | --jar is "none.jar", and there is no such file
             run a.xml --seed                | --seed needs a value
             run a.xml --film --until 5      | --film needs a value, and "--until" is an option

@@ -32,7 +32,7 @@ public final class CampaignReport {
      */
     public CampaignReport(Path folder) throws IOException, ScenarioException {
         CampaignFolder campaign = new CampaignFolder(folder);
-        if (Files.notExists(campaign.runs())) {
+        if (!Files.isRegularFile(campaign.runs())) {
             throw new IOException(folder + ": there is no campaign");
         }
         this.folder = folder;

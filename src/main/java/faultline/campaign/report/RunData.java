@@ -5,8 +5,10 @@ import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.Column;
 import faultline.campaign.plan.FactorKind;
 import faultline.campaign.run.Csv;
+import faultline.campaign.run.RowCheck;
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -48,10 +50,23 @@ final class RunData {
         }
     }
 
-    /** Reads a table. */
+    /**
+     * Reads a table.
+     *
+     * @throws IOException if a row cannot be used, in one sentence
+     */
     static RunData read(CampaignPlan plan, Path table) throws IOException {
         try (BufferedReader in = Files.newBufferedReader(table)) {
-            return new RunData(plan, in.lines()::iterator);
+            RunData data = new RunData(plan, in.lines()::iterator);
+            for (RunRow row : data.rows) {
+                Optional<String> problem = RowCheck.findProblem(row::text);
+                if (problem.isPresent()) {
+                    throw new IOException(table + ": " + problem.get());
+                }
+            }
+            return data;
+        } catch (UncheckedIOException e) {
+            throw new IOException(table + ": the file cannot be read as UTF-8 text", e);
         }
     }
 

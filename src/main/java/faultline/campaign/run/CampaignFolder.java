@@ -89,9 +89,14 @@ public final class CampaignFolder {
      * Checks that writing the tables destroys no other file.
      *
      * @param inputs the files that the campaign is made from
-     * @throws IOException if a table is an input or another table, by a link
+     * @throws IOException if a table is an input or another table, by a link, or is no file
      */
     void checkTables(List<Path> inputs) throws IOException {
+        for (Path table : tables()) {
+            if (Files.isDirectory(table)) {
+                throw new IOException(table + ": this is a folder; expected a file");
+            }
+        }
         Optional<Path> conflict = FileTarget.findConflict(inputs, tables());
         if (conflict.isPresent()) {
             throw new IOException(

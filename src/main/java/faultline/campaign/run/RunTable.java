@@ -77,7 +77,8 @@ final class RunTable implements Closeable {
             long length = in.length();
             for (String line = in.next(); next < end && line.endsWith("\n"); line = in.next()) {
                 List<String> cells = Csv.cells(line.stripTrailing());
-                if (cells.size() != names.size() || !cells.get(0).equals(Long.toString(next))) {
+                if (!cells.get(0).equals(Long.toString(next))
+                        || RowCheck.findProblem(names, cells).isPresent()) {
                     return length;
                 }
                 broken += cells.get(outcome).equals("broken") ? 1 : 0;

@@ -12,6 +12,7 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -88,6 +89,7 @@ public final class WorstRuns {
             List<String> header = Csv.cells(in.readLine());
             for (String line = in.readLine(); line != null; line = in.readLine()) {
                 List<String> cells = Csv.cells(line);
+                requireGood(header, cells);
                 String outcome = cells.get(header.indexOf("outcome"));
                 if (!outcome.equals("broken")) {
                     worst.add(entry(cells, header, outcome));
@@ -100,6 +102,13 @@ public final class WorstRuns {
         List<Entry> ordered = new ArrayList<>(worst);
         ordered.sort(WORST_FIRST);
         return ordered;
+    }
+
+    private void requireGood(List<String> header, List<String> cells) throws IOException {
+        Optional<String> problem = RowCheck.findProblem(header, cells);
+        if (problem.isPresent()) {
+            throw new IOException(folder.runs() + ": " + problem.get());
+        }
     }
 
     private static Entry entry(List<String> cells, List<String> header, String outcome) {

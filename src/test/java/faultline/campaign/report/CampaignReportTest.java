@@ -2,21 +2,28 @@ package faultline.campaign.report;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.SamplePlan;
 import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.CampaignRunner;
+import faultline.campaign.run.Csv;
 import faultline.campaign.run.Shard;
+import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.xml.sax.InputSource;
 
 class CampaignReportTest {
@@ -86,6 +93,42 @@ class CampaignReportTest {
         CampaignReport report = new CampaignReport(folder);
         assertEquals(3, report.runCount());
         assertTrue(report.html().contains("3 of 8 runs"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+                    run         | x2    | run is "x2"; expected a whole number
+                    outcome     | flown | outcome is "flown"; expected an outcome
+                    wall_share  | NaN   | wall_share is "NaN"; expected a number or nothing
+                    simulated_s | 6,0   | simulated_s is "6,0"; expected a number
+                    """)
+    void aDamagedTableIsRefusedInOneSentenceAndMadeAgainByResuming(String column, String value, String problem)
+            throws Exception {
+        String elements = "<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>";
+        report(elements);
+        Path table = folder.resolve("runs.csv");
+        String good = Files.readString(table);
+        List<String> lines = new ArrayList<>(good.lines().toList());
+        List<String> cells = Csv.cells(lines.get(3));
+        cells.set(Csv.cells(lines.get(0)).indexOf(column), value);
+        lines.set(3, Csv.row(cells).strip());
+        Files.write(table, lines);
+        IOException refusal = assertThrows(IOException.class, () -> new CampaignReport(folder));
+        assertEquals(table + ": " + problem, refusal.getMessage());
+        report(elements);
+        assertEquals(good, Files.readString(table));
+    }
+
+    @Test
+    void aTableThatIsNoTextIsRefusedInOneSentence() throws Exception {
+        report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
+        Path table = folder.resolve("runs.csv");
+        Files.write(table, new byte[] {(byte) 0xff, (byte) 0xfe, 0, '\n'}, StandardOpenOption.APPEND);
+        IOException refusal = assertThrows(IOException.class, () -> new CampaignReport(folder));
+        assertEquals(table + ": the file cannot be read as UTF-8 text", refusal.getMessage());
     }
 
     private static List<String> headings(String html) {

@@ -1,0 +1,55 @@
+package faultline.campaign.run;
+
+import faultline.io.MessageText;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+
+/** Finds what is wrong in a row of {@code runs.csv}, which people and other programs may have changed. */
+public final class RowCheck {
+
+    private static final String BROKEN = "broken";
+
+    private RowCheck() {}
+
+    /**
+     * Returns what is wrong in a row, as the end of a sentence; empty if the row can be used.
+     *
+     * @param cell returns the text of a column, empty if there is no such column
+     */
+    public static Optional<String> findProblem(UnaryOperator<String> cell) {
+        String outcome = cell.apply("outcome");
+        if (!cell.apply("run").matches("\\d{1,18}")) {
+            return problem("run", cell, "a whole number");
+        }
+        if (!outcome.equals(BROKEN)
+                && Arrays.stream(Outcome.values())
+                        .noneMatch(known -> known.word().equals(outcome))) {
+            return problem("outcome", cell, "an outcome");
+        }
+        if (!isNumber(cell.apply("wall_share")) && !cell.apply("wall_share").isEmpty()) {
+            return problem("wall_share", cell, "a number or nothing");
+        }
+        if (!isNumber(cell.apply("simulated_s")) && !outcome.equals(BROKEN)) {
+            return problem("simulated_s", cell, "a number");
+        }
+        return Optional.empty();
+    }
+
+    /** Returns what is wrong in a row with a header; empty if the row can be used. */
+    static Optional<String> findProblem(List<String> header, List<String> cells) {
+        if (cells.size() != header.size()) {
+            return Optional.of("a row has " + cells.size() + " cells; expected " + header.size());
+        }
+        return findProblem(column -> header.contains(column) ? cells.get(header.indexOf(column)) : "");
+    }
+
+    private static boolean isNumber(String text) {
+        return text.matches("-?\\d{1,18}(\\.\\d{1,18})?(E-?\\d{1,2})?");
+    }
+
+    private static Optional<String> problem(String column, UnaryOperator<String> cell, String expected) {
+        return Optional.of(column + " is " + MessageText.quoted(cell.apply(column)) + "; expected " + expected);
+    }
+}
