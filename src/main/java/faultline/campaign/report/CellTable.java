@@ -91,7 +91,10 @@ final class CellTable {
         groups.computeIfAbsent(key, first -> new ArrayList<>()).add(row);
     }
 
-    /** Returns the cells of a run: its own, and, if it has a fault, those of its fault, its sensor, and all. */
+    /**
+     * Returns the cells of a run: its own, and, if it has a fault, those of its fault, its sensor, and all; with two
+     * faults, that of their kinds and that of all.
+     */
     private List<List<String>> faultKeys(RunRow row) {
         List<String> own = new ArrayList<>();
         faults.forEach(factor -> {
@@ -102,9 +105,19 @@ final class CellTable {
             return List.of(own);
         }
         if (faults.size() > 1) {
-            return List.of(own, pooled(row));
+            return List.of(kinds(row), pooled(row));
         }
         return List.of(own, List.of(own.get(0), ALL), List.of(ALL, own.get(1)), List.of(ALL, ALL));
+    }
+
+    /** Returns the cell of the kinds of a run's faults, whichever sensors have them. */
+    private List<String> kinds(RunRow row) {
+        List<String> keys = new ArrayList<>();
+        faults.forEach(factor -> {
+            keys.add(row.text(RunData.faultColumn(factor)));
+            keys.add(RunData.failingPart(row, factor).isEmpty() ? "" : ALL);
+        });
+        return keys;
     }
 
     /** Returns the cell of all faults for a run with any, that of healthy runs for others. */

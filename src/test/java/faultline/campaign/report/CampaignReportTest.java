@@ -70,6 +70,23 @@ class CampaignReportTest {
     }
 
     @Test
+    void theTableHasOneRowForEachPairOfKinds() throws Exception {
+        report(
+                """
+                <faults><fault kind="off stuck" sensor="any of front left rear right" at="1..3"/></faults>
+                <faults name="second"><fault kind="off" sensor="any of rear-left front-right" at="1..3"/></faults>
+                """);
+        List<String> sums = new CampaignReport(folder)
+                .cellsCsv()
+                .lines()
+                .skip(1)
+                .filter(row -> row.split(",")[4].equals("all"))
+                .map(row -> row.split(",")[0] + "," + row.split(",")[2] + " " + row.split(",")[5])
+                .toList();
+        assertEquals(List.of("off,off 4", "all,all 8", "stuck,off 4"), sums);
+    }
+
+    @Test
     void thePageNeedsNothingButItself() throws Exception {
         String html = report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\" name=\"speed\"/>");
         assertFalse(html.contains("<script") || html.contains("http:") || html.contains("https:"));
