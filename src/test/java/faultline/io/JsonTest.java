@@ -40,6 +40,11 @@ class JsonTest {
             -                | a digit is missing at character 2
             "a               | the text ends too early at character 3
             "\\x"            | there is no such escape at character 4
+            "\\u12g4"        | an escape needs four hexadecimal digits at character 6
+            "\\u12           | the text ends too early at character 6
+            -x               | a digit is missing at character 2
+            1e+              | a digit is missing at character 4
+            tru              | there is no value at character 1
             1 2              | there is text after the value at character 3
             NaN              | there is no value at character 1
             """)
@@ -48,6 +53,15 @@ class JsonTest {
         assertEquals(
                 message,
                 assertThrows(JsonException.class, () -> JsonParser.parse(given)).getMessage());
+    }
+
+    @Test
+    void everyEscapeIsReadAndAControlCharacterIsRefused() throws JsonException {
+        assertEquals("\b\f\n\r\t/\\\"\u00e9", JsonParser.parse("\"\\b\\f\\n\\r\\t\\/\\\\\\\"\\u00E9\""));
+        assertEquals(
+                "a string holds a control character at character 4",
+                assertThrows(JsonException.class, () -> JsonParser.parse("\"a\u0001\""))
+                        .getMessage());
     }
 
     @Test
