@@ -12,6 +12,11 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 
 /** The command without a name: opens the window, or runs without one if there is no display. */
 final class WindowCommand {
@@ -23,6 +28,9 @@ final class WindowCommand {
 
     private static final List<String> OPTION_NAMES = List.of("--controller", GHOST_OPTION, "--jar");
 
+    /** The time after which a window is made for a file that is still being read. */
+    private static final long MILLIS_BEFORE_WINDOW = 250;
+
     private final CommandOutput output;
 
     WindowCommand(CommandOutput output) {
@@ -31,12 +39,16 @@ final class WindowCommand {
 
     /** Opens the default scenario. */
     int run() throws ScenarioException {
-        return openWindow(() -> GuiLauncher.open(null), Scenario.loadShipped(DEFAULT_SCENARIO), DEFAULT_SCENARIO);
+        if (hasDisplay()) {
+            GuiLauncher.open();
+            return ExitCode.SUCCESS;
+        }
+        return runWithoutWindow(Scenario.loadShipped(DEFAULT_SCENARIO), DEFAULT_SCENARIO);
     }
 
     /**
-     * Opens a file, with other controllers if the arguments name any. The file is read first, so that its problems are
-     * reported here and not in a window.
+     * Opens a file, with other controllers if the arguments name any. Its problems are reported here and not in a
+     * window.
      */
     int run(List<String> given) throws UsageException, ScenarioException {
         Arguments arguments = new Arguments(given, OPTION_NAMES);
@@ -45,10 +57,10 @@ final class WindowCommand {
                     + MessageText.quoted(arguments.files().get(1)));
         }
         Path file = Arguments.parsePath(arguments.files().get(0));
-        Scenario scenario = Scenario.load(file);
         if (given.size() == 1) {
-            return openWindow(() -> GuiLauncher.open(file), scenario, file.toString());
+            return run(file);
         }
+        Scenario.load(file);
         requireDisplay("--controller");
         Optional<String> controller = arguments.value("--controller");
         Optional<String> ghost = arguments.value(GHOST_OPTION);
@@ -70,6 +82,46 @@ final class WindowCommand {
         }
     }
 
+    /**
+     * Opens a file. A large one is read while the window is made; if it has problems, the caller closes the window by
+     * ending the process.
+     */
+    private int run(Path file) throws ScenarioException {
+        Future<Scenario> reading = startReading(file);
+        boolean display = hasDisplay();
+        if (!display) {
+            return runWithoutWindow(await(reading, Long.MAX_VALUE).orElseThrow(), file.toString());
+        }
+        await(reading, MILLIS_BEFORE_WINDOW);
+        GuiLauncher.open(file, () -> await(reading, Long.MAX_VALUE).orElseThrow());
+        await(reading, Long.MAX_VALUE);
+        return ExitCode.SUCCESS;
+    }
+
+    private static Future<Scenario> startReading(Path file) {
+        FutureTask<Scenario> reading = new FutureTask<>(() -> Scenario.load(file));
+        Thread reader = new Thread(reading, "faultline-reader");
+        reader.setDaemon(true);
+        reader.start();
+        return reading;
+    }
+
+    /** Waits for a scenario; empty if it has not been read within the given time, milliseconds. */
+    private static Optional<Scenario> await(Future<Scenario> reading, long millis) throws ScenarioException {
+        try {
+            return Optional.of(reading.get(millis, TimeUnit.MILLISECONDS));
+        } catch (TimeoutException e) {
+            return Optional.empty();
+        } catch (ExecutionException e) {
+            if (e.getCause() instanceof ScenarioException bad) {
+                throw bad;
+            }
+            throw new IllegalStateException(e.getCause());
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
     /** Opens the window and closes it after its first frame. */
     int measureStartup(List<String> arguments) throws UsageException {
         Arguments parsed = new Arguments(arguments, List.of());
@@ -80,19 +132,19 @@ final class WindowCommand {
         if (!hasDisplay()) {
             throw new UsageException("--startup-time needs a display, and there is none");
         }
-        Path file = parsed.files().isEmpty()
-                ? null
-                : Arguments.parsePath(parsed.files().get(0));
-        GuiLauncher.openUntilFirstPaint(
-                file, () -> output.println(String.format(Locale.ROOT, "startup_s: %.2f", ProcessAge.seconds())));
+        Runnable report = () -> output.println(String.format(Locale.ROOT, "startup_s: %.2f", ProcessAge.seconds()));
+        if (parsed.files().isEmpty()) {
+            GuiLauncher.openUntilFirstPaint(report);
+        } else {
+            Path file = Arguments.parsePath(parsed.files().get(0));
+            Future<Scenario> reading = startReading(file);
+            GuiLauncher.openUntilFirstPaint(
+                    file, () -> await(reading, Long.MAX_VALUE).orElseThrow(), report);
+        }
         return ExitCode.SUCCESS;
     }
 
-    private int openWindow(Runnable window, Scenario scenario, String name) {
-        if (hasDisplay()) {
-            window.run();
-            return ExitCode.SUCCESS;
-        }
+    private int runWithoutWindow(Scenario scenario, String name) {
         output.println("There is no display here: running " + name + " without a window.");
         return new RunCommand(output).run(scenario);
     }

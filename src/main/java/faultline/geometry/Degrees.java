@@ -3,6 +3,8 @@ package faultline.geometry;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * Converts between degrees, used in files and windows, and radians, used in the code. Both conversions are correctly
@@ -13,6 +15,11 @@ public final class Degrees {
     private static final BigDecimal PI = new BigDecimal("3.14159265358979323846264338327950288419716939937510");
     private static final BigDecimal HALF_TURN = BigDecimal.valueOf(180);
     private static final int MAX_DIGITS = 25;
+
+    /** The radians of the first angles that were converted; large files repeat a few, and a conversion is slow. */
+    private static final Map<BigDecimal, Double> KNOWN_RADIANS = new ConcurrentHashMap<>();
+
+    private static final int MAX_KNOWN = 1000;
 
     private Degrees() {}
 
@@ -31,9 +38,17 @@ public final class Degrees {
      * @param degrees the number of degrees
      */
     public static double toRadians(BigDecimal degrees) {
-        return degrees.multiply(PI)
+        Double known = KNOWN_RADIANS.get(degrees);
+        if (known != null) {
+            return known;
+        }
+        double radians = degrees.multiply(PI)
                 .divide(HALF_TURN, new MathContext(50, RoundingMode.HALF_EVEN))
                 .doubleValue();
+        if (KNOWN_RADIANS.size() < MAX_KNOWN) {
+            KNOWN_RADIANS.put(degrees, radians);
+        }
+        return radians;
     }
 
     /**

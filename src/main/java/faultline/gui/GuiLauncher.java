@@ -7,8 +7,10 @@ import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.text.SwingMessages;
 import faultline.gui.window.MainWindow;
+import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.nio.file.Path;
+import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 
 /** Opens the window. */
@@ -20,13 +22,20 @@ public final class GuiLauncher {
     private GuiLauncher() {}
 
     /**
-     * Opens the window asynchronously on the event dispatch thread. There must be a display.
-     *
-     * @param file the scenario to open, null for the default one
+     * Opens the window with the default scenario asynchronously on the event dispatch thread. There must be a display.
      */
-    public static void open(Path file) {
-        Thread.setDefaultUncaughtExceptionHandler(new UncaughtExceptionDialog());
-        EventQueue.invokeLater(() -> openOnEventThread(file, window -> openScenario(window, file)));
+    public static void open() {
+        open(window -> window.openShipped(DEFAULT_SCENARIO), true);
+    }
+
+    /**
+     * Opens the window with a scenario asynchronously on the event dispatch thread. There must be a display.
+     *
+     * @param file the scenario to open
+     * @param reader reads the file on another thread
+     */
+    public static void open(Path file, Callable<Scenario> reader) {
+        open(window -> window.open(file, reader), false);
     }
 
     /**
@@ -37,20 +46,46 @@ public final class GuiLauncher {
      * @param ghostOrNull drives another robot, which is shown beside it; null for none
      */
     public static void open(Path file, ControllerSelection controller, ControllerSelection ghostOrNull) {
+        open(window -> window.open(file, controller, ghostOrNull), false);
+    }
+
+    private static void open(Consumer<MainWindow> scenario, boolean galleryWanted) {
         Thread.setDefaultUncaughtExceptionHandler(new UncaughtExceptionDialog());
-        EventQueue.invokeLater(() -> openOnEventThread(file, window -> window.open(file, controller, ghostOrNull)));
+        EventQueue.invokeLater(() -> {
+            WindowPreferences preferences = WindowPreferences.forCurrentUser();
+            MainWindow window = createWindow(preferences, scenario);
+            // One question at a time: the gallery does not cover the recovery prompt.
+            window.enableRecovery(RecoveryStore.forCurrentUser(), () -> {
+                if (galleryWanted && preferences.isGalleryShownAtStart()) {
+                    window.showExamples();
+                }
+            });
+        });
     }
 
     /**
-     * Opens the window and closes it after it has painted its first frame.
+     * Opens the window with the default scenario and closes it after it has painted its first frame.
      *
-     * @param file the scenario to open, null for the default one
      * @param painted called on the event dispatch thread after the first frame
      */
-    public static void openUntilFirstPaint(Path file, Runnable painted) {
+    public static void openUntilFirstPaint(Runnable painted) {
+        openUntilFirstPaint(window -> window.openShipped(DEFAULT_SCENARIO), painted);
+    }
+
+    /**
+     * Opens the window with a scenario and closes it after it has painted its first frame.
+     *
+     * @param file the scenario to open
+     * @param reader reads the file on another thread
+     * @param painted called on the event dispatch thread after the first frame
+     */
+    public static void openUntilFirstPaint(Path file, Callable<Scenario> reader, Runnable painted) {
+        openUntilFirstPaint(window -> window.open(file, reader), painted);
+    }
+
+    private static void openUntilFirstPaint(Consumer<MainWindow> scenario, Runnable painted) {
         EventQueue.invokeLater(() -> {
-            MainWindow window = createWindow(WindowPreferences.forCurrentUser());
-            openScenario(window, file);
+            MainWindow window = createWindow(WindowPreferences.forCurrentUser(), scenario);
             window.onFirstPaint(() -> {
                 painted.run();
                 window.dispose();
@@ -58,33 +93,15 @@ public final class GuiLauncher {
         });
     }
 
-    private static MainWindow createWindow(WindowPreferences preferences) {
+    private static MainWindow createWindow(WindowPreferences preferences, Consumer<MainWindow> scenario) {
         Messages.setLanguage(preferences.language());
         SwingMessages.install();
         preferences.textSize().install();
         preferences.theme().install();
         MainWindow window = new MainWindow(preferences);
+        // The scenario is read while the window is laid out and painted for the first time.
+        scenario.accept(window);
         window.setVisible(true);
         return window;
-    }
-
-    private static void openScenario(MainWindow window, Path file) {
-        if (file == null) {
-            window.openShipped(DEFAULT_SCENARIO);
-        } else {
-            window.open(file);
-        }
-    }
-
-    private static void openOnEventThread(Path file, Consumer<MainWindow> opener) {
-        WindowPreferences preferences = WindowPreferences.forCurrentUser();
-        MainWindow window = createWindow(preferences);
-        opener.accept(window);
-        // One question at a time: the gallery does not cover the recovery prompt.
-        window.enableRecovery(RecoveryStore.forCurrentUser(), () -> {
-            if (file == null && preferences.isGalleryShownAtStart()) {
-                window.showExamples();
-            }
-        });
     }
 }

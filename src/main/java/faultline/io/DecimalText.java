@@ -29,10 +29,25 @@ public final class DecimalText {
      */
     public static Optional<BigDecimal> parse(String text) {
         String trimmed = XmlText.strip(text);
-        if (trimmed.length() > MAX_LENGTH || !DECIMAL.matcher(trimmed).matches()) {
+        if (trimmed.length() > MAX_LENGTH
+                || !isPlain(trimmed) && !DECIMAL.matcher(trimmed).matches()) {
             return Optional.empty();
         }
         return Optional.of(new BigDecimal(trimmed));
+    }
+
+    /** Returns whether a text is digits with at most one point after the first; most numbers are, and this is fast. */
+    private static boolean isPlain(String text) {
+        boolean point = false;
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            boolean firstPoint = c == '.' && i > 0 && !point;
+            point |= firstPoint;
+            if (!firstPoint && (c < '0' || c > '9')) {
+                return false;
+            }
+        }
+        return !text.isEmpty();
     }
 
     /**

@@ -21,6 +21,10 @@ final class ObstacleSet {
     private final EditableIndex index;
     private long nextOrder;
     private long version;
+    /** The obstacles at {@link #listVersion}; valid only while none is moving. */
+    private List<Obstacle> list;
+
+    private long listVersion = -1;
 
     ObstacleSet(WorldSpec spec) {
         this.spec = spec;
@@ -71,8 +75,20 @@ final class ObstacleSet {
         return version;
     }
 
-    /** Returns the current obstacles in drawing order. */
+    /** Returns the current obstacles in drawing order; the same list as before if none has changed or moves. */
     List<Obstacle> obstacles() {
+        if (!moving.isEmpty()) {
+            return listObstacles();
+        }
+        if (listVersion != version) {
+            // An immutable copy, which a snapshot does not copy again.
+            list = List.copyOf(listObstacles());
+            listVersion = version;
+        }
+        return list;
+    }
+
+    private List<Obstacle> listObstacles() {
         return obstacles.values().stream().map(PlacedObstacle::obstacle).toList();
     }
 

@@ -3,6 +3,7 @@ package faultline.world;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.geometry.Degrees;
@@ -41,6 +42,16 @@ class WorldCommandsTest {
         world.sense();
         // The desk's near side is at 2.625, the front sensor's mounting position at 2.125.
         assertEquals(0.5, world.trueReading(FRONT), 1e-12);
+    }
+
+    @Test
+    void theListOfObstaclesIsMadeAgainOnlyAfterAnEdit() {
+        List<Obstacle> before = world.snapshot().obstacles();
+        assertSame(before, world.snapshot().obstacles());
+        world.execute(new Command.MoveObstacle("desk", new Pose(3, 3, 0)));
+        assertEquals(List.of(DESK.withPose(new Pose(3, 3, 0))), world.snapshot().obstacles());
+        world.execute(new Command.RemoveObstacle("desk"));
+        assertEquals(List.of(), world.snapshot().obstacles());
     }
 
     @Test

@@ -18,14 +18,11 @@ import faultline.paint.scene.SelectionPainter;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
-import faultline.world.Obstacle;
+import faultline.world.Snapshot;
 import java.awt.Graphics2D;
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.LongSupplier;
-import java.util.stream.Collectors;
 
 /**
  * Paints frames, with the ground and the paths cached as images. A few selected obstacles are not part of the cached
@@ -39,6 +36,9 @@ final class CachedSceneRenderer {
     private final LongSupplier clock;
     private FrameBudget budget;
     private boolean complete = true;
+    private ObstacleDivision division = ObstacleDivision.NONE;
+    /** Null before the first frame. */
+    private Snapshot shownWorld;
 
     /** Creates a renderer with a clock, in nanoseconds, that limits the time to paint a frame. */
     CachedSceneRenderer(LongSupplier clock) {
@@ -54,15 +54,15 @@ final class CachedSceneRenderer {
         Set<String> apart = scene.selection().get().size() <= DragGesture.MAX_SEPARATE_PREVIEWS
                 ? scene.selection().get()
                 : Set.of();
-        Map<Boolean, List<Obstacle>> byMotion = frame.snapshot().obstacles().stream()
-                .collect(Collectors.partitioningBy(obstacle -> obstacle.isMoving() || apart.contains(obstacle.id())));
+        discardImagesOfOtherWorld(frame.snapshot());
+        division = division.of(frame.snapshot().obstacles(), apart);
         Set<String> marked = apart.isEmpty() ? scene.selection().get() : Set.of();
         PathLayer driven = new PathLayer(frame.path(), PathStyle.of(layers));
         Optional<ReferenceOverlay> reference = scene.referenceOverlay().get();
         if (reference.isEmpty()) {
             referencePath.clear();
         }
-        updateGround(new GroundLayer(frame.snapshot(), byMotion.get(false), marked, painter), view);
+        updateGround(new GroundLayer(frame.snapshot(), division.ground(), marked, painter), view);
         ground.draw(graphics, camera);
         if (layers.contains(Layer.PATH)) {
             updatePath(path, driven, view);
@@ -76,14 +76,23 @@ final class CachedSceneRenderer {
         painter.paintDynamic(
                 context,
                 frame,
-                byMotion.get(true),
+                division.separate(),
                 driven.tailStart(path.shownContent().orElse(null)));
-        byMotion.get(true).stream()
+        division.separate().stream()
                 .filter(scene::isSelected)
                 .forEach(obstacle -> SelectionPainter.paintOutline(context, obstacle));
         paintHandles(context, scene);
         painter.paintOverlays(context, frame.snapshot());
         reference.ifPresent(earlier -> ReferenceOverlayPainter.paintAnnotations(context, earlier));
+    }
+
+    /** Otherwise the image of the last world would be shown until that of a new, large one is complete. */
+    private void discardImagesOfOtherWorld(Snapshot world) {
+        if (shownWorld != null && (shownWorld.width() != world.width() || shownWorld.height() != world.height())) {
+            ground.clear();
+            path.clear();
+        }
+        shownWorld = world;
     }
 
     private void updateGround(GroundLayer wanted, LayerBuffer.View view) {

@@ -18,6 +18,7 @@ import faultline.scenario.Scenario;
 import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import java.util.concurrent.Callable;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
@@ -75,6 +76,11 @@ public final class FileController {
     /** Opens a file and discards unsaved changes. */
     public void openWithoutAsking(Path file) {
         documentStore.open(file);
+    }
+
+    /** Opens a file, given what reads it, and discards unsaved changes. */
+    public void openWithoutAsking(Path file, Callable<Scenario> reader) {
+        documentStore.open(file, reader);
     }
 
     /** Opens a shipped scenario and discards unsaved changes. */

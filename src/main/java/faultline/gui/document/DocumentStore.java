@@ -20,15 +20,20 @@ public final class DocumentStore {
 
     /** Opens a scenario file. */
     public void open(Path file) {
-        open(file, () -> {
-            Scenario scenario = Scenario.load(file);
+        open(file, () -> Scenario.load(file));
+    }
+
+    /** Opens a scenario file, given what reads it. */
+    public void open(Path file, Callable<Scenario> reader) {
+        start(file, () -> {
+            Scenario scenario = reader.call();
             return new ScenarioDocument(file, scenario, scenario);
         });
     }
 
     /** Opens a scenario that is part of the program, given the name of its file. */
     public void openShipped(String name) {
-        open(Path.of(name), () -> {
+        start(Path.of(name), () -> {
             Scenario scenario = Scenario.loadShipped(name);
             return new ScenarioDocument(null, scenario, scenario);
         });
@@ -36,12 +41,12 @@ public final class DocumentStore {
 
     /** Opens a new scenario, which has no file yet. */
     public void create(Scenario scenario) {
-        open(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, null, scenario));
+        start(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, null, scenario));
     }
 
     /** Opens a scenario that has no file and that can be made again, so that it does not count as changed. */
     public void openGenerated(Scenario scenario) {
-        open(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, scenario, scenario));
+        start(Path.of(FileNames.forScenario(scenario.name())), () -> new ScenarioDocument(null, scenario, scenario));
     }
 
     /**
@@ -62,18 +67,19 @@ public final class DocumentStore {
     private void revertShipped(OpenDocument now) {
         now.document()
                 .saved()
-                .ifPresent(saved -> open(now.document().displayPath(), () -> new ScenarioDocument(null, saved, saved)));
+                .ifPresent(
+                        saved -> start(now.document().displayPath(), () -> new ScenarioDocument(null, saved, saved)));
     }
 
     /** Opens a recovered scenario; its edits are still unsaved. */
     public void recover(RecoveryStore.RecoveredFile recovered) {
         Path origin = recovered.origin().orElse(null);
-        open(
+        start(
                 recovered.origin().orElse(recovered.recoveryFile()),
                 () -> new ScenarioDocument(origin, loadIfReadable(origin), recovered.scenario()));
     }
 
-    private void open(Path name, Callable<ScenarioDocument> loader) {
+    private void start(Path name, Callable<ScenarioDocument> loader) {
         WorkspaceTask task = new WorkspaceTask(TaskKind.OPEN, name);
         workspace.start(task, () -> {
             ScenarioDocument document = loader.call();

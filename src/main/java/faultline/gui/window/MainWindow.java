@@ -40,6 +40,7 @@ import faultline.gui.properties.ScenarioActions;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.timeline.TimelineEditor;
+import faultline.scenario.Scenario;
 import java.awt.EventQueue;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -47,6 +48,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.Callable;
 import javax.swing.BoundedRangeModel;
 import javax.swing.DefaultBoundedRangeModel;
 import javax.swing.JFrame;
@@ -250,6 +252,11 @@ public final class MainWindow extends JFrame {
     public void open(Path file, ControllerSelection controller, ControllerSelection ghostOrNull) {
         controllerChooser.select(controller, ghostOrNull);
         open(file);
+    }
+
+    /** Opens a scenario file asynchronously, given what reads it. */
+    public void open(Path file, Callable<Scenario> reader) {
+        fileController.openWithoutAsking(file, reader);
     }
 
     /** Opens a shipped scenario asynchronously, given the name of its file. */

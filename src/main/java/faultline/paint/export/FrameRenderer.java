@@ -42,8 +42,19 @@ public final class FrameRenderer {
     private static Rectangle2D bounds(Snapshot world) {
         Rectangle2D bounds = new Rectangle2D.Double(0, 0, world.width(), world.height());
         for (Obstacle obstacle : world.obstacles()) {
-            bounds = bounds.createUnion(ObstacleOutlines.worldShape(obstacle).getBounds2D());
+            if (!isWithin(bounds, obstacle)) {
+                bounds =
+                        bounds.createUnion(ObstacleOutlines.worldShape(obstacle).getBounds2D());
+            }
         }
         return bounds;
+    }
+
+    /** Returns whether a circle around an obstacle is within bounds, which is known sooner than its own bounds. */
+    private static boolean isWithin(Rectangle2D bounds, Obstacle obstacle) {
+        double radius = obstacle.shape().boundingRadius();
+        double x = obstacle.pose().x() - radius;
+        double y = obstacle.pose().y() - radius;
+        return bounds.contains(x, y, 2 * radius, 2 * radius);
     }
 }

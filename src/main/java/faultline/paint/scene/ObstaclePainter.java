@@ -1,6 +1,7 @@
 package faultline.paint.scene;
 
 import faultline.geometry.RigidMotion;
+import faultline.geometry.Vector2;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import faultline.paint.surface.Palette;
@@ -8,6 +9,7 @@ import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.Rectangle;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.font.FontRenderContext;
@@ -36,6 +38,9 @@ final class ObstaclePainter {
     /** The reach of an outline, its halo or a selection beyond an obstacle, pixels. */
     private static final double OUTLINE_MARGIN = 4;
 
+    /** The greatest radius of an obstacle that is painted as a dot, pixels. */
+    private static final double MAX_DOT_RADIUS = 1;
+
     private static final FontRenderContext FONT_CONTEXT = new FontRenderContext(null, true, true);
 
     private ObstaclePainter() {}
@@ -56,6 +61,19 @@ final class ObstaclePainter {
             context.draw(shape, outline, SPECULAR_STROKE);
             context.draw(shape, palette.canvas(), HIGHLIGHT_STROKE);
         }
+    }
+
+    /** Returns whether an obstacle is hardly larger than a pixel, so that a dot shows as much as its outline. */
+    static boolean isDot(Camera camera, Obstacle obstacle) {
+        return !obstacle.isMoving() && obstacle.shape().boundingRadius() * camera.scale() < MAX_DOT_RADIUS;
+    }
+
+    /** Paints an obstacle as a dot, many times faster than its outline. */
+    static void paintDot(DrawContext context, Obstacle obstacle) {
+        Vector2 centre = context.camera().toScreen(obstacle.pose().position());
+        context.fill(
+                new Rectangle((int) Math.rint(centre.x()) - 1, (int) Math.rint(centre.y()) - 1, 2, 2),
+                context.palette().obstacleOutline());
     }
 
     /** Returns the bounds of the outline, pixels. */

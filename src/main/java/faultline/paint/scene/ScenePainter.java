@@ -54,8 +54,17 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         BoundsPainter.paint(context, world.width(), world.height(), world.enclosed());
     }
 
+    /** Returns whether an obstacle is so small that it is painted as a dot. */
+    public boolean isDot(Camera camera, Obstacle obstacle) {
+        return !showsLabels() && ObstaclePainter.isDot(camera, obstacle);
+    }
+
     /** Paints an obstacle without its route. */
     public void paintObstacle(DrawContext context, Obstacle obstacle) {
+        if (isDot(context.camera(), obstacle)) {
+            ObstaclePainter.paintDot(context, obstacle);
+            return;
+        }
         ObstaclePainter.paint(context, obstacle);
         if (showsLabels()) {
             ObstaclePainter.paintName(context.withFont(labels.font()), obstacle);

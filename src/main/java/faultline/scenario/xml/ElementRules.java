@@ -72,6 +72,9 @@ public final class ElementRules {
      * @param problems collects what is wrong
      */
     public static void checkAtMostOne(XmlElement node, List<String> names, Problems problems) {
+        if (node.children().size() < 2) {
+            return;
+        }
         Set<String> seen = new HashSet<>();
         for (XmlElement child : node.children()) {
             if (names.contains(child.name()) && !seen.add(child.name())) {

@@ -21,6 +21,7 @@ final class ObstacleReader {
 
     private final Problems problems;
     private final Map<String, Function<AttributeReader, ObstacleShape>> shapeReaders = new LinkedHashMap<>();
+    private final List<String> elementNames;
     private int partCount;
 
     ObstacleReader(Problems problems) {
@@ -36,11 +37,12 @@ final class ObstacleReader {
         shapeReaders.put("polygon", f -> new ObstacleShape.Polygon(readPoints(f, 3)));
         shapeReaders.put("wall", f -> new ObstacleShape.Wall(readPoints(f, 2)));
         shapeReaders.put("plan", f -> new ObstacleShape.Plan(readRings(f)));
+        elementNames = List.copyOf(shapeReaders.keySet());
     }
 
     /** Returns the names of the elements that are obstacles. */
     List<String> elementNames() {
-        return List.copyOf(shapeReaders.keySet());
+        return elementNames;
     }
 
     /** Returns the obstacle of an element whose name is one of {@link #elementNames()}. */

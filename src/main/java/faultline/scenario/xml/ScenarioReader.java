@@ -11,9 +11,14 @@ import faultline.world.Clearance;
 import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Supplier;
 
 /** Reads a scenario, or reports everything that is wrong with it. */
 public final class ScenarioReader {
+
+    /** The size of files that are validated on another thread, bytes. */
+    private static final int LARGE_FILE = 1 << 20;
 
     private static final List<String> CHILD_ELEMENTS =
             List.of("description", "world", "robot", "controller", "timeline", "expect");
@@ -40,9 +45,15 @@ public final class ScenarioReader {
     static ScenarioContent read(String file, byte[] bytes) throws ScenarioException {
         Problems problems = new Problems(file);
         XmlParser parsing = new XmlParser(bytes, problems, XmlFormat.SCENARIO);
-        Optional<ScenarioContent> scenario = parsing.parse().flatMap(root -> new ScenarioReader(problems).read(root));
+        Optional<XmlElement> root = parsing.parse();
+        problems.throwIfAny();
+        // A large file is validated while its elements are read: one takes about as long as the other.
+        Supplier<Optional<XmlParser.SchemaError>> validation = bytes.length < LARGE_FILE
+                ? parsing::findSchemaError
+                : CompletableFuture.supplyAsync(parsing::findSchemaError)::join;
+        Optional<ScenarioContent> scenario = root.flatMap(new ScenarioReader(problems)::read);
         if (problems.isEmpty()) {
-            parsing.reportSchemaError();
+            validation.get().ifPresent(error -> problems.add(error.location(), error.message()));
         }
         problems.throwIfAny();
         return scenario.orElseThrow();

@@ -66,21 +66,30 @@ public final class XmlParser {
         return Optional.empty();
     }
 
-    /**
-     * Reports the first violation of the schema. Only for files without other problems, because the validator is slow
-     * to report many.
-     */
+    /** Reports what {@link #findSchemaError} finds. */
     public void reportSchemaError() {
+        findSchemaError().ifPresent(error -> problems.add(error.location, error.message));
+    }
+
+    /**
+     * Returns the first thing that the schema does not allow. Only for files without other problems, because the
+     * validator is slow to report many. Any thread may call it.
+     */
+    Optional<SchemaError> findSchemaError() {
         try {
             newParser(format.schema()).parse(new ByteArrayInputStream(bytes), new FirstError());
+            return Optional.empty();
         } catch (SAXParseException e) {
-            problems.add(
+            return Optional.of(new SchemaError(
                     new SourceLocation(e.getLineNumber(), e.getColumnNumber()),
-                    ProblemKind.SCHEMA.with(format.schemaFile()));
+                    ProblemKind.SCHEMA.with(format.schemaFile())));
         } catch (SAXException | IOException e) {
-            problems.add(SourceLocation.NONE, ProblemKind.UNREADABLE_XML.with());
+            return Optional.of(new SchemaError(SourceLocation.NONE, ProblemKind.UNREADABLE_XML.with()));
         }
     }
+
+    /** What the schema does not allow, and where. */
+    record SchemaError(SourceLocation location, Message message) {}
 
     /** Ends the pass at the first error. */
     private static final class FirstError extends DefaultHandler {

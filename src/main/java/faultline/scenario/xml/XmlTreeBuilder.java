@@ -35,8 +35,38 @@ final class XmlTreeBuilder extends DefaultHandler {
         }
     }
 
-    /** An element whose end tag has not been read yet. */
-    private record PendingElement(XmlElement node, StringBuilder text) {}
+    /** An element whose end tag has not been read yet. Most have neither children nor text. */
+    private static final class PendingElement {
+        private final String name;
+        private final SourceLocation location;
+        private final Map<String, String> attributes;
+        private List<XmlElement> children = List.of();
+        private StringBuilder text;
+
+        PendingElement(String name, SourceLocation location, Map<String, String> attributes) {
+            this.name = name;
+            this.location = location;
+            this.attributes = attributes;
+        }
+
+        void addChild(XmlElement child) {
+            if (children.isEmpty()) {
+                children = new ArrayList<>();
+            }
+            children.add(child);
+        }
+
+        void addText(char[] buffer, int start, int length) {
+            if (text == null) {
+                text = new StringBuilder();
+            }
+            text.append(buffer, start, length);
+        }
+
+        XmlElement toElement() {
+            return new XmlElement(name, location, attributes, children, text == null ? "" : text.toString());
+        }
+    }
 
     private static final Attributes2 NO_ATTRIBUTES = new org.xml.sax.ext.Attributes2Impl();
 
@@ -65,9 +95,7 @@ final class XmlTreeBuilder extends DefaultHandler {
             throw new LimitExceededException(ProblemKind.TOO_DEEP.with(ScenarioLimits.MAX_DEPTH));
         }
         String name = uri.equals(namespace) ? localName : foreignName(uri, qName);
-        pendingElements.push(new PendingElement(
-                new XmlElement(name, location(), specifiedAttributes(attributes), new ArrayList<>(), ""),
-                new StringBuilder()));
+        pendingElements.push(new PendingElement(name, location(), specifiedAttributes(attributes)));
     }
 
     /** Returns a name with its namespace, so that an element of another namespace cannot pass for one of ours. */
@@ -97,19 +125,16 @@ final class XmlTreeBuilder extends DefaultHandler {
 
     @Override
     public void characters(char[] buffer, int start, int length) {
-        pendingElements.peek().text.append(buffer, start, length);
+        pendingElements.peek().addText(buffer, start, length);
     }
 
     @Override
     public void endElement(String uri, String localName, String qName) {
-        PendingElement done = pendingElements.pop();
-        XmlElement raw = done.node;
-        XmlElement node =
-                new XmlElement(raw.name(), raw.location(), raw.attributes(), raw.children(), done.text.toString());
+        XmlElement node = pendingElements.pop().toElement();
         if (pendingElements.isEmpty()) {
             root = node;
         } else {
-            pendingElements.peek().node.children().add(node);
+            pendingElements.peek().addChild(node);
         }
     }
 
@@ -129,6 +154,6 @@ final class XmlTreeBuilder extends DefaultHandler {
 
     /** Returns the elements that are still open, the innermost first. */
     List<XmlElement> openElements() {
-        return pendingElements.stream().map(PendingElement::node).toList();
+        return pendingElements.stream().map(PendingElement::toElement).toList();
     }
 }

@@ -24,6 +24,7 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** With its cached layers, the canvas looks as if it had been painted at once. No display is needed. */
@@ -75,6 +76,22 @@ class CanvasRenderingTest {
             paint(1);
         }
         assertLooksLikeAFileButForJoints(frame);
+    }
+
+    @Test
+    void aHundredThousandSmallObstaclesAreShownWithinThirtyFrames() {
+        Obstacle[] dots = IntStream.range(0, 99_000)
+                .mapToObj(i -> new Obstacle(
+                        "o" + i,
+                        new ObstacleShape.Circle(0.004),
+                        new Pose(0.1 + i % 330 * 0.0175, 0.1 + i / 330 * 0.0125, 0)))
+                .toArray(Obstacle[]::new);
+        Frame frame = SampleFrames.frameOf(ROBOT, dots);
+        runOnEdt(() -> canvas.setFrame(frame));
+        for (int painted = 0; painted < 29; painted++) {
+            paint(1);
+        }
+        assertEquals(0, Pixels.countDifferent(picture(frame), paint(1)));
     }
 
     @Test

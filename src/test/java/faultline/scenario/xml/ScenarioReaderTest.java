@@ -58,6 +58,16 @@ class ScenarioReaderTest {
             """;
 
     @Test
+    void aFileLargeEnoughToBeValidatedOnAnotherThreadReadsLikeASmallOne() throws ScenarioException {
+        String small = FIRST_EXAMPLE.formatted("0.5");
+        String large = small.replace("</description>", "</description><!--" + " ".repeat(1 << 20) + "-->");
+        assertEquals(SampleScenario.read(small), SampleScenario.read(large));
+        assertEquals(
+                SampleScenario.problems(small.replace("sofa", "desk")),
+                SampleScenario.problems(large.replace("sofa", "desk")));
+    }
+
+    @Test
     void theFirstExampleOfTheFormatReadsAsItStandsButForTheRobotThatTouchesTheNiche() throws ScenarioException {
         assertEquals(
                 List.of("room.xml:13:100: <robot> starts at 1,1 where it touches or overlaps "

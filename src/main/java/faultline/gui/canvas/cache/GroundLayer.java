@@ -29,6 +29,9 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
     /** The number of obstacles without labels that a frame has time for. */
     private static final double OBSTACLES_PER_FRAME = 200;
 
+    /** The number of obstacles painted as dots that a frame has time for. */
+    private static final double DOTS_PER_FRAME = 4000;
+
     /** The cost of everything beneath the obstacles, as a fraction of a frame. */
     private static final double BACKDROP_COST = 0.1;
 
@@ -60,6 +63,11 @@ public record GroundLayer(Snapshot world, List<Obstacle> obstacles, Set<String> 
         int next = Math.max(1, from);
         for (; next < pieceCount() && !budget.isSpent(); next++) {
             Obstacle obstacle = obstacles.get(next - 1);
+            if (painter.isDot(context.camera(), obstacle)) {
+                paint(context, obstacle);
+                budget.spend(1 / DOTS_PER_FRAME);
+                continue;
+            }
             Rectangle2D extent = painter.obstacleBounds(context.camera(), obstacle);
             if (extent.intersects(clip)) {
                 paint(context, obstacle);
