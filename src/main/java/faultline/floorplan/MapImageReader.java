@@ -1,5 +1,6 @@
 package faultline.floorplan;
 
+import faultline.io.ByteCount;
 import faultline.io.MessageText;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
@@ -36,8 +37,8 @@ final class MapImageReader {
                 throw new FloorPlanException(file + ": this is not a regular file; expected an image file");
             }
             if (Files.size(file) > MAX_BYTES) {
-                throw new FloorPlanException(
-                        file + ": the file has " + Files.size(file) + " bytes; expected at most " + MAX_BYTES);
+                throw new FloorPlanException(file + ": the file has " + ByteCount.format(Files.size(file))
+                        + "; expected at most " + ByteCount.format(MAX_BYTES));
             }
             byte[] start = readStart(file);
             if (start.length == 2 && start[0] == 'P' && start[1] >= '1' && start[1] <= '7') {

@@ -1,5 +1,6 @@
 package faultline.floorplan;
 
+import faultline.io.ByteCount;
 import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
 import faultline.io.MessageText;
@@ -63,8 +64,8 @@ final class MapYamlReader {
                 throw new FloorPlanException(file + ": this is not a regular file; expected a map file");
             }
             if (Files.size(file) > MAX_BYTES) {
-                throw new FloorPlanException(
-                        file + ": the file has " + Files.size(file) + " bytes; expected at most " + MAX_BYTES);
+                throw new FloorPlanException(file + ": the file has " + ByteCount.format(Files.size(file))
+                        + "; expected at most " + ByteCount.format(MAX_BYTES));
             }
             return Files.readString(file, StandardCharsets.UTF_8);
         } catch (CharacterCodingException e) {

@@ -127,6 +127,11 @@ final class MainPanel extends JPanel {
         statusBar.setFrame(frame.frame(), now);
     }
 
+    /** Returns the frame that was shown last; null before the first. */
+    SessionFrame shownFrame() {
+        return shownFrame;
+    }
+
     /** Shows what the run of a scenario has come to, and at its end the verdict. */
     void setRun(SessionFrame frame, Session.Status now, Scenario scenario) {
         controlPanel.setRun(frame, now, scenario);

@@ -1,5 +1,7 @@
 package faultline.gui.window;
 
+import faultline.engine.session.Session;
+import faultline.engine.session.SessionFrame;
 import faultline.geometry.Pose;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ComparisonActions;
@@ -48,18 +50,16 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.concurrent.Callable;
 import javax.swing.BoundedRangeModel;
 import javax.swing.DefaultBoundedRangeModel;
 import javax.swing.JFrame;
 import javax.swing.KeyStroke;
-import javax.swing.Timer;
 import javax.swing.WindowConstants;
 
 /** The main window. A timer polls the workspace for the newest frame about sixty times per second. */
 public final class MainWindow extends JFrame {
-
-    private static final int POLL_MILLIS = 16;
 
     private final transient Workspace workspace = new Workspace();
     private final transient RunController runController = new RunController(workspace);
@@ -87,7 +87,9 @@ public final class MainWindow extends JFrame {
     private final transient ProgressDialogs progressDialogs = new ProgressDialogs(this, workspace::cancelTask);
     private final transient ReplayNotifier replayNotifier =
             new ReplayNotifier(runController.navigator(), this::showNote);
-    private final Timer poll = new Timer(POLL_MILLIS, event -> poll());
+    private final transient PollTimer pollTimer = new PollTimer(this::poll);
+    /** The status at the last poll; null before the first. */
+    private transient Session.Status polledStatus;
 
     /** Creates a window without a scenario, not yet visible. */
     public MainWindow(WindowPreferences preferences) {
@@ -126,7 +128,7 @@ public final class MainWindow extends JFrame {
                 exception -> showNote(Dialogs.unreadableFileText(exception)));
         installEditNotifier();
         workspace.addListener(new WorkspaceEvents());
-        poll.start();
+        pollTimer.start();
     }
 
     private void installEditNotifier() {
@@ -237,7 +239,7 @@ public final class MainWindow extends JFrame {
     /** Ends the run with the window. */
     @Override
     public void dispose() {
-        poll.stop();
+        pollTimer.stop();
         fileWatch.close();
         workspace.close();
         super.dispose();
@@ -294,7 +296,9 @@ public final class MainWindow extends JFrame {
         RecoveryPrompt.offerRecovery(recovery, fileController::offerRecovery, otherwise);
     }
 
-    private void poll() {
+    /** Shows the newest state of the run, and returns whether it has changed or may change soon without the user. */
+    private boolean poll() {
+        SessionFrame before = mainPanel.shownFrame();
         workspace.task().ifPresentOrElse(progressDialogs::update, progressDialogs::clear);
         // Status before frame: if the status says paused, the frame is the one at which the run is paused.
         runController.status().ifPresent(status -> runController.frame().ifPresent(frame -> {
@@ -316,6 +320,14 @@ public final class MainWindow extends JFrame {
             });
             runActions.update(status);
         }));
+        Session.Status status = runController.status().orElse(null);
+        boolean changed = !Objects.equals(status, polledStatus) || mainPanel.shownFrame() != before;
+        polledStatus = status;
+        return changed
+                || status == null
+                || status.running()
+                || workspace.task().isPresent()
+                || mainPanel.statusBar().isNoteShown() && status.failure().isEmpty();
     }
 
     /** Responds to events of the workspace. */

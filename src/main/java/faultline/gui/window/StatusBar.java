@@ -106,6 +106,11 @@ final class StatusBar extends JPanel {
         noteFramesLeft = Math.max(MIN_NOTE_FRAMES, NOTE_FRAMES_PER_CHARACTER * sentence.length());
     }
 
+    /** Returns whether a note is shown that will be removed. */
+    boolean isNoteShown() {
+        return noteFramesLeft > 0;
+    }
+
     /** Removes what belongs to the previous session. */
     void reset() {
         shownRefusals = 0;

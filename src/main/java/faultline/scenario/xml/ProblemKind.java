@@ -86,7 +86,7 @@ public enum ProblemKind implements Message.Template {
     /** The path is neither a regular file nor a folder. */
     IRREGULAR_FILE("this is no regular file; expected a {0}"),
     /** The file is too large. */
-    TOO_MANY_BYTES("the file has {0} bytes; expected {1}"),
+    TOO_MANY_BYTES("the file has {0}; expected at most {1}"),
     /** No scenario of that name is part of the program. */
     NOT_SHIPPED("no such scenario ships with the program"),
     /** A scenario that is part of the program cannot be read. */

@@ -1,6 +1,7 @@
 package faultline.scenario.xml;
 
 import faultline.io.AtomicFile;
+import faultline.io.ByteCount;
 import faultline.io.Message;
 import java.io.IOException;
 import java.io.InputStream;
@@ -57,7 +58,10 @@ public final class ScenarioFiles {
             throw problem(name, ProblemKind.IRREGULAR_FILE.with(kind));
         }
         if (Files.size(file) > ScenarioLimits.MAX_BYTES) {
-            throw problem(name, ProblemKind.TOO_MANY_BYTES.with(Files.size(file), ScenarioLimits.MAX_BYTES));
+            throw problem(
+                    name,
+                    ProblemKind.TOO_MANY_BYTES.with(
+                            ByteCount.format(Files.size(file)), ByteCount.format(ScenarioLimits.MAX_BYTES)));
         }
     }
 

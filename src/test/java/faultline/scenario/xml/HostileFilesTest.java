@@ -49,7 +49,7 @@ class HostileFilesTest {
 
     @Test
     void aFileBeyondTheLimitIsRefusedUnread() throws IOException {
-        assertEquals("file.xml: the file has 16777217 bytes; expected 16777216", problemIn(new byte[(16 << 20) + 1]));
+        assertEquals("file.xml: the file has 16.1 MiB; expected at most 16 MiB", problemIn(new byte[(16 << 20) + 1]));
     }
 
     @Test

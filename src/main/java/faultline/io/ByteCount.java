@@ -1,0 +1,27 @@
+package faultline.io;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+
+/** Formats numbers of bytes for readers, in binary units, which have the same names in all languages. */
+public final class ByteCount {
+
+    private static final String[] UNITS = {"B", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
+
+    private ByteCount() {}
+
+    /**
+     * Returns a number of bytes with its unit, at most one decimal and no unnecessary zero, such as 1.5 MiB. It is
+     * rounded up, so that what exceeds a limit also looks larger.
+     */
+    public static String format(long bytes) {
+        int unit = 0;
+        while (unit + 1 < UNITS.length && bytes >> 10 * (unit + 1) > 0) {
+            unit++;
+        }
+        BigDecimal rounded = BigDecimal.valueOf(bytes)
+                .divide(BigDecimal.valueOf(1L << 10 * unit), 1, RoundingMode.UP)
+                .stripTrailingZeros();
+        return rounded.toPlainString() + " " + UNITS[unit];
+    }
+}
