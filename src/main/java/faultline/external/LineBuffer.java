@@ -17,7 +17,7 @@ final class LineBuffer {
     /** Up to here no line break was found. */
     private int searched;
 
-    /** Reads what is there, and waits for at least one byte. Returns whether the stream goes on. */
+    /** Reads the available bytes, at least one. Returns false at the end of the stream. */
     boolean fill(InputStream in) throws IOException {
         if (begin > 0 && end == bytes.length) {
             System.arraycopy(bytes, begin, bytes, 0, end - begin);

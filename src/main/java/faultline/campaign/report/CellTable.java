@@ -55,7 +55,7 @@ final class CellTable {
         return header;
     }
 
-    /** Returns the columns whose values make a cell, but for the rung. */
+    /** Returns the columns whose values make a cell, except the rung. */
     List<String> labelColumns() {
         List<String> header = new ArrayList<>();
         levels.forEach(factor -> header.add(factor.columns().get(0).name()));

@@ -65,7 +65,7 @@ public final class CampaignFolder {
     }
 
     /**
-     * {@return the files of this campaign that exist, but for those that it is only locked by}
+     * {@return the files of this campaign that exist, except those that only lock it}
      *
      * @throws IOException if the folder cannot be read
      */

@@ -15,8 +15,8 @@ import java.util.Locale;
 
 /**
  * The two tables of a campaign while it is made: rows are appended in the order of the runs, so that what is on the
- * disk is always the beginning of the finished table, but for a last row that a killed process did not end. Opening a
- * begun table cuts such a row off.
+ * disk is always the beginning of the finished table, except for a last row that a killed process did not end. Opening
+ * a begun table cuts such a row off.
  */
 final class RunTable implements Closeable {
 
