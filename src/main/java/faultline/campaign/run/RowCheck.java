@@ -14,7 +14,7 @@ public final class RowCheck {
     private RowCheck() {}
 
     /**
-     * Returns what is wrong in a row, as the end of a sentence; empty if the row can be used.
+     * {@return what is wrong in a row, as the end of a sentence; empty if the row can be used}
      *
      * @param cell returns the text of a column, empty if there is no such column
      */
