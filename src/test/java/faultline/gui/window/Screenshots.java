@@ -191,7 +191,7 @@ public final class Screenshots {
     private void prepare(double seconds) {
         inject("rear-right");
         driver.choose("sensor5");
-        for (int i = 0; i < 12; i++) {
+        for (int i = 0; i < 7; i++) {
             driver.choose("faster");
         }
         driver.choose("run");
