@@ -97,7 +97,7 @@ public final class GuiLauncher {
         Messages.setLanguage(preferences.language());
         SwingMessages.install();
         preferences.textSize().install();
-        preferences.theme().install();
+        preferences.themeChoice().theme().install();
         MainWindow window = new MainWindow(preferences);
         // The scenario is read while the window is laid out and painted for the first time.
         scenario.accept(window);

@@ -5,7 +5,6 @@ import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import java.awt.Component;
-import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JOptionPane;
 
@@ -14,26 +13,19 @@ public final class PreferenceActions {
 
     private final Component parent;
     private final WindowPreferences preferences;
+    private final ActionRegistry actions;
 
-    public PreferenceActions(Component parent, WindowPreferences preferences) {
+    public PreferenceActions(Component parent, WindowPreferences preferences, ActionRegistry actions) {
         this.parent = parent;
         this.preferences = preferences;
+        this.actions = actions;
+        addToggles("language", Language.values(), preferences.language(), this::setLanguage);
+        addToggles("textSize", TextSize.values(), preferences.textSize(), this::setTextSize);
     }
 
-    public void addTo(ActionRegistry actions) {
-        toggleGroup("language", Language.values(), preferences.language(), preferences::setLanguage)
-                .forEach(actions::add);
-        toggleGroup("textSize", TextSize.values(), preferences.textSize(), preferences::setTextSize)
-                .forEach(actions::add);
-    }
-
-    private <E extends Enum<E>> List<UiAction> toggleGroup(String group, E[] options, E current, Consumer<E> setter) {
-        UiAction[] actions = new UiAction[options.length];
-        for (int i = 0; i < options.length; i++) {
-            E option = options[i];
-            String key = UiAction.key(group, option);
-            actions[i] = UiAction.toggle(key, option == current, on -> {
-                List.of(actions).forEach(action -> action.setOn(action.key().equals(key)));
+    private <E extends Enum<E>> void addToggles(String group, E[] options, E current, Consumer<E> setter) {
+        for (E option : options) {
+            actions.add(UiAction.toggle(UiAction.key(group, option), option == current, on -> {
                 setter.accept(option);
                 if (option != current) {
                     JOptionPane.showMessageDialog(
@@ -42,8 +34,30 @@ public final class PreferenceActions {
                             Messages.get("choice.title"),
                             JOptionPane.INFORMATION_MESSAGE);
                 }
-            });
+            }));
         }
-        return List.of(actions);
+    }
+
+    /** Stores the language of the next window. */
+    public void setLanguage(Language language) {
+        preferences.setLanguage(language);
+        select("language", Language.values(), language);
+    }
+
+    /** Stores the text size of the next window. */
+    public void setTextSize(TextSize size) {
+        preferences.setTextSize(size);
+        select("textSize", TextSize.values(), size);
+    }
+
+    private <E extends Enum<E>> void select(String group, E[] options, E chosen) {
+        for (E option : options) {
+            actions.get(UiAction.key(group, option)).setOn(option == chosen);
+        }
+    }
+
+    /** Returns the name of the action that chooses an option. */
+    public <E extends Enum<E>> String name(String group, E option) {
+        return actions.get(UiAction.key(group, option)).name();
     }
 }

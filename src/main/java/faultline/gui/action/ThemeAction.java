@@ -4,39 +4,56 @@ import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.Theme;
-import javax.swing.JFrame;
+import faultline.gui.theme.ThemeChoice;
+import java.awt.EventQueue;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
 
-/** Switches between the light and the dark theme. */
+/** Switches between the light and the dark theme, or follows the desktop. */
 public final class ThemeAction {
 
-    private final JFrame window;
     private final SimulationCanvas canvas;
     private final WindowPreferences preferences;
-    private final UiAction darkAction =
-            UiAction.toggle("dark", Theme.current() == Theme.DARK, on -> switchTo(on ? Theme.DARK : Theme.LIGHT));
+    private final UiAction darkAction = UiAction.toggle(
+            "dark", Theme.current() == Theme.DARK, on -> choose(on ? ThemeChoice.DARK : ThemeChoice.LIGHT));
 
-    public ThemeAction(JFrame window, SimulationCanvas canvas, WindowPreferences preferences) {
-        this.window = window;
+    public ThemeAction(SimulationCanvas canvas, WindowPreferences preferences) {
         this.canvas = canvas;
         this.preferences = preferences;
-        updateIcon();
+        updateAction();
+        Toolkit.getDefaultToolkit()
+                .addPropertyChangeListener(
+                        ThemeChoice.DESKTOP_PROPERTY, event -> EventQueue.invokeLater(this::followDesktop));
     }
 
     public UiAction action() {
         return darkAction;
     }
 
-    private void switchTo(Theme theme) {
+    /** Stores a choice and shows its theme. */
+    public void choose(ThemeChoice choice) {
+        preferences.setThemeChoice(choice);
+        show(choice.theme());
+    }
+
+    private void followDesktop() {
+        if (preferences.themeChoice() == ThemeChoice.DESKTOP) {
+            show(ThemeChoice.DESKTOP.theme());
+        }
+    }
+
+    private void show(Theme theme) {
         theme.install();
-        updateIcon();
+        updateAction();
         canvas.setPalette(theme.palette());
-        SwingUtilities.updateComponentTreeUI(window);
-        preferences.setTheme(theme);
+        Stream.of(Window.getWindows()).filter(Window::isDisplayable).forEach(SwingUtilities::updateComponentTreeUI);
     }
 
     /** Shows the theme that the action switches to. */
-    private void updateIcon() {
+    private void updateAction() {
+        darkAction.setOn(Theme.current() == Theme.DARK);
         darkAction.withIcon(Theme.current() == Theme.DARK ? Glyph.SUN : Glyph.MOON);
     }
 }

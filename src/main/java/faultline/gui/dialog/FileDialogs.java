@@ -2,6 +2,7 @@ package faultline.gui.dialog;
 
 import faultline.gui.properties.FloorPlanFiles;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.EmptyToolTips;
 import java.awt.Component;
 import java.io.File;
 import java.nio.file.Files;
@@ -123,6 +124,7 @@ final class FileDialogs {
         @Override
         protected JDialog createDialog(Component parent) {
             JDialog dialog = super.createDialog(parent);
+            EmptyToolTips.disable(dialog);
             dialog.getRootPane()
                     .registerKeyboardAction(
                             event -> cancelSelection(),

@@ -1,6 +1,7 @@
 package faultline.gui.dialog;
 
 import faultline.gui.text.Messages;
+import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -56,6 +57,7 @@ final class TableDialog extends JDialog {
         content.add(createScrollPane(table, title), BorderLayout.CENTER);
         content.add(createButtons(), BorderLayout.SOUTH);
         setContentPane(content);
+        EmptyToolTips.disable(content);
         ScreenFit.pack(this);
         setLocationRelativeTo(owner);
     }

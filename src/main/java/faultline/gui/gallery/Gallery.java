@@ -2,6 +2,7 @@ package faultline.gui.gallery;
 
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.Theme;
 import java.awt.BorderLayout;
@@ -56,8 +57,10 @@ public final class Gallery extends JDialog {
      * @param onOpen called with the file name of the selected example
      * @param atStart whether the gallery is shown at start
      * @param atStartChanged called when the user changes that
+     * @param onTour called when the user asks for the tour, after the gallery is closed
      */
-    public Gallery(Window owner, Consumer<String> onOpen, boolean atStart, Consumer<Boolean> atStartChanged) {
+    public Gallery(
+            Window owner, Consumer<String> onOpen, boolean atStart, Consumer<Boolean> atStartChanged, Runnable onTour) {
         super(owner, Messages.get("gallery.title"), ModalityType.APPLICATION_MODAL);
         assert EventQueue.isDispatchThread();
         this.onOpen = onOpen;
@@ -65,8 +68,9 @@ public final class Gallery extends JDialog {
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
         content.add(heading(), BorderLayout.NORTH);
         content.add(scroll(), BorderLayout.CENTER);
-        content.add(footer(atStart, atStartChanged), BorderLayout.SOUTH);
+        content.add(footer(atStart, atStartChanged, onTour), BorderLayout.SOUTH);
         setContentPane(content);
+        EmptyToolTips.disable(content);
         getRootPane()
                 .registerKeyboardAction(
                         event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
@@ -93,13 +97,13 @@ public final class Gallery extends JDialog {
         search.getDocument().addDocumentListener(new SearchListener(search));
         JLabel searchLabel = new JLabel(Messages.get("gallery.search"));
         searchLabel.setLabelFor(search);
-        JPanel controls = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));
+        JPanel controls = new JPanel(new FlowLayout(FlowLayout.LEADING, 8, 0));
         controls.add(searchLabel);
         controls.add(search);
         controls.add(group);
-        JPanel heading = new JPanel(new BorderLayout());
-        heading.add(new JLabel(Messages.get("gallery.heading")), BorderLayout.LINE_START);
-        heading.add(controls, BorderLayout.LINE_END);
+        JPanel heading = new JPanel(new BorderLayout(0, 8));
+        heading.add(new JLabel(Messages.get("gallery.heading")), BorderLayout.NORTH);
+        heading.add(controls, BorderLayout.LINE_START);
         return heading;
     }
 
@@ -163,7 +167,7 @@ public final class Gallery extends JDialog {
         return scroll;
     }
 
-    private JPanel footer(boolean atStart, Consumer<Boolean> atStartChanged) {
+    private JPanel footer(boolean atStart, Consumer<Boolean> atStartChanged, Runnable onTour) {
         description.setLineWrap(true);
         description.setWrapStyleWord(true);
         description.setEditable(false);
@@ -174,14 +178,19 @@ public final class Gallery extends JDialog {
         again.addActionListener(event -> atStartChanged.accept(again.isSelected()));
         JPanel row = new JPanel(new BorderLayout());
         row.add(again, BorderLayout.LINE_START);
-        row.add(buttons(), BorderLayout.LINE_END);
+        row.add(buttons(onTour), BorderLayout.LINE_END);
         JPanel foot = new JPanel(new BorderLayout(0, 8));
         foot.add(description, BorderLayout.CENTER);
         foot.add(row, BorderLayout.SOUTH);
         return foot;
     }
 
-    private JPanel buttons() {
+    private JPanel buttons(Runnable onTour) {
+        JButton tour = new JButton(Messages.get("gallery.tour"));
+        tour.addActionListener(event -> {
+            dispose();
+            onTour.run();
+        });
         JButton open = new JButton(Messages.get("gallery.open"));
         open.setEnabled(false);
         open.addActionListener(event -> open());
@@ -190,6 +199,7 @@ public final class Gallery extends JDialog {
         close.addActionListener(event -> dispose());
         getRootPane().setDefaultButton(open);
         JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));
+        buttons.add(tour);
         buttons.add(open);
         buttons.add(close);
         return buttons;

@@ -106,6 +106,16 @@ public final class ControlPanel extends JPanel {
         return TextSize.scaled(WIDTH);
     }
 
+    /** Returns the fields of the selected sensor with its faults. */
+    public JComponent sensorDetails() {
+        return sensorDetails;
+    }
+
+    /** Returns the panel of the run with the health of the sensors. */
+    public JComponent runPanel() {
+        return run;
+    }
+
     /** Shows a snapshot of the world. */
     public void setSnapshot(Snapshot world) {
         assert EventQueue.isDispatchThread();

@@ -5,9 +5,10 @@ import java.awt.Dimension;
 import javax.swing.JLabel;
 
 /** A label of less emphasis: a unit or a column heading. */
-final class MutedLabel extends JLabel {
+public final class MutedLabel extends JLabel {
 
-    MutedLabel(String text) {
+    /** Creates a label. */
+    public MutedLabel(String text) {
         super(text);
     }
 

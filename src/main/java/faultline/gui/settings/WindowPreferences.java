@@ -2,7 +2,7 @@ package faultline.gui.settings;
 
 import faultline.gui.text.Language;
 import faultline.gui.theme.TextSize;
-import faultline.gui.theme.Theme;
+import faultline.gui.theme.ThemeChoice;
 import faultline.paint.scene.PathStyle;
 import java.awt.Rectangle;
 import java.util.Optional;
@@ -78,12 +78,12 @@ public final class WindowPreferences {
     }
 
     /** Returns the chosen theme, light by default. */
-    public Theme theme() {
-        return store.get(THEME).equals(Theme.DARK.name()) ? Theme.DARK : Theme.LIGHT;
+    public ThemeChoice themeChoice() {
+        return readEnum(THEME, ThemeChoice.class, ThemeChoice.LIGHT);
     }
 
-    public void setTheme(Theme theme) {
-        store.put(THEME, theme.name());
+    public void setThemeChoice(ThemeChoice choice) {
+        store.put(THEME, choice.name());
     }
 
     /** Returns the chosen language, English by default. */

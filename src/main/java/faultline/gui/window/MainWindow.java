@@ -22,6 +22,7 @@ import faultline.gui.dialog.AppIcon;
 import faultline.gui.dialog.ControllerChooser;
 import faultline.gui.dialog.Dialogs;
 import faultline.gui.dialog.FileController;
+import faultline.gui.dialog.PreferencesDialog;
 import faultline.gui.dialog.ProgressDialogs;
 import faultline.gui.dialog.SpeedDialog;
 import faultline.gui.document.Autosave;
@@ -43,6 +44,7 @@ import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
+import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -50,6 +52,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import javax.swing.BoundedRangeModel;
@@ -60,6 +63,8 @@ import javax.swing.WindowConstants;
 
 /** The main window. A timer polls the workspace for the newest frame about sixty times per second. */
 public final class MainWindow extends JFrame {
+
+    private static final int SIMULATION_MENU = 3;
 
     private final transient Workspace workspace = new Workspace();
     private final transient RunController runController = new RunController(workspace);
@@ -82,6 +87,7 @@ public final class MainWindow extends JFrame {
     private final transient WindowPreferences preferences;
     private final MainPanel mainPanel;
     private final transient WindowBounds windowBounds;
+    private final TourCard tour;
     private final transient ComparisonActions comparisonActions;
     private final transient FileWatch fileWatch;
     private final transient ProgressDialogs progressDialogs = new ProgressDialogs(this, workspace::cancelTask);
@@ -113,6 +119,7 @@ public final class MainWindow extends JFrame {
         setJMenuBar(Menus.createMenuBar(actionRegistry));
         getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), fileController::open), 2);
         setContentPane(mainPanel);
+        tour = createTour();
         setIconImages(AppIcon.images());
         setTransferHandler(new FileDropHandler(fileController::open));
         setTitle(fileController.documentTitle());
@@ -139,6 +146,7 @@ public final class MainWindow extends JFrame {
 
     private void addActions() {
         fileController.addTo(actionRegistry, this::quit);
+        actionRegistry.add(UiAction.of("tour", this::startTour));
         actionRegistry.add(UiAction.of("examples", this::showExamples)
                 .withAccelerator(Keystrokes.menuShiftShortcut(KeyEvent.VK_O)));
         new ScenarioActions(this, workspace, scenarioEditor, fileController::openNew).addTo(actionRegistry);
@@ -168,8 +176,10 @@ public final class MainWindow extends JFrame {
         controllerChooser.addTo(actionRegistry);
         new BatchActions(this, fileController, controllerChooser).addTo(actionRegistry);
         dialogs.addTo(actionRegistry);
-        new PreferenceActions(this, preferences).addTo(actionRegistry);
-        actionRegistry.add(new ThemeAction(this, canvas, preferences).action());
+        PreferenceActions later = new PreferenceActions(this, preferences, actionRegistry);
+        ThemeAction theme = new ThemeAction(canvas, preferences);
+        actionRegistry.add(theme.action());
+        PreferencesDialog.addTo(actionRegistry, this, preferences, later, theme);
     }
 
     private boolean commitPendingEdit() {
@@ -277,8 +287,29 @@ public final class MainWindow extends JFrame {
                         this,
                         fileController::openShipped,
                         preferences.isGalleryShownAtStart(),
-                        preferences::setGalleryShownAtStart)
+                        preferences::setGalleryShownAtStart,
+                        this::startTour)
                 .setVisible(true);
+    }
+
+    private TourCard createTour() {
+        TourMarker marker = new TourMarker();
+        setGlassPane(marker);
+        TourCard card = new TourCard(
+                List.of(
+                        new TourCard.Step("break", mainPanel.controlPanel().sensorDetails()),
+                        new TourCard.Step("health", mainPanel.controlPanel().runPanel()),
+                        new TourCard.Step("timeline", mainPanel.timeline().lanes()),
+                        new TourCard.Step("ghost", getJMenuBar().getMenu(SIMULATION_MENU))),
+                marker::setTarget);
+        canvas.add(card, BorderLayout.SOUTH);
+        return card;
+    }
+
+    private void startTour() {
+        setTimelineShown(true);
+        actionRegistry.get("timeline").setOn(true);
+        tour.start();
     }
 
     /**

@@ -27,12 +27,13 @@ final class Menus {
         JMenuBar bar = new GuardedMenuBar();
         bar.add(menus.createFileMenu());
         bar.add(menus.createMenu(
-                "edit", "undo redo - cut copy paste duplicate delete - selectAll selectNext selectPrevious"));
+                "edit",
+                "undo redo - cut copy paste duplicate delete - selectAll selectNext selectPrevious - preferences"));
         bar.add(menus.createViewMenu());
         bar.add(menus.createSimulationMenu());
         String palette = String.join(" ", ObstacleActions.PALETTE_KEYS);
         bar.add(menus.createMenu("obstacles", palette + " - drawWay waySpeed standStill - snapGrid snapAngle"));
-        bar.add(menus.createMenu("help", "guide shortcuts - about"));
+        bar.add(menus.createMenu("help", "tour guide shortcuts - about"));
         return bar;
     }
 

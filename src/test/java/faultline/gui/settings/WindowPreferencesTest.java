@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.theme.TextSize;
-import faultline.gui.theme.Theme;
+import faultline.gui.theme.ThemeChoice;
 import java.awt.Rectangle;
 import java.util.HashMap;
 import java.util.Map;
@@ -20,10 +20,10 @@ class WindowPreferencesTest {
 
     @Test
     void storedPreferencesAreRestored() {
-        preferences.setTheme(Theme.DARK);
+        preferences.setThemeChoice(ThemeChoice.DARK);
         preferences.setBounds(new Rectangle(-20, 30, 1200, 800));
         preferences.setPanelWidth(410);
-        assertEquals(Theme.DARK, preferences.theme());
+        assertEquals(ThemeChoice.DARK, preferences.themeChoice());
         assertEquals(Optional.of(new Rectangle(-20, 30, 1200, 800)), preferences.bounds());
         assertEquals(Optional.of(410), preferences.panelWidth());
     }
@@ -53,7 +53,7 @@ class WindowPreferencesTest {
     @Test
     void damagedPreferencesAreIgnored() {
         store.putAll(Map.of("theme", "PINK", "bounds", "1 2 x 4", "divider", "-5"));
-        assertEquals(Theme.LIGHT, preferences.theme());
+        assertEquals(ThemeChoice.LIGHT, preferences.themeChoice());
         assertEquals(Optional.empty(), preferences.bounds());
         assertEquals(Optional.empty(), preferences.panelWidth());
     }
@@ -61,8 +61,8 @@ class WindowPreferencesTest {
     @Test
     void nonPersistentPreferencesKeepNothing() {
         WindowPreferences none = WindowPreferences.nonPersistent();
-        none.setTheme(Theme.DARK);
-        assertEquals(Theme.LIGHT, none.theme());
+        none.setThemeChoice(ThemeChoice.DARK);
+        assertEquals(ThemeChoice.LIGHT, none.themeChoice());
         assertEquals(Optional.empty(), none.bounds());
     }
 }

@@ -24,6 +24,7 @@ import javax.swing.JDialog;
 import javax.swing.JList;
 import javax.swing.JTable;
 import javax.swing.JToggleButton;
+import javax.swing.ToolTipManager;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -70,11 +71,36 @@ class DialogAccessRobotTest {
         "saveAs, Save scenario",
         "saveJournal, Save journal",
         "exportPng, Export image",
-        "examples, Examples"
+        "examples, Examples",
+        "preferences, Preferences"
     })
     void aDialogOfAnActionIsNamedReachedAndClosedByKeys(String action, String title) {
         driver.chooseLater(action);
         check(title);
+    }
+
+    /** The tool tip manager consumes Escape while it believes that it shows a tip. */
+    @ParameterizedTest
+    @CsvSource({"shortcuts, Keyboard and mouse", "examples, Examples"})
+    void escapeClosesADialogAlsoWhileTheMouseRestsOnIt(String action, String title) {
+        ToolTipManager tips = ToolTipManager.sharedInstance();
+        int delay = callOnEdt(tips::getInitialDelay);
+        runOnEdt(() -> tips.setInitialDelay(0));
+        driver.robot().moveTo(driver.canvas(), 300, 200);
+        driver.robot().moveTo(driver.canvas(), 310, 205);
+        driver.chooseLater(action);
+        JDialog dialog = driver.dialog(title);
+        Component list = callOnEdt(() -> controls(dialog)
+                .filter(part -> part instanceof JTable || part instanceof JList)
+                .findFirst()
+                .orElseThrow());
+        driver.robot().moveSmoothly(list, 20, 20, 60, 50);
+        driver.robot().waitForPaint();
+        runOnEdt(list::requestFocusInWindow);
+        driver.robot().waitFor("the list has the focus", list::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+        runOnEdt(() -> tips.setInitialDelay(delay));
     }
 
     @Test

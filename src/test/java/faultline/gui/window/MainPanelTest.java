@@ -77,6 +77,19 @@ import org.junit.jupiter.params.provider.MethodSource;
 class MainPanelTest {
 
     /** The number of frames that the canvas may take to paint everything on a slow machine. */
+    /** The actions in menus that the window itself provides. */
+    private static final List<String> OTHER_ACTIONS = List.of(
+            "nextArea",
+            "previousArea",
+            "new",
+            "properties",
+            "chooseController",
+            "batch",
+            "compareController",
+            "examples",
+            "preferences",
+            "tour");
+
     private static final int MAX_FRAMES = 20;
 
     private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, null, null);
@@ -120,9 +133,8 @@ class MainPanelTest {
             new RunActions(run, speed).addTo(actions);
             new Dialogs(null).addTo(actions);
             Stream.of("instruments", "timeline").forEach(key -> actions.add(UiAction.toggle(key, true, shown -> {})));
-            Stream.of("nextArea", "previousArea", "new", "properties", "chooseController", "examples")
-                    .forEach(key -> actions.add(UiAction.of(key, () -> {})));
-            new PreferenceActions(null, WindowPreferences.nonPersistent()).addTo(actions);
+            OTHER_ACTIONS.forEach(key -> actions.add(UiAction.of(key, () -> {})));
+            new PreferenceActions(null, WindowPreferences.nonPersistent(), actions);
             mainPanel = createMainPanel(run, edits, speed, bench);
             new ComparisonActions(new ComparisonController(bench, run.navigator()), mainPanel::setReferenceRun)
                     .addTo(actions, Optional::empty);

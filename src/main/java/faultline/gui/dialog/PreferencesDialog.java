@@ -1,0 +1,121 @@
+package faultline.gui.dialog;
+
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.Keystrokes;
+import faultline.gui.action.PreferenceActions;
+import faultline.gui.action.ThemeAction;
+import faultline.gui.action.UiAction;
+import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.MutedLabel;
+import faultline.gui.panel.NamedChoice;
+import faultline.gui.settings.WindowPreferences;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.ScreenFit;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.ThemeChoice;
+import java.awt.BorderLayout;
+import java.awt.FlowLayout;
+import java.awt.GridBagLayout;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+
+/**
+ * All remembered settings in one modal dialog. A change takes effect at once or, where a note says so, at the next
+ * start.
+ */
+public final class PreferencesDialog extends JDialog {
+
+    private static final List<String> TOGGLES =
+            List.of("timeline", "instruments", "pathStates", "pathFaults", "snapGrid", "snapAngle");
+
+    private final JPanel form = new JPanel(new GridBagLayout());
+    private int row;
+
+    private PreferencesDialog(
+            Window owner,
+            ActionRegistry actions,
+            WindowPreferences preferences,
+            PreferenceActions later,
+            ThemeAction theme) {
+        super(owner, Messages.get("preferences.title"), ModalityType.APPLICATION_MODAL);
+        addChoice(
+                "preferences.theme",
+                ThemeChoice.values(),
+                preferences.themeChoice(),
+                choice -> Messages.get("preferences.theme." + choice.name()),
+                theme::choose);
+        addChoice(
+                "preferences.language",
+                Language.values(),
+                preferences.language(),
+                option -> later.name("language", option),
+                later::setLanguage);
+        addChoice(
+                "preferences.textSize",
+                TextSize.values(),
+                preferences.textSize(),
+                option -> later.name("textSize", option),
+                later::setTextSize);
+        form.add(new MutedLabel(Messages.get("preferences.later")), FormConstraints.fillRow(1, row++));
+        JCheckBox gallery = new JCheckBox(Messages.get("preferences.gallery"), preferences.isGalleryShownAtStart());
+        gallery.addActionListener(event -> preferences.setGalleryShownAtStart(gallery.isSelected()));
+        form.add(gallery, FormConstraints.fillRow(1, row++));
+        TOGGLES.forEach(key -> form.add(createToggle(actions.get(key)), FormConstraints.fillRow(1, row++)));
+        JPanel content = new JPanel(new BorderLayout(0, 16));
+        content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
+        content.add(form, BorderLayout.CENTER);
+        content.add(createButtons(), BorderLayout.SOUTH);
+        setContentPane(content);
+        ScreenFit.pack(this);
+        setLocationRelativeTo(owner);
+    }
+
+    /** Adds the action that shows the dialog. */
+    public static void addTo(
+            ActionRegistry actions,
+            Window owner,
+            WindowPreferences preferences,
+            PreferenceActions later,
+            ThemeAction theme) {
+        actions.add(UiAction.of("preferences", () -> new PreferencesDialog(owner, actions, preferences, later, theme)
+                        .setVisible(true))
+                .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_COMMA)));
+    }
+
+    private <E> void addChoice(String key, E[] options, E current, Function<E, String> name, Consumer<E> onChange) {
+        NamedChoice<E> choice = new NamedChoice<>(options, name, onChange);
+        choice.setValue(current);
+        choice.getAccessibleContext().setAccessibleName(Messages.get(key));
+        form.add(FormConstraints.label(key, choice), FormConstraints.cell(0, row));
+        form.add(choice, FormConstraints.fillRow(1, row++));
+    }
+
+    private static JCheckBox createToggle(UiAction action) {
+        JCheckBox box = new JCheckBox(action);
+        box.setToolTipText(null);
+        return box;
+    }
+
+    private JPanel createButtons() {
+        JButton close = new JButton(Messages.get("dialog.close"));
+        close.addActionListener(event -> dispose());
+        getRootPane().setDefaultButton(close);
+        getRootPane()
+                .registerKeyboardAction(
+                        event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 0, 0));
+        buttons.add(close);
+        return buttons;
+    }
+}

@@ -1,0 +1,130 @@
+package faultline.gui.window;
+
+import faultline.gui.text.Messages;
+import faultline.gui.theme.Theme;
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Container;
+import java.awt.FlowLayout;
+import java.awt.Font;
+import java.awt.Rectangle;
+import java.awt.event.MouseAdapter;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+
+/**
+ * The tour of the window: a card in the canvas that explains one step at a time and marks the control concerned. The
+ * program can be used while it is open. Escape closes it.
+ */
+final class TourCard extends JPanel {
+
+    private static final int GAP = 8;
+    private static final int MIN_WIDTH = 240;
+
+    /**
+     * A step of the tour.
+     *
+     * @param key the end of the keys of its texts
+     * @param target the control to use
+     */
+    record Step(String key, JComponent target) {}
+
+    private final transient List<Step> steps;
+    private final transient Consumer<JComponent> marker;
+    private final JLabel title = new JLabel();
+    private final JTextArea text = new JTextArea();
+    private final JButton back = new JButton(Messages.get("tour.back"));
+    private final JButton next = new JButton(Messages.get("tour.next"));
+    private final JButton close = new JButton(Messages.get("dialog.close"));
+    private int shown;
+
+    /**
+     * Creates a card that is not visible.
+     *
+     * @param steps the steps in order
+     * @param marker marks a control in the window, or none if it receives null
+     */
+    TourCard(List<Step> steps, Consumer<JComponent> marker) {
+        super(new BorderLayout(0, GAP));
+        this.steps = steps;
+        this.marker = marker;
+        close.addActionListener(event -> close());
+        back.addActionListener(event -> show(shown - 1));
+        next.addActionListener(event -> show(shown + 1));
+        registerKeyboardAction(event -> close(), KeyStroke.getKeyStroke("ESCAPE"), WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
+        title.setFont(title.getFont().deriveFont(Font.BOLD));
+        text.setEditable(false);
+        text.setFocusable(false);
+        text.setLineWrap(true);
+        text.setWrapStyleWord(true);
+        text.setOpaque(false);
+        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, GAP, 0));
+        buttons.setOpaque(false);
+        List.of(back, next, close).forEach(buttons::add);
+        add(title, BorderLayout.NORTH);
+        add(text, BorderLayout.CENTER);
+        add(buttons, BorderLayout.SOUTH);
+        // Clicks must not reach the canvas below.
+        addMouseListener(new MouseAdapter() {});
+        setVisible(false);
+    }
+
+    /** Shows the first step and gives the focus to the button for the next one. */
+    void start() {
+        setVisible(true);
+        show(0);
+    }
+
+    private void close() {
+        Container canvas = getParent();
+        setVisible(false);
+        marker.accept(null);
+        canvas.requestFocusInWindow();
+    }
+
+    private void show(int step) {
+        shown = step;
+        Step now = steps.get(step);
+        String name = Messages.get("tour." + now.key());
+        title.setText(Messages.get("tour.title", Integer.toString(step + 1), Integer.toString(steps.size()), name));
+        text.setText(Messages.get("tour." + now.key() + ".text"));
+        text.setSize(Math.max(MIN_WIDTH, getParent().getWidth() - 4 * GAP), Short.MAX_VALUE);
+        getAccessibleContext().setAccessibleName(title.getText());
+        getAccessibleContext().setAccessibleDescription(text.getText());
+        back.setEnabled(step > 0);
+        next.setEnabled(step < steps.size() - 1);
+        (next.isEnabled() ? next : close).requestFocusInWindow();
+        reveal(now.target());
+        marker.accept(now.target());
+        getParent().revalidate();
+    }
+
+    /** Selects the tabs that contain a control and scrolls to it. */
+    private static void reveal(JComponent control) {
+        for (Container part = control; part.getParent() != null; part = part.getParent()) {
+            if (part.getParent() instanceof JTabbedPane tabs) {
+                tabs.setSelectedComponent(part);
+            }
+        }
+        SwingUtilities.invokeLater(
+                () -> control.scrollRectToVisible(new Rectangle(control.getWidth(), control.getHeight())));
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        Color edge = Theme.currentColours().accent();
+        setBackground(Theme.currentColours().field());
+        setBorder(BorderFactory.createCompoundBorder(
+                BorderFactory.createLineBorder(edge, 2), BorderFactory.createEmptyBorder(GAP, GAP, GAP, GAP)));
+    }
+}
