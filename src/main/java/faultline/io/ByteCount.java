@@ -11,8 +11,10 @@ public final class ByteCount {
     private ByteCount() {}
 
     /**
-     * Returns a number of bytes with its unit, at most one decimal and no unnecessary zero, such as 1.5 MiB. It is
+     * {@return a number of bytes with its unit, at most one decimal and no unnecessary zero, such as 1.5 MiB} It is
      * rounded up, so that what exceeds a limit also looks larger.
+     *
+     * @param bytes the number of bytes, not negative
      */
     public static String format(long bytes) {
         int unit = 0;
