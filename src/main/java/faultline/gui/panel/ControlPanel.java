@@ -31,7 +31,7 @@ import javax.swing.SwingUtilities;
 public final class ControlPanel extends JPanel {
 
     private static final int WHEEL_STEP = 16;
-    private static final int WIDTH = 450;
+    private static final int WIDTH = 458;
 
     private final RobotPanel robot;
     private final SensorsPanel sensors;
