@@ -14,6 +14,7 @@ import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JOptionPane;
 
@@ -23,6 +24,7 @@ public final class BatchActions {
     private final Window owner;
     private final FileController files;
     private final ControllerChooser controllers;
+    private final Consumer<String> note;
 
     /**
      * Creates the actions of a window.
@@ -30,11 +32,13 @@ public final class BatchActions {
      * @param owner the window
      * @param files holds the open scenario, opens runs and asks for files
      * @param controllers selects the controller of the runs of the window
+     * @param note shows a sentence to the user
      */
-    public BatchActions(Window owner, FileController files, ControllerChooser controllers) {
+    public BatchActions(Window owner, FileController files, ControllerChooser controllers, Consumer<String> note) {
         this.owner = owner;
         this.files = files;
         this.controllers = controllers;
+        this.note = note;
     }
 
     /** Adds the actions to a registry. */
@@ -51,14 +55,9 @@ public final class BatchActions {
         Stream.of(owner.getOwnedWindows())
                 .filter(BatchDialog.class::isInstance)
                 .map(BatchDialog.class::cast)
-                .filter(dialog -> dialog.isShowing() && dialog.isFor(open))
+                .filter(dialog -> dialog.isDisplayable() && dialog.isFor(open))
                 .findFirst()
-                .ifPresentOrElse(BatchActions::bringToFront, () -> new BatchDialog(owner, open, this).setVisible(true));
-    }
-
-    private static void bringToFront(Window dialog) {
-        dialog.toFront();
-        dialog.requestFocus();
+                .ifPresentOrElse(BatchDialog::bringToFront, () -> new BatchDialog(owner, open, this).setVisible(true));
     }
 
     /** Opens a run in the window, with the controller that it was made with: the scenario's. */
@@ -66,6 +65,7 @@ public final class BatchActions {
         files.runIfChangesHandled(() -> {
             controllers.select(ControllerSelection.SCENARIO);
             files.openGeneratedWithoutAsking(run);
+            note.accept(Messages.get("batch.opened"));
         });
     }
 

@@ -31,7 +31,10 @@ import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
 
-/** A non-modal dialog that makes many runs of a scenario and shows their results. */
+/**
+ * A non-modal dialog that makes many runs of a scenario and shows their results. It is hidden while the user looks at
+ * one of its runs in the window.
+ */
 final class BatchDialog extends JDialog {
 
     private static final Dimension SIZE = new Dimension(860, 560);
@@ -39,6 +42,7 @@ final class BatchDialog extends JDialog {
     private static final int PROGRESS_STEPS = 1000;
 
     private final transient Scenario scenario;
+
     private final transient BatchActions actions;
     private final BatchForm form;
     private final JTabbedPane tabs = new JTabbedPane();
@@ -124,9 +128,19 @@ final class BatchDialog extends JDialog {
         return footer;
     }
 
-    /** Returns whether the dialog is for a scenario. */
+    /** Returns whether the dialog is for a scenario, or hidden because the user looks at one of its runs. */
     boolean isFor(Scenario other) {
-        return scenario.equals(other);
+        return scenario.equals(other) || !isShowing();
+    }
+
+    /** Shows the dialog where the user left it. */
+    void bringToFront() {
+        setVisible(true);
+        toFront();
+        requestFocus();
+        if (resultTabs != null) {
+            resultTabs.focusTable();
+        }
     }
 
     private void setRunning(boolean now) {
@@ -241,8 +255,13 @@ final class BatchDialog extends JDialog {
                         index,
                         shown.value(index, "outcome"),
                         Double.parseDouble(shown.value(index, "simulated_s"))),
-                actions::openRun,
+                this::openRun,
                 this::showFailure);
+    }
+
+    private void openRun(Scenario opened) {
+        setVisible(false);
+        actions.openRun(opened);
     }
 
     private void savePlan() {

@@ -15,6 +15,12 @@ final class Histogram {
     private static final int MIN_BARS = 5;
     private static final int MAX_BARS = 40;
 
+    /** The least value at the top, so that all ticks are whole numbers. */
+    private static final double MIN_HEIGHT = 5;
+
+    private static final double MIN_RELATIVE_SPAN = 0.05;
+    private static final double MIN_SPAN = 1e-3;
+
     private Histogram() {}
 
     /**
@@ -26,10 +32,10 @@ final class Histogram {
      * @param values at least one, all finite
      */
     static Chart chart(String title, String quantity, String frequency, double[] values) {
-        Axis x = Axis.covering(quantity, Arrays.stream(values));
+        Axis x = Axis.covering(quantity, widened(values));
         long[] counts = counts(x, values);
         double highest = Arrays.stream(counts).max().orElse(1);
-        Axis y = Axis.covering(frequency, DoubleStream.of(0, Math.max(1, highest)));
+        Axis y = Axis.covering(frequency, DoubleStream.of(0, Math.max(MIN_HEIGHT, highest)));
         List<Vector2> upper = new ArrayList<>();
         for (int i = 0; i < counts.length; i++) {
             upper.add(new Vector2(x.valueAt((double) i / counts.length), counts[i]));
@@ -40,6 +46,13 @@ final class Histogram {
         outline.add(0, new Vector2(x.low(), 0));
         outline.add(new Vector2(x.high(), 0));
         return new Chart(title, x, y, List.of(new Series.Band("", upper, lower, 0), new Series.Line("", outline, 0)));
+    }
+
+    /** Returns the values, and a smaller one if they are nearly equal, so that the axis has readable ticks. */
+    private static DoubleStream widened(double[] values) {
+        double high = Arrays.stream(values).max().orElse(0);
+        double span = Math.max(MIN_SPAN, MIN_RELATIVE_SPAN * Math.abs(high));
+        return DoubleStream.concat(Arrays.stream(values), DoubleStream.of(high - span));
     }
 
     /** Returns how many values each bar has; the last one includes its upper bound. */

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.IntConsumer;
 import java.util.stream.LongStream;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
@@ -69,7 +70,12 @@ final class ResultTabs {
     /** Shows the cells. */
     void select() {
         tabs.setSelectedIndex(firstTab);
-        cellTable.requestFocusInWindow();
+        focusTable();
+    }
+
+    /** Moves the focus to the table that shows. */
+    void focusTable() {
+        Stream.of(cellTable, runTable).filter(ResultTable::isShowing).forEach(ResultTable::requestFocusInWindow);
     }
 
     /** Shows rows that were added to the results, and the newest cells. */
@@ -111,7 +117,7 @@ final class ResultTabs {
 
     private void showRuns(int cell) {
         tabs.setSelectedIndex(firstTab + 1);
-        runTable.requestFocusInWindow();
+        focusTable();
         if (runTable.getRowCount() > 0) {
             runTable.setRowSelectionInterval(0, 0);
         }

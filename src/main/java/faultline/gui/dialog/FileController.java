@@ -18,8 +18,8 @@ import faultline.scenario.Scenario;
 import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 

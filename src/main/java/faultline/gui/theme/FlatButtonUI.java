@@ -1,11 +1,14 @@
 package faultline.gui.theme;
 
 import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JToggleButton;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicButtonUI;
+import javax.swing.plaf.basic.BasicGraphicsUtils;
 
 /** A flat button or toggle button. */
 public final class FlatButtonUI extends BasicButtonUI {
@@ -34,6 +37,19 @@ public final class FlatButtonUI extends BasicButtonUI {
         if (ButtonPainter.isPrimary(button)) {
             button.setForeground(Theme.currentColours().onAccent());
         }
+    }
+
+    /** Paints the text of a disabled button pale; the embossed one of Swing is unreadable on dark buttons. */
+    @Override
+    protected void paintText(Graphics graphics, AbstractButton button, Rectangle area, String text) {
+        if (button.getModel().isEnabled()) {
+            super.paintText(graphics, button, area, text);
+            return;
+        }
+        graphics.setColor(Theme.currentColours().border());
+        int baseline = area.y + graphics.getFontMetrics().getAscent();
+        BasicGraphicsUtils.drawStringUnderlineCharAt(
+                button, (Graphics2D) graphics, text, button.getDisplayedMnemonicIndex(), area.x, baseline);
     }
 
     @Override

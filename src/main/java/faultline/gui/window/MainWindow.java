@@ -174,7 +174,7 @@ public final class MainWindow extends JFrame {
                 .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_F6, InputEvent.SHIFT_DOWN_MASK)));
         runActions.addTo(actionRegistry);
         controllerChooser.addTo(actionRegistry);
-        new BatchActions(this, fileController, controllerChooser).addTo(actionRegistry);
+        new BatchActions(this, fileController, controllerChooser, this::showNote).addTo(actionRegistry);
         dialogs.addTo(actionRegistry);
         PreferenceActions later = new PreferenceActions(this, preferences, actionRegistry);
         ThemeAction theme = new ThemeAction(canvas, preferences);

@@ -44,7 +44,7 @@ final class SpaceKeyDispatcher implements KeyEventDispatcher {
     public boolean dispatchKeyEvent(KeyEvent event) {
         Component focused = event.getComponent();
         boolean handled = event.getModifiersEx() == 0
-                && SwingUtilities.isDescendingFrom(focused, window)
+                && isInside(focused)
                 && MenuSelectionManager.defaultManager().getSelectedPath().length == 0
                 && (isSpace(event) && takesSpace(focused) || isEnter(event) && focused instanceof AbstractButton);
         if (handled && event.getID() == KeyEvent.KEY_PRESSED) {
@@ -55,6 +55,16 @@ final class SpaceKeyDispatcher implements KeyEventDispatcher {
             }
         }
         return handled;
+    }
+
+    /** Returns whether a component is in the window itself; dialogs of the window count as its descendants. */
+    private boolean isInside(Component focused) {
+        return SwingUtilities.isDescendingFrom(focused, window) && windowOf(focused) == windowOf(window);
+    }
+
+    /** Returns the window of a component, null if it is in none. */
+    private static Window windowOf(Component component) {
+        return component instanceof Window self ? self : SwingUtilities.getWindowAncestor(component);
     }
 
     private static boolean takesSpace(Component focused) {

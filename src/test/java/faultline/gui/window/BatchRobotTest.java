@@ -2,6 +2,8 @@ package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
@@ -70,6 +72,12 @@ class BatchRobotTest {
         String hash = callOnEdt(() -> String.valueOf(runs.getValueAt(0, column(runs, "Trajectory hash"))));
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
         driver.waitForTitle("Run " + run);
+        assertFalse(dialog.isShowing());
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_B);
+        assertSame(dialog, driver.dialog(TITLE), "the results are still there");
+        driver.robot().waitFor("the runs have the focus again", runs::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the window has the focus", driver.window()::isFocused);
         Path saved = folder.resolve("run.xml");
         driver.chooseLater("saveAs");
         driver.enterFile("Save scenario", saved);

@@ -1,6 +1,7 @@
 package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -21,6 +22,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
+import javax.swing.JDialog;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -224,5 +226,20 @@ class ControlsRobotTest {
 
     private RobotSpec robot() {
         return driver.frame().snapshot().robot();
+    }
+
+    @Test
+    void spacePressesTheButtonOfADialogInsteadOfRunning() {
+        driver.chooseLater("chooseController");
+        JDialog dialog = driver.dialog("Choose a controller");
+        JButton cancel = ComponentFinder.findAll(dialog, JButton.class)
+                .filter(button -> "Cancel".equals(button.getText()))
+                .findFirst()
+                .orElseThrow();
+        runOnEdt(cancel::requestFocusInWindow);
+        driver.robot().waitFor("the button has the focus", cancel::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_SPACE);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
+        assertFalse(callOnEdt(driver::isRunning));
     }
 }
