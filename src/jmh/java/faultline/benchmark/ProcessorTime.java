@@ -1,6 +1,7 @@
 package faultline.benchmark;
 
 import com.sun.management.ThreadMXBean;
+import faultline.campaign.RandomRoom;
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
@@ -17,6 +18,9 @@ public final class ProcessorTime {
 
     private static final int PASSES = 4;
     private static final int[] SEGMENTS = {4, 40, 400, 4000, 40_000};
+    private static final int ROOMS = 20;
+    private static final int ROOM_TICKS = 12_000;
+    private static final long FIRST_ROOM = 770_000;
     private static final int INDEXED_SEGMENTS = 100_000;
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
@@ -24,17 +28,56 @@ public final class ProcessorTime {
 
     /** Prints the table; the first pass only warms up. */
     public static void main(String[] args) {
+        printFollower();
         for (int segments : SEGMENTS) {
             SimulationSetup setup = BenchmarkRooms.of(segments);
-            print(segments + " segments", new Simulation(setup, ControllerMode.DIRECT)::tick, 200_000);
+            print(segments + " segments", run(setup)::tick, 200_000);
             print(segments + " segments, the world alone", worldAlone(setup), 200_000);
         }
         for (RoomVariant room : RoomVariant.values()) {
             int ticks = room == RoomVariant.MOVERS_1000 ? 5000 : 50_000;
-            print(room.toString(), new Simulation(room.setup(), ControllerMode.DIRECT)::tick, ticks);
+            print(room.toString(), run(room.setup())::tick, ticks);
         }
         SimulationSetup large = BenchmarkRooms.of(INDEXED_SEGMENTS);
         print(INDEXED_SEGMENTS + " segments, made", () -> makeWorld(large), 3);
+    }
+
+    /** Returns a run of which no one shows a frame. */
+    private static Simulation run(SimulationSetup setup) {
+        Simulation simulation = new Simulation(setup, ControllerMode.DIRECT);
+        simulation.stopRecordingPath();
+        return simulation;
+    }
+
+    /** Prints the mean over random rooms of the least time of a tick in each, without and with diagnosis in turn. */
+    private static void printFollower() {
+        double without = 0;
+        double with = 0;
+        for (int room = -PASSES; room < ROOMS; room++) {
+            double leastWithout = Double.POSITIVE_INFINITY;
+            double leastWith = Double.POSITIVE_INFINITY;
+            for (int pass = 0; pass < PASSES; pass++) {
+                leastWithout = Math.min(leastWithout, follow(Math.max(0, room), false));
+                leastWith = Math.min(leastWith, follow(Math.max(0, room), true));
+            }
+            // The first rooms only warm up.
+            without += room < 0 ? 0 : leastWithout / ROOMS;
+            with += room < 0 ? 0 : leastWith / ROOMS;
+        }
+        System.out.println(String.format(
+                Locale.ROOT, "%-40s %10.3f us, with diagnosis %.3f us", ROOMS + " rooms, follower", without, with));
+    }
+
+    /** Returns the time of a tick in a random room, microseconds. */
+    private static double follow(int number, boolean diagnosis) {
+        RandomRoom room = RandomRoom.ofSeed(FIRST_ROOM + number);
+        Simulation simulation = run(SimulationSetup.of(room.world(), room.start())
+                .withController(ControllerSpec.WallFollowing.DEFAULT.withDiagnosis(diagnosis)));
+        long time = THREADS.getCurrentThreadCpuTime();
+        for (int tick = 0; tick < ROOM_TICKS; tick++) {
+            simulation.tick();
+        }
+        return (THREADS.getCurrentThreadCpuTime() - time) / 1e3 / ROOM_TICKS;
     }
 
     private static World makeWorld(SimulationSetup setup) {

@@ -78,6 +78,9 @@ final class RunOutputs implements AutoCloseable {
             film = new FilmRecorder(files.get(Output.FILM).stream());
             observers.add(film);
         }
+        if (!files.containsKey(Output.FILM) && !files.containsKey(Output.IMAGE)) {
+            observers.add(Simulation::stopRecordingPath);
+        }
         if (files.containsKey(Output.IMAGE) || files.containsKey(Output.JOURNAL)) {
             observers.add(this::recordEnd);
         }

@@ -202,6 +202,14 @@ public final class Simulation implements AutoCloseable {
         return result;
     }
 
+    /**
+     * Stops recording the path, for a run of which no one shows a frame: its ticks then allocate nothing. Frames keep
+     * the path recorded before.
+     */
+    public void stopRecordingPath() {
+        trajectoryRecorder.stopRecordingPath();
+    }
+
     /** Reads the sensors again, so that a frame taken between two ticks shows the effect of commands. */
     public void resample() {
         world.sense();

@@ -10,6 +10,11 @@ final class TrajectoryRecorder {
 
     private final TrajectoryHash hash = new TrajectoryHash();
     private final PathRecorder path = new PathRecorder();
+    private boolean recordsPath = true;
+
+    void stopRecordingPath() {
+        recordsPath = false;
+    }
 
     /** Records the end of a tick. */
     void record(World world, ControllerState state) {
@@ -24,7 +29,9 @@ final class TrajectoryRecorder {
         for (int i = 0; i < sensors; i++) {
             hash.add(world.reportedReading(i));
         }
-        path.record(pose.x(), pose.y(), PathTag.of(state, world));
+        if (recordsPath) {
+            path.record(pose.x(), pose.y(), PathTag.of(state, world));
+        }
     }
 
     long hash() {

@@ -192,7 +192,7 @@ public final class World {
 
     /** {@return the robot's first collision, if there was one} */
     public Optional<Collision> collision() {
-        return collisions.stream().findFirst();
+        return collisions.isEmpty() ? Optional.empty() : Optional.of(collisions.get(0));
     }
 
     /** {@return the current state as an immutable value} */

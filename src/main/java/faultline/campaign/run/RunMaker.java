@@ -3,6 +3,7 @@ package faultline.campaign.run;
 import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.plan.PlannedRun;
 import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.CarryOnMetrics;
 import faultline.engine.metrics.DiagnosisMetrics;
@@ -47,7 +48,7 @@ final class RunMaker {
             RunResult result = HeadlessRun.run(
                     setup,
                     ControllerMode.DIRECT,
-                    List.of(carry, diagnosis),
+                    List.of(Simulation::stopRecordingPath, carry, diagnosis),
                     () -> untilVerdict && carry.isDecided(),
                     circuits);
             String row = ResultColumns.row(run, result, carry, diagnosis);

@@ -1,21 +1,24 @@
 package faultline.engine.metrics;
 
+import faultline.io.ShortestDecimal;
+
 /**
  * Turns numbers into text, and keeps the last one: in most rows of a trace many numbers are those of the row before,
  * and the conversion takes most of the time of a row. Confined to one thread.
  */
 final class NumberText {
 
-    private long bits = Double.doubleToRawLongBits(0.0);
-    private String text = "0.0";
+    private final char[] text = new char[ShortestDecimal.MAX_LENGTH];
+    private long bits;
+    private int length = ShortestDecimal.write(0, text);
 
-    /** Returns the shortest text that reads back to the same bits, as {@link Double#toString(double)} does. */
-    String of(double number) {
+    /** Appends the shortest text that reads back to the same bits. */
+    void append(double number, TraceRow row) {
         long newBits = Double.doubleToRawLongBits(number);
         if (newBits != bits) {
             bits = newBits;
-            text = Double.toString(number);
+            length = ShortestDecimal.write(number, text);
         }
-        return text;
+        row.append(text, length);
     }
 }

@@ -11,4 +11,4 @@ import java.util.function.BiConsumer;
  * @param meaning in one phrase
  * @param cell appends its cell of a moment to a row
  */
-public record TraceColumn(String name, String unit, String meaning, BiConsumer<Simulation, StringBuilder> cell) {}
+public record TraceColumn(String name, String unit, String meaning, BiConsumer<Simulation, TraceRow> cell) {}

@@ -49,7 +49,8 @@ public enum TraceFormat {
     }
 
     private static void addMotion(List<TraceColumn> columns) {
-        columns.add(new TraceColumn("tick", "", "number of the tick, from 0", (s, row) -> row.append(s.ticks())));
+        columns.add(new TraceColumn(
+                "tick", "", "number of the tick, from 0", (s, row) -> row.append(Long.toString(s.ticks()))));
         columns.add(number("t", "s", "time", Simulation::time));
         columns.add(number("x", "m", "centre of the robot", s -> s.pose().x()));
         columns.add(number("y", "m", "centre of the robot", s -> s.pose().y()));
@@ -70,7 +71,7 @@ public enum TraceFormat {
                 "collided",
                 "",
                 "true from the first contact on",
-                (s, row) -> row.append(s.collision().isPresent())));
+                (s, row) -> row.append(s.collision().isPresent() ? "true" : "false")));
     }
 
     private static void addController(List<TraceColumn> columns) {
@@ -106,15 +107,18 @@ public enum TraceFormat {
     private static void addReadings(List<TraceColumn> columns, String id, int sensor) {
         // Both are the same number unless there is noise or a fault.
         NumberText number = new NumberText();
-        columns.add(word(id + ".true", "", s -> readingOrOff(s.trueReading(sensor), number)));
-        columns.add(word(id + ".reading", "", s -> readingOrOff(s.reportedReading(sensor), number)));
+        columns.add(new TraceColumn(
+                id + ".true", "", "", (s, row) -> appendReadingOrOff(s.trueReading(sensor), number, row)));
+        columns.add(new TraceColumn(
+                id + ".reading", "", "", (s, row) -> appendReadingOrOff(s.reportedReading(sensor), number, row)));
     }
 
-    private static String readingOrOff(double reading, NumberText number) {
+    private static void appendReadingOrOff(double reading, NumberText number, TraceRow row) {
         if (Reading.isOff(reading)) {
-            return "off";
+            row.append("off");
+        } else if (reading != Reading.NOTHING) {
+            number.append(reading, row);
         }
-        return reading == Reading.NOTHING ? "" : number.of(reading);
     }
 
     private static void addNumericReadings(List<TraceColumn> columns, String id, int sensor) {
@@ -132,7 +136,7 @@ public enum TraceFormat {
                 id + ".answers",
                 "",
                 "1 if the sensor answers, 0 if it is off",
-                (s, row) -> row.append(Reading.isOff(s.reportedReading(sensor)) ? 0 : 1)));
+                (s, row) -> row.append(Reading.isOff(s.reportedReading(sensor)) ? '0' : '1')));
         columns.add(word(id + ".faults", "active faults, oldest first", s -> faults(s.faults(sensor))));
     }
 
@@ -186,7 +190,7 @@ public enum TraceFormat {
         return new TraceColumn(name, unit, meaning, (s, row) -> {
             double number = value.applyAsDouble(s);
             if (Double.isFinite(number)) {
-                row.append(text.of(number));
+                text.append(number, row);
             }
         });
     }

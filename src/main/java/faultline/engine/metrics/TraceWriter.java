@@ -16,7 +16,7 @@ public final class TraceWriter implements TickObserver {
 
     private final Writer out;
     private final TraceFormat format;
-    private final StringBuilder row = new StringBuilder(512);
+    private final TraceRow row = new TraceRow();
     private List<TraceColumn> columns = List.of();
 
     /**
@@ -37,7 +37,6 @@ public final class TraceWriter implements TickObserver {
      */
     @Override
     public void observe(Simulation simulation) {
-        row.setLength(0);
         if (columns.isEmpty()) {
             columns = format.columns(simulation.robot());
             row.append(columns.stream().map(TraceColumn::name).collect(Collectors.joining(",", "", "\n")));
@@ -48,12 +47,9 @@ public final class TraceWriter implements TickObserver {
             }
             columns.get(i).cell().accept(simulation, row);
         }
-        write(row.append('\n'));
-    }
-
-    private void write(CharSequence text) {
+        row.append('\n');
         try {
-            out.append(text);
+            row.writeTo(out);
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }

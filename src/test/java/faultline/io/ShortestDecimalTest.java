@@ -1,0 +1,50 @@
+package faultline.io;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import java.util.stream.DoubleStream;
+import org.junit.jupiter.api.Test;
+
+class ShortestDecimalTest {
+
+    private static final char[] TEXT = new char[ShortestDecimal.MAX_LENGTH];
+
+    private static String text(double number) {
+        return new String(TEXT, 0, ShortestDecimal.write(number, TEXT));
+    }
+
+    @Test
+    void numbersOfAnySizeReadAsTheJdkWritesThem() {
+        SplittableRandom random = new SplittableRandom(20_261_122);
+        for (int i = 0; i < 1_000_000; i++) {
+            double number = (random.nextDouble() - 0.5) * StrictMath.pow(10, random.nextDouble(-30, 12));
+            assertEquals(Double.toString(number), text(number));
+        }
+    }
+
+    @Test
+    void numbersWithFewDigitsOrBitsReadAsTheJdkWritesThem() {
+        SplittableRandom random = new SplittableRandom(8);
+        for (int i = 0; i < 1_000_000; i++) {
+            double digits = random.nextInt(1_000_000) / StrictMath.pow(10, random.nextInt(12));
+            assertEquals(Double.toString(digits), text(digits));
+            double bits = Math.scalb(random.nextInt(1 << 12), -random.nextInt(70));
+            assertEquals(Double.toString(bits), text(bits));
+            double edge = Math.scalb(1 + random.nextInt(-2, 3) * Math.ulp(1.0), random.nextInt(-80, 30));
+            assertEquals(Double.toString(edge), text(edge));
+        }
+    }
+
+    @Test
+    void theBordersOfTheTwoFormsReadAsTheJdkWritesThem() {
+        DoubleStream.of(1e7, 1e-3, 1e-24, 1, 10, 0.1, 0.0, -0.0, Double.MIN_VALUE, Double.MAX_VALUE)
+                .flatMap(edge -> DoubleStream.of(edge, -edge, Math.nextUp(edge), Math.nextDown(edge)))
+                .filter(Double::isFinite)
+                .forEach(number -> {
+                    assertEquals(Double.toString(number), text(number));
+                    assertTrue(text(number).length() <= ShortestDecimal.MAX_LENGTH);
+                });
+    }
+}
