@@ -19,8 +19,17 @@ final class WallLine {
     private InspectedSensor ahead;
     private InspectedSensor behind;
 
+    /** The direction in each sensor's cone in which a wall beside the robot is nearest. */
+    private final double[] cos;
+
+    private final double[] sin;
+
     WallLine(InspectedSensor[] sensors) {
+        cos = new double[sensors.length];
+        sin = new double[sensors.length];
         for (InspectedSensor sensor : sensors) {
+            cos[sensor.index()] = StrictMath.cos(nearest(sensor.cone()));
+            sin[sensor.index()] = StrictMath.sin(nearest(sensor.cone()));
             double off = QUARTER - sensor.cone().bearing();
             if (Math.abs(off) < sensor.cone().half()) {
                 facing = sensor;
@@ -65,11 +74,11 @@ final class WallLine {
         return Math.max(cone.bearing() - cone.half(), Math.min(cone.bearing() + cone.half(), QUARTER));
     }
 
-    private static double x(InspectedSensor sensor, double[] readings) {
-        return sensor.cone().x() + readings[sensor.index()] * StrictMath.cos(nearest(sensor.cone()));
+    private double x(InspectedSensor sensor, double[] readings) {
+        return sensor.cone().x() + readings[sensor.index()] * cos[sensor.index()];
     }
 
-    private static double y(InspectedSensor sensor, double[] readings) {
-        return sensor.cone().y() + readings[sensor.index()] * StrictMath.sin(nearest(sensor.cone()));
+    private double y(InspectedSensor sensor, double[] readings) {
+        return sensor.cone().y() + readings[sensor.index()] * sin[sensor.index()];
     }
 }
