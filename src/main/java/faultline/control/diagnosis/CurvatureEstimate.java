@@ -18,6 +18,9 @@ final class CurvatureEstimate {
     /** Wheels and a track that are each off by 5 % bend the path by up to 0.55; corners more, 1/m. */
     private static final double MAX_SAMPLE = 0.8;
 
+    /** All samples but the least and the greatest agree within this, or nothing is learnt, 1/m. */
+    private static final double MAX_SPREAD = 0.25;
+
     /** Less than this is taken for none, so that nothing changes where belief and truth agree, 1/m. */
     private static final double NEGLIGIBLE = 0.1;
 
@@ -111,7 +114,9 @@ final class CurvatureEstimate {
             double[] sorted = samples.clone();
             Arrays.sort(sorted);
             double median = sorted[SAMPLES / 2];
-            curvature = Math.abs(median) < NEGLIGIBLE ? 0 : median;
+            if (sorted[SAMPLES - 2] - sorted[1] < MAX_SPREAD) {
+                curvature = Math.abs(median) < NEGLIGIBLE ? 0 : median;
+            }
         }
     }
 }

@@ -64,4 +64,12 @@ class CurvatureEstimateTest {
         }
         assertEquals(0, estimate.curvature());
     }
+
+    @Test
+    void samplesThatDisagreeTeachNothing() {
+        for (int i = 0; i < 12; i++) {
+            drive(0.45, i % 2 == 0 ? 0.6 : -0.1, 0);
+            assertEquals(0, estimate.curvature(), "after leg " + i);
+        }
+    }
 }
