@@ -7,10 +7,10 @@ import faultline.control.diagnosis.EvidenceGrid.Rows;
 final class InspectedSensor {
 
     /** A sensor that is not trusted is tried again after this time, seconds; each further finding doubles it. */
-    private static final double FIRST_PENANCE = 3;
+    private static final double FIRST_PROBATION = 3;
 
-    /** The time after a finding that takes long to be repeated: none. */
-    private static final double MAX_PENANCE = 48;
+    /** The longest such time, seconds; that of a finding that takes long to be made again from the first. */
+    private static final double MAX_PROBATION = 48;
 
     /** Sensors that look ahead or to the wall's side matter most; the claims of others are marked less often. */
     private static final double AHEAD = StrictMath.toRadians(60);
@@ -29,7 +29,7 @@ final class InspectedSensor {
     private ConeTable table;
     private SensorFinding finding = SensorFinding.NONE;
     private double since;
-    private double penance = FIRST_PENANCE;
+    private double probation = FIRST_PROBATION;
     private boolean wasDistrusted;
     private double confirmations;
     private int standoff;
@@ -151,8 +151,8 @@ final class InspectedSensor {
     }
 
     /** Returns whether it has been distrusted for as long as its findings require. */
-    boolean hasDonePenance(double time) {
-        return time - since > penance;
+    boolean hasServedProbation(double time) {
+        return time - since > probation;
     }
 
     /** Records a reason not to trust it. */
@@ -160,7 +160,7 @@ final class InspectedSensor {
         if (isTrusted()) {
             finding = reason;
             boolean costly = reason == SensorFinding.MISLEADING;
-            penance = costly ? MAX_PENANCE : wasDistrusted ? Math.min(MAX_PENANCE, 2 * penance) : penance;
+            probation = costly ? MAX_PROBATION : wasDistrusted ? Math.min(MAX_PROBATION, 2 * probation) : probation;
             wasDistrusted = true;
             standoff = 0;
         }

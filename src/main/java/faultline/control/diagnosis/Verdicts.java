@@ -97,7 +97,7 @@ final class Verdicts {
                         time);
                 exonerate(time);
             }
-        } else if (against < FORGIVEN && sensor.hasDonePenance(time) && sensor.confirmations() > CONFIRMATIONS) {
+        } else if (against < FORGIVEN && sensor.hasServedProbation(time) && sensor.confirmations() > CONFIRMATIONS) {
             trust(sensor, time);
         }
     }
