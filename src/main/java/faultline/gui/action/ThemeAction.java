@@ -9,6 +9,7 @@ import java.awt.EventQueue;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.util.stream.Stream;
+import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
 /** Switches between the light and the dark theme, or follows the desktop. */
@@ -48,7 +49,18 @@ public final class ThemeAction {
         theme.install();
         updateAction();
         canvas.setPalette(theme.palette());
-        Stream.of(Window.getWindows()).filter(Window::isDisplayable).forEach(SwingUtilities::updateComponentTreeUI);
+        Stream.of(Window.getWindows()).filter(Window::isShowing).forEach(ThemeAction::update);
+    }
+
+    /** Updates the menus, which are mostly closed, in an event of their own, so that neither event takes long. */
+    private static void update(Window window) {
+        if (window instanceof JFrame frame) {
+            SwingUtilities.updateComponentTreeUI(frame.getContentPane());
+            SwingUtilities.updateComponentTreeUI(frame.getGlassPane());
+            EventQueue.invokeLater(() -> SwingUtilities.updateComponentTreeUI(frame.getJMenuBar()));
+        } else {
+            SwingUtilities.updateComponentTreeUI(window);
+        }
     }
 
     /** Shows the theme that the action switches to. */

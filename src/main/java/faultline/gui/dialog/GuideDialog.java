@@ -6,6 +6,7 @@ import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.FlowLayout;
 import java.awt.Window;
 import javax.swing.BorderFactory;
@@ -25,13 +26,13 @@ final class GuideDialog extends JDialog {
         super(owner, Messages.get("guide.title"), ModalityType.MODELESS);
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
-        JScrollPane scroll = new JScrollPane(page.createPane());
+        // A scroll bar that comes and goes would lay out the text twice.
+        JScrollPane scroll = new JScrollPane(
+                page.createPane(), JScrollPane.VERTICAL_SCROLLBAR_ALWAYS, JScrollPane.HORIZONTAL_SCROLLBAR_AS_NEEDED);
         scroll.setPreferredSize(new Dimension(TextSize.scaled(SIZE.width), SIZE.height));
         content.add(scroll, BorderLayout.CENTER);
         content.add(createButtons(), BorderLayout.SOUTH);
         setContentPane(content);
-        ScreenFit.pack(this);
-        setLocationRelativeTo(owner);
     }
 
     /** Shows the guide asynchronously, or brings it to the front if it is open. */
@@ -47,10 +48,20 @@ final class GuideDialog extends JDialog {
         });
     }
 
+    /** Creates the dialog, and lays it out in an event of its own, so that neither event takes long. */
     private static void showPage(Window owner, GuidePage page) {
+        GuideDialog dialog = new GuideDialog(owner, page);
+        EventQueue.invokeLater(() -> dialog.showUnlessOpen(owner));
+    }
+
+    private void showUnlessOpen(Window owner) {
         // Another guide may have been opened while this page was loading.
-        if (!Dialogs.bringToFront(owner, GuideDialog.class)) {
-            new GuideDialog(owner, page).setVisible(true);
+        if (Dialogs.bringToFront(owner, GuideDialog.class)) {
+            dispose();
+        } else {
+            ScreenFit.pack(this);
+            setLocationRelativeTo(owner);
+            setVisible(true);
         }
     }
 

@@ -102,8 +102,7 @@ final class DiagramPainter {
     }
 
     static String transitionText(RunEvent.StateChanged last) {
-        return Messages.get(
-                "diagram.last", StateText.name(last.from()), StateText.name(last.to()), conditionText(last));
+        return StateText.transition(last.from(), last.to(), last.condition());
     }
 
     private static String conditionText(RunEvent.StateChanged last) {

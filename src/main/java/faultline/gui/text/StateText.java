@@ -14,6 +14,14 @@ public final class StateText {
         return Messages.contains(key) ? Messages.get(key) : state.name();
     }
 
+    /** Describes a transition by its states and, if it has any, its condition. */
+    public static String transition(ControllerState from, ControllerState to, String condition) {
+        String shown = condition(from, to, condition);
+        return shown.isEmpty()
+                ? Messages.get("diagram.change", name(from), name(to))
+                : Messages.get("diagram.last", name(from), name(to), shown);
+    }
+
     /** Returns the condition of an arrow in the user's language. */
     public static String condition(StateDiagram.Arrow arrow) {
         return Messages.get("arrow." + arrow.from() + "." + arrow.to());

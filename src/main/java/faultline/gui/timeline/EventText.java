@@ -53,11 +53,7 @@ public final class EventText {
     /** Describes an event. */
     public static String sentence(RunEvent event) {
         if (event instanceof RunEvent.StateChanged move) {
-            return Messages.get(
-                    "diagram.last",
-                    StateText.name(move.from()),
-                    StateText.name(move.to()),
-                    StateText.condition(move.from(), move.to(), move.condition()));
+            return StateText.transition(move.from(), move.to(), move.condition());
         }
         if (event instanceof RunEvent.CommandExecuted done) {
             return CommandText.format(done.command());

@@ -87,15 +87,25 @@ final class ItemDialog {
                 from.textField().requestFocusInWindow();
             }
         };
-        Optional<TimelineItem> result = Optional.empty();
+        Optional<TimelineItem> result;
+        boolean accepted;
         do {
             pane.setValue(JOptionPane.UNINITIALIZED_VALUE);
             JDialog dialog = pane.createDialog(parent, TimelineText.name(item));
             dialog.setVisible(true);
             dialog.dispose();
-            result = Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue()) ? read() : Optional.empty();
-        } while (result.isEmpty() && Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue()));
+            accepted = Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue());
+            result = accepted ? read() : Optional.empty();
+            if (accepted && endsBeforeItStarts()) {
+                JOptionPane.showMessageDialog(
+                        parent, Messages.get("timeline.order"), TimelineText.name(item), JOptionPane.WARNING_MESSAGE);
+            }
+        } while (accepted && result.isEmpty());
         return result;
+    }
+
+    private boolean endsBeforeItStarts() {
+        return item.isInterval() && ends.isSelected() && until.doubleValue() <= from.doubleValue();
     }
 
     private static NumberSpinner time(String key) {
@@ -157,12 +167,12 @@ final class ItemDialog {
         pose.add(field);
     }
 
-    /** Returns the item, or moves the focus to a field with an invalid value and returns nothing. */
+    /** Returns the item, or nothing if a value is invalid. */
     private Optional<TimelineItem> read() {
         for (NumberSpinner field : pose) {
             field.commitValidEdit();
         }
-        if (!from.commitValidEdit() || !until.commitValidEdit()) {
+        if (!from.commitValidEdit() || !until.commitValidEdit() || endsBeforeItStarts()) {
             return Optional.empty();
         }
         double start = from.doubleValue();

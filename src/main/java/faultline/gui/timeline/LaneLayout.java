@@ -19,7 +19,7 @@ record LaneLayout(List<Lane> lanes, List<TimelineItem> items, TimeAxis axis, int
     static final int NONE = -1;
 
     private static final int EDGE = 5;
-    private static final int PADDING = 2;
+    private static final int PADDING = 1;
     private static final int MIN_WIDTH = 4;
 
     LaneLayout {

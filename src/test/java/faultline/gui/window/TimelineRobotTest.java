@@ -13,12 +13,15 @@ import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
 import faultline.world.Command;
+import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import javax.swing.JLabel;
 import javax.swing.JSlider;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -134,5 +137,39 @@ class TimelineRobotTest {
         driver.type(KeyEvent.VK_DELETE);
         driver.waitForTitle("office.xml*");
         assertEquals(longer, saved());
+    }
+
+    @Test
+    void aFaultThatEndsBeforeItStartsIsRefusedWithTheReason() throws ScenarioException {
+        driver.robot().waitFor("the canvas has the focus", () -> driver.canvas().isFocusOwner());
+        driver.type(KeyEvent.VK_F6);
+        driver.type(KeyEvent.VK_F6);
+        driver.robot().waitFor("the lanes have the focus", lanes::isFocusOwner);
+        driver.type(KeyEvent.VK_DOWN);
+        driver.type(KeyEvent.VK_DOWN);
+        driver.type(KeyEvent.VK_ENTER);
+        enterStart(KeyEvent.VK_9, KeyEvent.VK_9);
+        driver.robot().waitFor("the reason", () -> isShown("The end (\"Until\") must be after the start (\"From\")."));
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the reason is gone", () -> !isShown("The end"));
+        enterStart(KeyEvent.VK_5);
+        driver.waitForTitle("office.xml*");
+        assertEquals(5, saved().get(0).time());
+    }
+
+    private void enterStart(int... digits) {
+        driver.dialog(NEW_FAULT);
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        for (int digit : digits) {
+            driver.robot().pressKeys(digit);
+        }
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+    }
+
+    private static boolean isShown(String text) {
+        return Arrays.stream(Window.getWindows())
+                .filter(Window::isShowing)
+                .flatMap(window -> ComponentFinder.findAll(window, JLabel.class))
+                .anyMatch(label -> label.getText() != null && label.getText().startsWith(text));
     }
 }
