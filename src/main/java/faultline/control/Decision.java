@@ -38,7 +38,6 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
      * @throws IllegalArgumentException if the velocity is not finite
      */
     public static Decision ofVelocity(RobotSpec robot, Velocity velocity, String state, String why) {
-        WheelSpeeds speeds = WheelSpeeds.of(velocity, robot.track());
         Telemetry telemetry = new Telemetry(
                 ControllerState.of(state),
                 why,
@@ -47,8 +46,24 @@ public record Decision(double leftVolts, double rightVolts, Telemetry telemetry)
                 Telemetry.WallControl.NONE,
                 Telemetry.EdgeTimes.NONE,
                 Telemetry.Diagnosis.NONE);
+        return ofVelocity(robot, WallSide.LEFT, velocity, telemetry);
+    }
+
+    /**
+     * {@return a decision for a controller that computes as if the wall were on its left}
+     *
+     * @param robot the robot whose motors turn the velocity into voltages
+     * @param side the side of the wall; on the right the sides of the robot are exchanged
+     * @param velocity the velocity, positive to the wall's side
+     * @param telemetry what the controller shows of its working
+     * @throws IllegalArgumentException if the velocity is not finite
+     */
+    public static Decision ofVelocity(RobotSpec robot, WallSide side, Velocity velocity, Telemetry telemetry) {
         MotorSpec motor = robot.motor();
-        return new Decision(motor.voltageFor(speeds.left()), motor.voltageFor(speeds.right()), telemetry);
+        WheelSpeeds speeds = WheelSpeeds.of(velocity, robot.track());
+        double near = motor.voltageFor(speeds.left());
+        double far = motor.voltageFor(speeds.right());
+        return side == WallSide.LEFT ? new Decision(near, far, telemetry) : new Decision(far, near, telemetry);
     }
 
     /**

@@ -22,8 +22,8 @@ public final class ShortestDecimal {
     private static final double MIN_PLAIN = 1e-3;
 
     /**
-     * Of numbers with an exponent and so many zero bits at the end, {@link Double#toString(double)} of JDK 17 writes
-     * some with a digit too many, so they are left to it.
+     * Of numbers with an exponent and this number of zero bits at the end, {@link Double#toString(double)} of JDK 17
+     * writes some with a digit too many, so they are left to it.
      */
     private static final int FEW_BITS = 20;
 

@@ -1,7 +1,6 @@
 package faultline.sensor;
 
 import java.util.Locale;
-import java.util.Optional;
 
 /**
  * The kinds of fault with the names that scenario files use, each with the bounds of its number. A new kind needs one
@@ -99,20 +98,6 @@ public enum FaultKind {
         this.maxValue = most;
         this.defaultValue = initial;
         this.factory = factory;
-    }
-
-    /**
-     * {@return the kind of a name in a file, if there is one}
-     *
-     * @param name the name in the file
-     */
-    static Optional<FaultKind> ofFileName(String name) {
-        for (FaultKind kind : values()) {
-            if (kind.fileName().equals(name)) {
-                return Optional.of(kind);
-            }
-        }
-        return Optional.empty();
     }
 
     /** {@return the name in scenario files, in lower case} */

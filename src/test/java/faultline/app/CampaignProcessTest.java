@@ -66,11 +66,10 @@ class CampaignProcessTest {
 
     private void waitForBytes(String out, long bytes, Process process) throws Exception {
         Path table = folder.resolve(out).resolve("runs.csv");
-        for (int i = 0; i < 60_000 && process.isAlive(); i++) {
-            if (Files.exists(table) && Files.size(table) >= bytes) {
+        while (!Files.exists(table) || Files.size(table) < bytes) {
+            if (process.waitFor(1, TimeUnit.MILLISECONDS)) {
                 return;
             }
-            Thread.sleep(1);
         }
     }
 

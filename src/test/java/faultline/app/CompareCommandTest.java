@@ -119,7 +119,7 @@ class CompareCommandTest {
         CommandResult compared = compare("--controller", "wall-follower", "--controller", "none", "--open");
         assertEquals(2, compared.code);
         assertTrue(compared.err.contains("--open needs a display here"), compared.err);
-        assertFalse(Files.exists(page()), "no run is made in vain");
+        assertFalse(Files.exists(page()), "no page is written");
     }
 
     @ParameterizedTest

@@ -173,8 +173,9 @@ class OutputFilesTest {
         Path output = folder.resolve("out.txt");
         Process process = start(
                 List.of("run", "scenarios/office.xml", "--until", "10000000", "--trace", trace.toString()), output);
-        while (largest() < 100_000 && process.isAlive()) {
-            Thread.sleep(5);
+        boolean ended = false;
+        while (!ended && largest() < 100_000) {
+            ended = process.waitFor(5, TimeUnit.MILLISECONDS);
         }
         process.destroy();
         assertTrue(process.waitFor(60, TimeUnit.SECONDS));

@@ -6,6 +6,7 @@ import faultline.control.ControllerState;
 import faultline.control.Decision;
 import faultline.control.Telemetry;
 import java.util.Map;
+import java.util.concurrent.CountDownLatch;
 
 /** A provider as a user writes one: turns right for as long as something is within range. */
 public final class RightTurner implements ControllerProvider {
@@ -17,7 +18,7 @@ public final class RightTurner implements ControllerProvider {
                 throw new StackOverflowError("too deep");
             },
             "sleep",
-            RightTurner::sleep);
+            RightTurner::hang);
 
     @Override
     public String name() {
@@ -38,9 +39,10 @@ public final class RightTurner implements ControllerProvider {
         };
     }
 
-    private static void sleep() {
+    /** Hangs until it is interrupted. */
+    private static void hang() {
         try {
-            Thread.sleep(1_000_000);
+            new CountDownLatch(1).await();
         } catch (InterruptedException e) {
             throw new IllegalStateException("woken", e);
         }

@@ -29,6 +29,7 @@ final class RunData {
     private final CampaignPlan plan;
     private final Map<String, Integer> indices = new HashMap<>();
     private final List<RunRow> rows = new ArrayList<>();
+    private final List<Integer> damagedRows = new ArrayList<>();
 
     /**
      * Creates the data of a table.
@@ -39,15 +40,21 @@ final class RunData {
     RunData(CampaignPlan plan, Iterable<String> lines) {
         this.plan = plan;
         Map<String, String> shared = new HashMap<>();
+        int number = 0;
         for (String line : lines) {
+            number++;
             List<String> cells = Csv.cells(line);
             if (indices.isEmpty()) {
                 cells.forEach(name -> indices.put(name, indices.size()));
             } else if (cells.size() == indices.size()) {
                 cells.replaceAll(cell -> shared.computeIfAbsent(cell, same -> same));
                 rows.add(new RunRow(this, cells.toArray(new String[0])));
+            } else {
+                damagedRows.add(number);
             }
         }
+        // The last row may still be in the making.
+        damagedRows.remove(Integer.valueOf(number));
     }
 
     /**
@@ -58,6 +65,10 @@ final class RunData {
     static RunData read(CampaignPlan plan, Path table) throws IOException {
         try (BufferedReader in = Files.newBufferedReader(table)) {
             RunData data = new RunData(plan, in.lines()::iterator);
+            if (!data.damagedRows.isEmpty()) {
+                throw new IOException(table + ":" + data.damagedRows.get(0) + ": the row does not have "
+                        + data.indices.size() + " cells like the header");
+            }
             for (RunRow row : data.rows) {
                 Optional<String> problem = RowCheck.findProblem(row::text);
                 if (problem.isPresent()) {

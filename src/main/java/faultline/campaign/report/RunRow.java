@@ -22,7 +22,7 @@ record RunRow(RunData data, String[] cells) {
         }
     }
 
-    /** Returns 1 if the robot carried on, 0 if not; empty if the run does not tell. */
+    /** Returns 1 if the robot carried on, 0 if not; empty for a run without a verdict. */
     OptionalInt carriedOn() {
         String text = text("carried_on");
         return text.isEmpty() ? OptionalInt.empty() : OptionalInt.of(text.equals("1") ? 1 : 0);

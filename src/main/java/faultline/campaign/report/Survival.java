@@ -11,7 +11,7 @@ import java.util.function.Function;
  * The share of runs with a result that is wanted, such as those in which the robot carried on.
  *
  * @param successes runs with the result
- * @param n runs that tell
+ * @param n runs with a verdict
  * @param interval of the share
  */
 public record Survival(int successes, int n, Interval interval) {
@@ -26,21 +26,21 @@ public record Survival(int successes, int n, Interval interval) {
      * independent runs as they are worth: their number by the ratio of the variance of the share between worlds to that
      * of independent runs.
      *
-     * @param rows the runs; those that do not tell are left out
-     * @param result returns 1 for a run with the result, 0 for one without it, empty for one that does not tell
+     * @param rows the runs; those without a verdict are left out
+     * @param result returns 1 for a run with the result, 0 for one without it, empty for one without a verdict
      */
     static Survival of(Collection<RunRow> rows, Function<RunRow, OptionalInt> result) {
-        List<RunRow> telling =
+        List<RunRow> decided =
                 rows.stream().filter(row -> result.apply(row).isPresent()).toList();
-        if (telling.isEmpty()) {
+        if (decided.isEmpty()) {
             return new Survival(0, 0, new Interval(0, 1));
         }
-        int n = telling.size();
+        int n = decided.size();
         int successes =
-                telling.stream().mapToInt(row -> result.apply(row).getAsInt()).sum();
+                decided.stream().mapToInt(row -> result.apply(row).getAsInt()).sum();
         double share = (double) successes / n;
         Map<String, Double> sums = new LinkedHashMap<>();
-        telling.forEach(row -> sums.merge(row.cluster(), result.apply(row).getAsInt() - share, Double::sum));
+        decided.forEach(row -> sums.merge(row.cluster(), result.apply(row).getAsInt() - share, Double::sum));
         double worth = n / designEffect(n, sums, n * share * (1 - share));
         return new Survival(successes, n, Interval.wilson(worth * share, worth));
     }

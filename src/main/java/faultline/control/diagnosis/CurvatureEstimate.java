@@ -12,7 +12,7 @@ final class CurvatureEstimate {
     /** Means over three legs of this length give a sample, metres. */
     private static final double LEG = 0.15;
 
-    /** The median of so many samples counts: corners and things at the wall spoil some. */
+    /** The number of samples whose median is used: some are spoiled by corners and by obstacles at the wall. */
     private static final int SAMPLES = 7;
 
     /** Wheels and a track that are each off by 5 % bend the path by up to 0.55; corners more, 1/m. */

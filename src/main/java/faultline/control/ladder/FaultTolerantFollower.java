@@ -14,7 +14,6 @@ import faultline.control.fallback.MapFollower;
 import faultline.control.wallfollower.WallFollower;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
-import faultline.robot.WheelSpeeds;
 import faultline.sensor.Reading;
 import java.util.List;
 
@@ -61,11 +60,6 @@ public final class FaultTolerantFollower implements Controller {
     /** {@return the live diagnosis} */
     public SensorDiagnosis diagnosis() {
         return diagnosis;
-    }
-
-    /** {@return whether the robot has stopped because it cannot go on} */
-    public boolean isStopped() {
-        return last.telemetry().state().equals(STOP);
     }
 
     @Override
@@ -127,6 +121,7 @@ public final class FaultTolerantFollower implements Controller {
                 && last.telemetry().state() == FollowerState.ALIGN;
         if (aligned && alignments.isRepeated(diagnosis.reckoning().way())) {
             Rung.facingWall(diagnosis).ifPresent(diagnosis::distrustMisleading);
+            alignments.reset();
         }
         return decision;
     }
@@ -184,10 +179,6 @@ public final class FaultTolerantFollower implements Controller {
     }
 
     private Decision decision(RobotSpec robot, Velocity velocity, ControllerState state) {
-        WheelSpeeds speeds = WheelSpeeds.of(velocity, robot.track());
-        double near = robot.motor().voltageFor(speeds.left());
-        double far = robot.motor().voltageFor(speeds.right());
-        Telemetry telemetry = Telemetry.ofState(state);
-        return spec.side() == WallSide.LEFT ? new Decision(near, far, telemetry) : new Decision(far, near, telemetry);
+        return Decision.ofVelocity(robot, spec.side(), velocity, Telemetry.ofState(state));
     }
 }

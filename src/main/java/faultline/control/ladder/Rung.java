@@ -1,6 +1,5 @@
 package faultline.control.ladder;
 
-import faultline.control.diagnosis.MountedCone;
 import faultline.control.diagnosis.SensorDiagnosis;
 import java.util.List;
 import java.util.OptionalInt;
@@ -106,14 +105,18 @@ public enum Rung {
         return serving(diagnosis, bearing, within).isPresent();
     }
 
+    /** Returns the trusted sensor that looks closest to a bearing, if it is within some angle of it. */
     private static OptionalInt serving(SensorDiagnosis diagnosis, double bearing, double within) {
+        OptionalInt nearest = OptionalInt.empty();
+        double least = within;
         for (int rest = diagnosis.trusted(); rest != 0; rest &= rest - 1) {
             int sensor = Integer.numberOfTrailingZeros(rest);
-            MountedCone cone = diagnosis.cone(sensor);
-            if (Math.abs(cone.bearing() - bearing) < within) {
-                return OptionalInt.of(sensor);
+            double off = Math.abs(diagnosis.cone(sensor).bearing() - bearing);
+            if (off < least) {
+                least = off;
+                nearest = OptionalInt.of(sensor);
             }
         }
-        return OptionalInt.empty();
+        return nearest;
     }
 }

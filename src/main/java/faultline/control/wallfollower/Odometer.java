@@ -32,11 +32,7 @@ final class Odometer {
 
     /** Returns the voltages that command the motion, with the follower's telemetry. */
     Decision decision(RobotSpec robot, WallSide side, Telemetry telemetry) {
-        MotorSpec motor = robot.motor();
-        WheelSpeeds wanted = WheelSpeeds.of(command, robot.track());
-        double near = motor.voltageFor(wanted.left());
-        double far = motor.voltageFor(wanted.right());
-        return side == WallSide.LEFT ? new Decision(near, far, telemetry) : new Decision(far, near, telemetry);
+        return Decision.ofVelocity(robot, side, command, telemetry);
     }
 
     /** Updates the estimate: the command has acted for some ticks. */

@@ -8,7 +8,9 @@ import faultline.gui.theme.ThemeChoice;
 import java.awt.EventQueue;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.beans.PropertyChangeListener;
 import java.util.stream.Stream;
+import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
@@ -17,6 +19,7 @@ public final class ThemeAction {
 
     private final SimulationCanvas canvas;
     private final WindowPreferences preferences;
+    private final PropertyChangeListener desktopListener = event -> EventQueue.invokeLater(this::followDesktop);
     private final UiAction darkAction = UiAction.toggle(
             "dark", Theme.current() == Theme.DARK, on -> choose(on ? ThemeChoice.DARK : ThemeChoice.LIGHT));
 
@@ -24,9 +27,12 @@ public final class ThemeAction {
         this.canvas = canvas;
         this.preferences = preferences;
         updateAction();
-        Toolkit.getDefaultToolkit()
-                .addPropertyChangeListener(
-                        ThemeChoice.DESKTOP_PROPERTY, event -> EventQueue.invokeLater(this::followDesktop));
+        Toolkit.getDefaultToolkit().addPropertyChangeListener(ThemeChoice.DESKTOP_PROPERTY, desktopListener);
+    }
+
+    /** Follows the desktop no longer. */
+    public void close() {
+        Toolkit.getDefaultToolkit().removePropertyChangeListener(ThemeChoice.DESKTOP_PROPERTY, desktopListener);
     }
 
     public UiAction action() {
@@ -49,7 +55,12 @@ public final class ThemeAction {
         theme.install();
         updateAction();
         canvas.setPalette(theme.palette());
-        Stream.of(Window.getWindows()).filter(Window::isShowing).forEach(ThemeAction::update);
+        Stream.of(Window.getWindows()).filter(ThemeAction::mayShow).forEach(ThemeAction::update);
+    }
+
+    /** Returns whether a window shows or is a dialog that may show again; closed menus keep windows, too. */
+    private static boolean mayShow(Window window) {
+        return window.isShowing() || window instanceof JDialog && window.isDisplayable();
     }
 
     /** Updates the menus, which are mostly closed, in an event of their own, so that neither event takes long. */

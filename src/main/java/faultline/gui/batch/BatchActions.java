@@ -46,16 +46,26 @@ public final class BatchActions {
         actions.add(UiAction.of("batch", this::showDialog).withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_B)));
     }
 
+    /** Returns whether the window may be closed: no batch has unsaved results, or the user agrees to lose them. */
+    public boolean confirmClose() {
+        return dialogs().allMatch(BatchDialog::confirmClose);
+    }
+
+    private Stream<BatchDialog> dialogs() {
+        return Stream.of(owner.getOwnedWindows())
+                .filter(BatchDialog.class::isInstance)
+                .map(BatchDialog.class::cast)
+                .filter(BatchDialog::isDisplayable);
+    }
+
     /** Shows the dialog of the open scenario as it is now; a batch of another scenario keeps its own dialog. */
     private void showDialog() {
         files.editedScenario().ifPresent(edited -> edited.thenAccept(this::showDialog));
     }
 
     private void showDialog(Scenario open) {
-        Stream.of(owner.getOwnedWindows())
-                .filter(BatchDialog.class::isInstance)
-                .map(BatchDialog.class::cast)
-                .filter(dialog -> dialog.isDisplayable() && dialog.isFor(open))
+        dialogs()
+                .filter(dialog -> dialog.isFor(open))
                 .findFirst()
                 .ifPresentOrElse(BatchDialog::bringToFront, () -> new BatchDialog(owner, open, this).setVisible(true));
     }

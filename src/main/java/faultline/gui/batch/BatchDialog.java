@@ -5,6 +5,7 @@ import faultline.campaign.run.RunReplay;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.TextSize;
 import faultline.scenario.Scenario;
@@ -21,14 +22,12 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JTabbedPane;
-import javax.swing.KeyStroke;
 import javax.swing.Timer;
 
 /**
@@ -103,9 +102,7 @@ final class BatchDialog extends JDialog {
                 close();
             }
         });
-        getRootPane()
-                .registerKeyboardAction(
-                        event -> close(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        DialogButtons.onEscape(this, this::close);
         getRootPane().setDefaultButton(start);
     }
 
@@ -284,17 +281,23 @@ final class BatchDialog extends JDialog {
                             ended.saveResults(folder);
                             return folder;
                         },
-                        () -> saved = true));
+                        () -> saved = saved || run == ended));
     }
 
+    /** Writes a file or a folder; meanwhile no run is started, because it would delete what is being copied. */
     private void write(Path target, Callable<Path> work, Runnable onWritten) {
+        start.setEnabled(false);
         BackgroundTasks.runBeforeExit(
                 work,
                 written -> {
+                    start.setEnabled(!running);
                     onWritten.run();
                     status.setText(Messages.get("saved", String.valueOf(target.getFileName())));
                 },
-                this::showFailure);
+                failure -> {
+                    start.setEnabled(!running);
+                    showFailure(failure);
+                });
     }
 
     private void showFailure(Throwable failure) {
@@ -317,8 +320,13 @@ final class BatchDialog extends JDialog {
                         == JOptionPane.OK_OPTION;
     }
 
+    /** Returns whether the dialog may be closed: it has no unsaved results, or the user agrees to lose them. */
+    boolean confirmClose() {
+        return confirmLoss("batch.loss.close");
+    }
+
     private void close() {
-        if (confirmLoss("batch.loss.close")) {
+        if (confirmClose()) {
             dispose();
         }
     }

@@ -4,6 +4,7 @@ import faultline.control.ControllerSpec;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.panel.NumberSpinner;
+import faultline.gui.panel.TextListener;
 import faultline.gui.panel.TitledSection;
 import faultline.gui.text.Messages;
 import faultline.io.DecimalText;
@@ -192,7 +193,7 @@ final class BatchForm extends JPanel {
                 (int) seeds.doubleValue(),
                 duration.doubleValue(),
                 untilVerdict.isSelected(),
-                diagnosis.isEnabled() ? diagnosis.getItemAt(diagnosis.getSelectedIndex()) : DiagnosisChoice.SCENARIO,
+                diagnosis.isEnabled() ? diagnosis.value() : DiagnosisChoice.SCENARIO,
                 healthy.isSelected(),
                 faults.chosen(),
                 onset.getText().strip(),

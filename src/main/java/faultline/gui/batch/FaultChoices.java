@@ -1,6 +1,8 @@
 package faultline.gui.batch;
 
+import faultline.gui.panel.FaultNames;
 import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.TextListener;
 import faultline.gui.text.Messages;
 import faultline.io.DecimalText;
 import faultline.sensor.FaultKind;
@@ -48,7 +50,7 @@ final class FaultChoices extends JPanel {
     }
 
     private Row createRow(FaultKind kind, JPanel grid, Runnable onChange) {
-        String name = Messages.get("fault." + kind.fileName());
+        String name = FaultNames.nameOf(kind);
         JCheckBox box = new JCheckBox(name, kind == FaultKind.STUCK);
         box.addActionListener(event -> onChange.run());
         JTextField value = new JTextField(VALUE_COLUMNS);

@@ -77,7 +77,7 @@ final class HistogramView extends JPanel {
 
     /** Shows the values as they are now. */
     void showChosen() {
-        Quantity quantity = choice.getItemAt(choice.getSelectedIndex());
+        Quantity quantity = choice.value();
         double[] found = Arrays.stream(values.apply(quantity))
                 .map(value -> value * quantity.scale)
                 .sorted()

@@ -6,6 +6,7 @@ import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ComparisonController;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.RunController;
+import faultline.gui.document.TaskKind;
 import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.text.Messages;
@@ -115,6 +116,11 @@ public final class ControllerChooser implements WorkspaceListener {
     @Override
     public void scenarioOpened() {
         workspace.scenario().ifPresent(open -> scenarioName = open.name());
+    }
+
+    @Override
+    public void taskFailed(TaskKind what, Path file, Throwable cause) {
+        ghostPending &= what != TaskKind.OPEN;
     }
 
     @Override

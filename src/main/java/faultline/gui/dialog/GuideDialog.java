@@ -2,20 +2,17 @@ package faultline.gui.dialog;
 
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.FlowLayout;
 import java.awt.Window;
 import javax.swing.BorderFactory;
-import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.KeyStroke;
 
 /** The user guide in a non-modal dialog. */
 final class GuideDialog extends JDialog {
@@ -31,7 +28,9 @@ final class GuideDialog extends JDialog {
                 page.createPane(), JScrollPane.VERTICAL_SCROLLBAR_ALWAYS, JScrollPane.HORIZONTAL_SCROLLBAR_AS_NEEDED);
         scroll.setPreferredSize(new Dimension(TextSize.scaled(SIZE.width), SIZE.height));
         content.add(scroll, BorderLayout.CENTER);
-        content.add(createButtons(), BorderLayout.SOUTH);
+        content.add(
+                DialogButtons.createSingleButton(this, Messages.get("dialog.close"), this::dispose),
+                BorderLayout.SOUTH);
         setContentPane(content);
     }
 
@@ -63,17 +62,5 @@ final class GuideDialog extends JDialog {
             setLocationRelativeTo(owner);
             setVisible(true);
         }
-    }
-
-    private JPanel createButtons() {
-        JButton close = new JButton(Messages.get("dialog.close"));
-        close.addActionListener(event -> dispose());
-        getRootPane().setDefaultButton(close);
-        getRootPane()
-                .registerKeyboardAction(
-                        event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
-        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 0, 0));
-        buttons.add(close);
-        return buttons;
     }
 }

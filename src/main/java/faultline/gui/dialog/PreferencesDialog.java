@@ -11,11 +11,11 @@ import faultline.gui.panel.NamedChoice;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.ThemeChoice;
 import java.awt.BorderLayout;
-import java.awt.FlowLayout;
 import java.awt.GridBagLayout;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
@@ -23,12 +23,9 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.BorderFactory;
-import javax.swing.JButton;
 import javax.swing.JCheckBox;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 
 /**
  * All remembered settings in one modal dialog. A change takes effect at once or, where a note says so, at the next
@@ -75,7 +72,9 @@ public final class PreferencesDialog extends JDialog {
         JPanel content = new JPanel(new BorderLayout(0, 16));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
         content.add(form, BorderLayout.CENTER);
-        content.add(createButtons(), BorderLayout.SOUTH);
+        content.add(
+                DialogButtons.createSingleButton(this, Messages.get("dialog.close"), this::dispose),
+                BorderLayout.SOUTH);
         setContentPane(content);
         ScreenFit.pack(this);
         setLocationRelativeTo(owner);
@@ -96,26 +95,12 @@ public final class PreferencesDialog extends JDialog {
     private <E> void addChoice(String key, E[] options, E current, Function<E, String> name, Consumer<E> onChange) {
         NamedChoice<E> choice = new NamedChoice<>(options, name, onChange);
         choice.setValue(current);
-        choice.getAccessibleContext().setAccessibleName(Messages.get(key));
-        form.add(FormConstraints.label(key, choice), FormConstraints.cell(0, row));
-        form.add(choice, FormConstraints.fillRow(1, row++));
+        FormConstraints.addRow(form, row++, key, choice);
     }
 
     private static JCheckBox createToggle(UiAction action) {
         JCheckBox box = new JCheckBox(action);
         box.setToolTipText(null);
         return box;
-    }
-
-    private JPanel createButtons() {
-        JButton close = new JButton(Messages.get("dialog.close"));
-        close.addActionListener(event -> dispose());
-        getRootPane().setDefaultButton(close);
-        getRootPane()
-                .registerKeyboardAction(
-                        event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
-        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 0, 0));
-        buttons.add(close);
-        return buttons;
     }
 }

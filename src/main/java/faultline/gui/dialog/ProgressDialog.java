@@ -3,22 +3,19 @@ package faultline.gui.dialog;
 import faultline.gui.document.TaskProgress;
 import faultline.gui.document.WorkspaceTask;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.awt.FlowLayout;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.OptionalDouble;
 import javax.swing.BorderFactory;
-import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
-import javax.swing.KeyStroke;
 
 /** Shows the progress of a slow task. Its button, Escape and closing the dialog cancel the task. */
 final class ProgressDialog extends JDialog {
@@ -27,11 +24,9 @@ final class ProgressDialog extends JDialog {
     private static final int WIDTH = 380;
 
     private final JProgressBar progressBar = new JProgressBar(0, PROGRESS_STEPS);
-    private final transient Runnable cancelHandler;
 
     ProgressDialog(Window owner, WorkspaceTask task, Runnable cancel) {
         super(owner, Messages.get("wait.title"), ModalityType.APPLICATION_MODAL);
-        this.cancelHandler = cancel;
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
             @Override
@@ -46,27 +41,13 @@ final class ProgressDialog extends JDialog {
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
         content.add(new JLabel(sentence), BorderLayout.NORTH);
         content.add(progressBar, BorderLayout.CENTER);
-        content.add(createButtons(), BorderLayout.SOUTH);
+        content.add(DialogButtons.createSingleButton(this, Messages.get("wait.cancel"), cancel), BorderLayout.SOUTH);
         setContentPane(content);
         setProgress(task.progress());
         pack();
         setSize(new Dimension(Math.max(TextSize.scaled(WIDTH), getWidth()), getHeight()));
         setResizable(false);
         setLocationRelativeTo(owner);
-    }
-
-    private JPanel createButtons() {
-        JButton button = new JButton(Messages.get("wait.cancel"));
-        button.addActionListener(event -> cancelHandler.run());
-        getRootPane().setDefaultButton(button);
-        getRootPane()
-                .registerKeyboardAction(
-                        event -> cancelHandler.run(),
-                        KeyStroke.getKeyStroke("ESCAPE"),
-                        JComponent.WHEN_IN_FOCUSED_WINDOW);
-        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 0, 0));
-        buttons.add(button);
-        return buttons;
     }
 
     /** Shows the completed share. */

@@ -1,24 +1,21 @@
 package faultline.gui.dialog;
 
 import faultline.gui.text.Messages;
+import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.awt.FlowLayout;
 import java.awt.KeyboardFocusManager;
 import java.awt.Window;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
-import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
-import javax.swing.KeyStroke;
 import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableModel;
 
@@ -55,7 +52,9 @@ final class TableDialog extends JDialog {
         JTable table = createTable(columns, rows);
         WrappedCellRenderer.install(table, widths);
         content.add(createScrollPane(table, title), BorderLayout.CENTER);
-        content.add(createButtons(), BorderLayout.SOUTH);
+        content.add(
+                DialogButtons.createSingleButton(this, Messages.get("dialog.close"), this::dispose),
+                BorderLayout.SOUTH);
         setContentPane(content);
         EmptyToolTips.disable(content);
         ScreenFit.pack(this);
@@ -87,17 +86,5 @@ final class TableDialog extends JDialog {
         int height = table.getPreferredSize().height + table.getTableHeader().getPreferredSize().height + 4;
         scroll.setPreferredSize(new Dimension(table.getPreferredSize().width + 20, Math.min(MAX_TABLE_HEIGHT, height)));
         return scroll;
-    }
-
-    private JPanel createButtons() {
-        JButton close = new JButton(Messages.get("dialog.close"));
-        close.addActionListener(event -> dispose());
-        getRootPane().setDefaultButton(close);
-        getRootPane()
-                .registerKeyboardAction(
-                        event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
-        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 0, 0));
-        buttons.add(close);
-        return buttons;
     }
 }

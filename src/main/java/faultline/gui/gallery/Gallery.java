@@ -1,7 +1,9 @@
 package faultline.gui.gallery;
 
+import faultline.gui.panel.TextListener;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.Theme;
@@ -20,7 +22,6 @@ import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JList;
@@ -28,11 +29,8 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
-import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 
 /**
  * A modal dialog that shows the examples and opens the selected one. Modal, so that a window manager that activates the
@@ -71,9 +69,7 @@ public final class Gallery extends JDialog {
         content.add(footer(atStart, atStartChanged, onTour), BorderLayout.SOUTH);
         setContentPane(content);
         EmptyToolTips.disable(content);
-        getRootPane()
-                .registerKeyboardAction(
-                        event -> dispose(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+        DialogButtons.onEscape(this, this::dispose);
         ScreenFit.pack(this);
         setLocationRelativeTo(owner);
         addWindowListener(new WindowAdapter() {
@@ -94,7 +90,10 @@ public final class Gallery extends JDialog {
         });
         JTextField search = new JTextField(SEARCH_COLUMNS);
         search.getAccessibleContext().setAccessibleName(Messages.get("gallery.search"));
-        search.getDocument().addDocumentListener(new SearchListener(search));
+        search.getDocument().addDocumentListener(new TextListener(() -> {
+            filter.setText(search.getText());
+            selectFirst();
+        }));
         JLabel searchLabel = new JLabel(Messages.get("gallery.search"));
         searchLabel.setLabelFor(search);
         JPanel controls = new JPanel(new FlowLayout(FlowLayout.LEADING, 8, 0));
@@ -110,35 +109,6 @@ public final class Gallery extends JDialog {
     private void selectFirst() {
         list.setSelectedIndex(filter.shown().isEmpty() ? -1 : 0);
         list.ensureIndexIsVisible(0);
-    }
-
-    /** Filters the examples by a text while it is typed. */
-    private final class SearchListener implements DocumentListener {
-        private final JTextField field;
-
-        SearchListener(JTextField field) {
-            this.field = field;
-        }
-
-        private void update() {
-            filter.setText(field.getText());
-            selectFirst();
-        }
-
-        @Override
-        public void insertUpdate(DocumentEvent event) {
-            update();
-        }
-
-        @Override
-        public void removeUpdate(DocumentEvent event) {
-            update();
-        }
-
-        @Override
-        public void changedUpdate(DocumentEvent event) {
-            update();
-        }
     }
 
     private JScrollPane scroll() {

@@ -4,12 +4,12 @@ import faultline.gui.text.Messages;
 import faultline.sensor.FaultKind;
 
 /** The names of fault kinds. */
-final class FaultNames {
+public final class FaultNames {
 
     private FaultNames() {}
 
     /** Returns the name of a kind in the user's language. */
-    static String nameOf(FaultKind kind) {
+    public static String nameOf(FaultKind kind) {
         return Messages.get("fault." + kind.fileName());
     }
 }

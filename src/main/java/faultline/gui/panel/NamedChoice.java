@@ -31,7 +31,7 @@ public final class NamedChoice<T> extends JComboBox<T> {
         });
         addActionListener(event -> {
             if (!updating) {
-                onChange.accept(getItemAt(getSelectedIndex()));
+                onChange.accept(value());
             }
         });
     }
@@ -43,6 +43,11 @@ public final class NamedChoice<T> extends JComboBox<T> {
             }
         }
         return 0;
+    }
+
+    /** Returns the chosen value. */
+    public T value() {
+        return getItemAt(getSelectedIndex());
     }
 
     /** Shows a value, unless the list is open. */

@@ -70,7 +70,7 @@ public final class ScenarioActions {
     }
 
     private static Scenario scenarioOf(NamedChoice<ScenarioTemplate> template) {
-        return template.getItemAt(template.getSelectedIndex()).create();
+        return template.value().create();
     }
 
     private void showPropertiesDialog() {

@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.engine.SimulationSetup;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
@@ -32,6 +33,8 @@ import java.util.function.LongConsumer;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.BoundedRangeModel;
+import javax.swing.JFrame;
+import javax.swing.JMenu;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.LayoutFocusTraversalPolicy;
@@ -132,8 +135,14 @@ final class MainPanel extends JPanel {
         return shownFrame;
     }
 
-    /** Shows what the run of a scenario has come to, and at its end the verdict. */
-    void setRun(SessionFrame frame, Session.Status now, Scenario scenario) {
+    /**
+     * Shows the progress of the run of a scenario, and at its end the verdict.
+     *
+     * @param furthestTick the last tick that the run has reached
+     */
+    void setRun(SessionFrame frame, Session.Status now, Scenario scenario, long furthestTick) {
+        SimulationSetup setup = scenario.setup();
+        timeline.setFrame(frame, Math.max(furthestTick, setup.ticks()), setup.ticks(), setup.dt());
         controlPanel.setRun(frame, now, scenario);
         RunVerdict.of(frame, now, scenario)
                 .ifPresentOrElse(
@@ -146,6 +155,25 @@ final class MainPanel extends JPanel {
         timeline.bar().setDivergence(divergence);
         instruments.setReference(overlay == null ? null : overlay.run());
         instruments.setDivergence(divergence);
+    }
+
+    /**
+     * Adds the tour, not yet visible, to the canvas, and the marker of its controls to a frame.
+     *
+     * @param ghostMenu the menu of its last step
+     */
+    TourCard addTour(JFrame frame, JMenu ghostMenu) {
+        TourMarker marker = new TourMarker();
+        frame.setGlassPane(marker);
+        TourCard card = new TourCard(
+                List.of(
+                        new TourCard.Step("break", controlPanel.sensorDetails()),
+                        new TourCard.Step("health", controlPanel.runPanel()),
+                        new TourCard.Step("timeline", timeline.lanes()),
+                        new TourCard.Step("ghost", ghostMenu)),
+                marker::setTarget);
+        canvas.add(card, BorderLayout.SOUTH);
+        return card;
     }
 
     TimelinePanel timeline() {

@@ -44,7 +44,6 @@ import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
-import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -52,7 +51,6 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import javax.swing.BoundedRangeModel;
@@ -80,11 +78,14 @@ public final class MainWindow extends JFrame {
     private final transient Dialogs dialogs = new Dialogs(this);
     private final transient FileController fileController =
             new FileController(this, workspace, this::commitPendingEdit);
+    private final transient BatchActions batchActions =
+            new BatchActions(this, fileController, controllerChooser, this::showNote);
     private final SimulationCanvas canvas = new SimulationCanvas(undoController);
     private final transient ExportController exportController =
             new ExportController(this, workspace, canvas, fileController::chooseExportFile, this::showSavedNote);
     private final transient RunActions runActions;
     private final transient WindowPreferences preferences;
+    private final transient ThemeAction themeAction;
     private final MainPanel mainPanel;
     private final transient WindowBounds windowBounds;
     private final TourCard tour;
@@ -101,6 +102,7 @@ public final class MainWindow extends JFrame {
     public MainWindow(WindowPreferences preferences) {
         assert EventQueue.isDispatchThread();
         this.preferences = preferences;
+        themeAction = new ThemeAction(canvas, preferences);
         BoundedRangeModel speed =
                 new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
         runActions = new RunActions(runController, speed);
@@ -119,7 +121,7 @@ public final class MainWindow extends JFrame {
         setJMenuBar(Menus.createMenuBar(actionRegistry));
         getJMenuBar().getMenu(0).insert(new RecentMenu(preferences.recentFiles(), fileController::open), 2);
         setContentPane(mainPanel);
-        tour = createTour();
+        tour = mainPanel.addTour(this, getJMenuBar().getMenu(SIMULATION_MENU));
         setIconImages(AppIcon.images());
         setTransferHandler(new FileDropHandler(fileController::open));
         setTitle(fileController.documentTitle());
@@ -174,12 +176,11 @@ public final class MainWindow extends JFrame {
                 .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_F6, InputEvent.SHIFT_DOWN_MASK)));
         runActions.addTo(actionRegistry);
         controllerChooser.addTo(actionRegistry);
-        new BatchActions(this, fileController, controllerChooser, this::showNote).addTo(actionRegistry);
+        batchActions.addTo(actionRegistry);
         dialogs.addTo(actionRegistry);
         PreferenceActions later = new PreferenceActions(this, preferences, actionRegistry);
-        ThemeAction theme = new ThemeAction(canvas, preferences);
-        actionRegistry.add(theme.action());
-        PreferencesDialog.addTo(actionRegistry, this, preferences, later, theme);
+        actionRegistry.add(themeAction.action());
+        PreferencesDialog.addTo(actionRegistry, this, preferences, later, themeAction);
     }
 
     private boolean commitPendingEdit() {
@@ -241,8 +242,10 @@ public final class MainWindow extends JFrame {
 
     private void quit() {
         fileController.runIfChangesHandled(() -> {
-            windowBounds.save();
-            dispose();
+            if (batchActions.confirmClose()) {
+                windowBounds.save();
+                dispose();
+            }
         });
     }
 
@@ -251,6 +254,7 @@ public final class MainWindow extends JFrame {
     public void dispose() {
         pollTimer.stop();
         fileWatch.close();
+        themeAction.close();
         workspace.close();
         super.dispose();
     }
@@ -292,20 +296,6 @@ public final class MainWindow extends JFrame {
                 .setVisible(true);
     }
 
-    private TourCard createTour() {
-        TourMarker marker = new TourMarker();
-        setGlassPane(marker);
-        TourCard card = new TourCard(
-                List.of(
-                        new TourCard.Step("break", mainPanel.controlPanel().sensorDetails()),
-                        new TourCard.Step("health", mainPanel.controlPanel().runPanel()),
-                        new TourCard.Step("timeline", mainPanel.timeline().lanes()),
-                        new TourCard.Step("ghost", getJMenuBar().getMenu(SIMULATION_MENU))),
-                marker::setTarget);
-        canvas.add(card, BorderLayout.SOUTH);
-        return card;
-    }
-
     private void startTour() {
         setTimelineShown(true);
         actionRegistry.get("timeline").setOn(true);
@@ -337,18 +327,10 @@ public final class MainWindow extends JFrame {
             undoController.runAdvanced(frame.snapshot().tick());
             replayNotifier.update(frame.frame());
             comparisonActions.update(frame);
-            workspace.scenario().ifPresent(open -> {
-                mainPanel.setRun(frame, status, open);
-                mainPanel
-                        .timeline()
-                        .setFrame(
-                                frame,
-                                Math.max(
-                                        runController.navigator().furthestTick(),
-                                        open.setup().ticks()),
-                                open.setup().ticks(),
-                                open.setup().dt());
-            });
+            workspace
+                    .scenario()
+                    .ifPresent(open -> mainPanel.setRun(
+                            frame, status, open, runController.navigator().furthestTick()));
             runActions.update(status);
         }));
         Session.Status status = runController.status().orElse(null);

@@ -140,6 +140,19 @@ class CampaignReportTest {
     }
 
     @Test
+    void aRowThatLacksACellIsRefusedInOneSentence() throws Exception {
+        report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
+        Path table = folder.resolve("runs.csv");
+        List<String> lines = new ArrayList<>(Files.readAllLines(table));
+        List<String> cells = Csv.cells(lines.get(2));
+        lines.set(2, Csv.row(cells.subList(0, cells.size() - 1)).strip());
+        Files.write(table, lines);
+        IOException refusal = assertThrows(IOException.class, () -> new CampaignReport(folder));
+        assertEquals(
+                table + ":3: the row does not have " + cells.size() + " cells like the header", refusal.getMessage());
+    }
+
+    @Test
     void aTableThatIsNoTextIsRefusedInOneSentence() throws Exception {
         report("<set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
         Path table = folder.resolve("runs.csv");

@@ -75,7 +75,8 @@ class ComparisonRobotTest {
         driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_G);
         driver.waitForReferenceRun();
         driver.choose("restart");
-        driver.waitForFrame("the run begins anew", frame -> frame.snapshot().tick() == 0);
+        driver.waitForFrame(
+                "the run is at its start again", frame -> frame.snapshot().tick() == 0);
         step(CHANGE_TICK);
         assertEquals(null, callOnEdt(this::mark));
         driver.robot().pressKeys(KeyEvent.VK_3);

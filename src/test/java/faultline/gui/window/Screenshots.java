@@ -122,7 +122,8 @@ public final class Screenshots {
             driver.choose("faster");
         }
         driver.choose("restart");
-        driver.waitForFrame("the run begins anew", frame -> frame.snapshot().tick() == 0);
+        driver.waitForFrame(
+                "the run is at its start again", frame -> frame.snapshot().tick() == 0);
         driver.choose("run");
     }
 

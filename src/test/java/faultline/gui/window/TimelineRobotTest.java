@@ -112,17 +112,8 @@ class TimelineRobotTest {
 
     @Test
     void everythingCanBeDoneWithKeys() throws ScenarioException {
-        driver.robot().waitFor("the canvas has the focus", () -> driver.canvas().isFocusOwner());
-        driver.type(KeyEvent.VK_F6);
-        driver.type(KeyEvent.VK_F6);
-        driver.robot().waitFor("the lanes have the focus", lanes::isFocusOwner);
-        driver.type(KeyEvent.VK_DOWN);
-        driver.type(KeyEvent.VK_DOWN);
-        driver.type(KeyEvent.VK_ENTER);
-        driver.dialog(NEW_FAULT);
-        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
-        driver.robot().pressKeys(KeyEvent.VK_5);
-        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        openNewFault();
+        enterStart(KeyEvent.VK_5);
         driver.waitForTitle("office.xml*");
         List<TimedCommand> drawn = saved();
         assertEquals(5, drawn.get(0).time());
@@ -141,13 +132,7 @@ class TimelineRobotTest {
 
     @Test
     void aFaultThatEndsBeforeItStartsIsRefusedWithTheReason() throws ScenarioException {
-        driver.robot().waitFor("the canvas has the focus", () -> driver.canvas().isFocusOwner());
-        driver.type(KeyEvent.VK_F6);
-        driver.type(KeyEvent.VK_F6);
-        driver.robot().waitFor("the lanes have the focus", lanes::isFocusOwner);
-        driver.type(KeyEvent.VK_DOWN);
-        driver.type(KeyEvent.VK_DOWN);
-        driver.type(KeyEvent.VK_ENTER);
+        openNewFault();
         enterStart(KeyEvent.VK_9, KeyEvent.VK_9);
         driver.robot().waitFor("the reason", () -> isShown("The end (\"Until\") must be after the start (\"From\")."));
         driver.robot().pressKeys(KeyEvent.VK_ENTER);
@@ -155,6 +140,17 @@ class TimelineRobotTest {
         enterStart(KeyEvent.VK_5);
         driver.waitForTitle("office.xml*");
         assertEquals(5, saved().get(0).time());
+    }
+
+    /** Opens the dialog of a new fault of the left sensor by keys alone. */
+    private void openNewFault() {
+        driver.robot().waitFor("the canvas has the focus", () -> driver.canvas().isFocusOwner());
+        driver.type(KeyEvent.VK_F6);
+        driver.type(KeyEvent.VK_F6);
+        driver.robot().waitFor("the lanes have the focus", lanes::isFocusOwner);
+        driver.type(KeyEvent.VK_DOWN);
+        driver.type(KeyEvent.VK_DOWN);
+        driver.type(KeyEvent.VK_ENTER);
     }
 
     private void enterStart(int... digits) {

@@ -1,10 +1,10 @@
-package faultline.gui.batch;
+package faultline.gui.panel;
 
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 
 /** Calls a listener after every change of a text. */
-record TextListener(Runnable onChange) implements DocumentListener {
+public record TextListener(Runnable onChange) implements DocumentListener {
 
     @Override
     public void insertUpdate(DocumentEvent event) {
