@@ -3,9 +3,8 @@ package faultline.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.awt.GraphicsEnvironment;
+import faultline.JavaProcess;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -107,16 +106,39 @@ class CompareCommandTest {
         assertTrue(Files.readString(page()).contains("<code>" + command + "</code>"));
     }
 
+    /** Runs a command in a process without a display. */
+    private static CommandResult commandWithoutDisplay(String... args) throws Exception {
+        ProcessBuilder builder = JavaProcess.builder("faultline.app.Main", List.of(args));
+        builder.command().add(1, "-Djava.awt.headless=true");
+        Process process = builder.start();
+        String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
+        return new CommandResult(process.waitFor(), out, err);
+    }
+
     @Test
-    void theWindowTakesControllersButOnlyWithADisplay() {
-        assumeTrue(GraphicsEnvironment.isHeadless());
+    void aMisspeltOptionOfTheWindowIsNamed() {
         CommandResult misspelt = command(SCENARIO, "--controller", "none", "--ghost-controler", "wall-follower");
         assertEquals(2, misspelt.code);
         assertTrue(misspelt.err.contains("did you mean \"--ghost-controller\""), misspelt.err);
-        CommandResult window = command(SCENARIO, "--controller", "none", "--ghost-controller", "wall-follower");
+    }
+
+    @Test
+    void theWindowTakesControllersButOnlyWithADisplay() throws Exception {
+        CommandResult window =
+                commandWithoutDisplay(SCENARIO, "--controller", "none", "--ghost-controller", "wall-follower");
         assertEquals(2, window.code);
         assertTrue(window.err.contains("--controller needs a display here"), window.err);
-        CommandResult compared = compare("--controller", "wall-follower", "--controller", "none", "--open");
+        CommandResult compared = commandWithoutDisplay(
+                "compare",
+                SCENARIO,
+                "--out",
+                "" + page(),
+                "--controller",
+                "wall-follower",
+                "--controller",
+                "none",
+                "--open");
         assertEquals(2, compared.code);
         assertTrue(compared.err.contains("--open needs a display here"), compared.err);
         assertFalse(Files.exists(page()), "no page is written");
