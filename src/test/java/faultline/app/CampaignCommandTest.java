@@ -116,6 +116,16 @@ class CampaignCommandTest {
         assertEquals(2, command("figures --out @/room.xml/figures"));
         assertTrue(errors().startsWith("faultline: @/room.xml"), errors());
         assertEquals(0, command("campaign @/plan.xml --out @/whole"), errors());
+        Path table = folder.resolve("whole/runs.csv");
+        List<String> rows = Files.readAllLines(table);
+        for (String empty : List.of("", rows.get(0) + "\n")) {
+            Files.writeString(table, empty);
+            assertEquals(2, command("report @/whole --out @/page.html"));
+            String expected = "there is no row of a run; expected at least one below the header";
+            assertEquals("faultline: @/whole/runs.csv:1:1: " + expected + "\n", errors());
+            assertTrue(Files.notExists(folder.resolve("page.html")));
+        }
+        Files.write(table, rows);
         assertEquals(2, command("report @/whole --out @/whole/runs.csv"));
         assertTrue(errors().contains("--out or --table is a file of the campaign itself; expected another file"));
         assertEquals(2, command("campaign @/plan.xml --out @/whole"));

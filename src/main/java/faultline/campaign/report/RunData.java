@@ -75,6 +75,9 @@ final class RunData {
                     throw new IOException(table + ": " + problem.get());
                 }
             }
+            if (data.rows.isEmpty()) {
+                throw new IOException(table + ":1:1: there is no row of a run; expected at least one below the header");
+            }
             return data;
         } catch (UncheckedIOException e) {
             throw new IOException(table + ": the file cannot be read as UTF-8 text", e);

@@ -21,7 +21,8 @@ public enum TraceFormat {
     /** Motion, state and readings; a sensor that is off reads {@code off}. */
     ONE,
     /**
-     * Volts, telemetry, active faults and the health of sensors as well; a column holds numbers only, or words only.
+     * Volts, telemetry, active faults and the health of sensors as well; a column holds numbers only, or words only,
+     * and times have no rounding errors.
      */
     TWO;
 
@@ -32,7 +33,7 @@ public enum TraceFormat {
      */
     public List<TraceColumn> columns(RobotSpec robot) {
         List<TraceColumn> columns = new ArrayList<>();
-        addMotion(columns);
+        addMotion(columns, this == ONE ? Simulation::time : s -> s.setup().timeOf(s.ticks()));
         if (this == TWO) {
             addController(columns);
         }
@@ -48,10 +49,10 @@ public enum TraceFormat {
         return columns;
     }
 
-    private static void addMotion(List<TraceColumn> columns) {
+    private static void addMotion(List<TraceColumn> columns, ToDoubleFunction<Simulation> time) {
         columns.add(new TraceColumn(
                 "tick", "", "number of the tick, from 0", (s, row) -> row.append(Long.toString(s.ticks()))));
-        columns.add(number("t", "s", "time", Simulation::time));
+        columns.add(number("t", "s", "time", time));
         columns.add(number("x", "m", "centre of the robot", s -> s.pose().x()));
         columns.add(number("y", "m", "centre of the robot", s -> s.pose().y()));
         columns.add(number(

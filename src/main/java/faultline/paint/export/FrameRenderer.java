@@ -13,8 +13,8 @@ import java.awt.image.BufferedImage;
 /** Renders frames as pictures without a display, with the painter of the window. */
 public final class FrameRenderer {
 
-    /** The margin around the world, pixels: for the band, the scale bar below and the badge above. */
-    private static final double MARGIN = 20;
+    /** The margin around the world, pixels: for the band, the scale bar below the band and the badge above. */
+    private static final double MARGIN = 24;
 
     private static final double MIN_ASPECT = 0.25;
     private static final double MAX_ASPECT = 2;

@@ -7,14 +7,14 @@ import java.awt.Color;
 import java.awt.Shape;
 import java.awt.geom.Path2D;
 
-/** Paints a scale bar of a nice length in the lower right corner. */
+/** Paints a scale bar of a nice length in the lower right corner, below the band around a world that just fits. */
 final class ScaleBarPainter {
 
     /** The least length of the bar, pixels; it is less than two and a half times as long. */
     private static final double MIN_LENGTH = 60;
 
     private static final double MARGIN_RIGHT = 24;
-    private static final double MARGIN_BOTTOM = 15;
+    private static final double MARGIN_BOTTOM = 7;
     private static final double TICK_HEIGHT = 4;
     private static final double NAME_GAP = 8;
 

@@ -10,6 +10,7 @@ import faultline.engine.SampleFrames;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.paint.export.FrameRenderer;
+import faultline.paint.export.RenderRequest;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.Palette;
 import faultline.robot.RobotSpec;
@@ -23,16 +24,18 @@ import faultline.world.SensorSnapshot;
 import faultline.world.WaypointPath;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Pixels of frames painted without a display. The world is 6 m x 4 m at about 137 pixels per metre. */
+/** Pixels of frames painted without a display. The world is 6 m x 4 m at about 142 pixels per metre. */
 class ScenePainterTest {
 
     private static final Pose AT_2_1 = new Pose(2, 1, 0);
@@ -69,6 +72,26 @@ class ScenePainterTest {
                 .filter(x -> Pixels.isSimilar(LIGHT.robot(), new Color(image.getRGB(x, y))))
                 .count();
         assertTrue(onTheRight >= 1 && onTheRight <= 4, onTheRight + " pixels of the ring");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {480, 1200})
+    void theScaleBarOverlapsNothing(int width) {
+        Frame frame = SampleFrames.frameOf(AT_2_1);
+        int height = FrameRenderer.heightFor(frame, width);
+        Camera camera = FrameRenderer.fitCamera(frame.snapshot(), width, height);
+        Set<Layer> others = EnumSet.complementOf(EnumSet.of(Layer.SCALE_BAR));
+        BufferedImage with = new RenderRequest(frame, camera, LIGHT, EnumSet.allOf(Layer.class)).toImage(1);
+        BufferedImage without = new RenderRequest(frame, camera, LIGHT, others).toImage(1);
+        int bottomOfBand = (int) Math.ceil(camera.toScreen(Vector2.ZERO).y() + BoundsPainter.BAND_WIDTH);
+        int bar = height - bottomOfBand;
+        assertEquals(
+                0,
+                Pixels.countVisiblyDifferent(
+                        with.getSubimage(0, 0, width, bottomOfBand), without.getSubimage(0, 0, width, bottomOfBand)));
+        assertTrue(Pixels.countVisiblyDifferent(
+                        with.getSubimage(0, bottomOfBand, width, bar), without.getSubimage(0, bottomOfBand, width, bar))
+                > 60);
     }
 
     @Test
