@@ -4,14 +4,22 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Rectangle;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import javax.swing.border.EmptyBorder;
+import javax.swing.border.LineBorder;
 import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicComboBoxUI;
+import javax.swing.plaf.basic.BasicComboPopup;
+import javax.swing.plaf.basic.ComboPopup;
 
 /** A flat combo box: value and arrow share one outline. */
 public final class FlatComboBoxUI extends BasicComboBoxUI {
 
     private static final int INDENT = 4;
+
+    /** The distance of the rows of the list from its border, pixels; their texts are below that of the box. */
+    private static final int LIST_MARGIN = 4;
 
     /** Called by Swing to create a delegate. */
     public static ComponentUI createUI(JComponent component) {
@@ -21,6 +29,11 @@ public final class FlatComboBoxUI extends BasicComboBoxUI {
     @Override
     protected JButton createArrowButton() {
         return ArrowButton.down();
+    }
+
+    @Override
+    protected ComboPopup createPopup() {
+        return new FlatPopup(comboBox);
     }
 
     /** Makes the arrow not focusable; it would be a second tab stop without a name. */
@@ -46,5 +59,26 @@ public final class FlatComboBoxUI extends BasicComboBoxUI {
     protected Dimension getDisplaySize() {
         Dimension size = super.getDisplaySize();
         return new Dimension(size.width + 2 * INDENT, size.height + 6);
+    }
+
+    /** A list with the border of menus, in place of Swing's black line. */
+    private static final class FlatPopup extends BasicComboPopup {
+
+        FlatPopup(JComboBox<Object> box) {
+            super(box);
+        }
+
+        @Override
+        protected void configurePopup() {
+            super.configurePopup();
+            setBorder(new LineBorder(Theme.currentColours().border()));
+        }
+
+        @Override
+        protected void configureScroller() {
+            super.configureScroller();
+            scroller.setBorder(new EmptyBorder(LIST_MARGIN, LIST_MARGIN, LIST_MARGIN, LIST_MARGIN));
+            scroller.setBackground(list.getBackground());
+        }
     }
 }

@@ -17,28 +17,20 @@ import faultline.gui.panel.VerdictBanner;
 import faultline.gui.properties.ObstaclePanel;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
-import faultline.gui.timeline.LaneView;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.gui.timeline.TimelinePanel;
 import faultline.paint.scene.ReferenceOverlay;
 import faultline.scenario.Scenario;
 import java.awt.BorderLayout;
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.EventQueue;
-import java.awt.KeyboardFocusManager;
 import java.util.List;
 import java.util.function.LongConsumer;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
-import javax.swing.LayoutFocusTraversalPolicy;
-import javax.swing.SwingUtilities;
 
 /**
  * The contents of the window below its menu bar: tool bar, canvas, instruments, control panel and status bar. Needs no
@@ -62,6 +54,7 @@ final class MainPanel extends JPanel {
     private final VerdictBanner banner;
     private final PositionedSplitPane dockSplit;
     private final PositionedSplitPane panelSplit;
+    private final transient FocusAreas focusAreas;
     private int dockHeight;
     /** Null before the first frame. */
     private transient SessionFrame shownFrame;
@@ -86,6 +79,7 @@ final class MainPanel extends JPanel {
         instruments = new InstrumentDock(jump);
         dockHeight = instruments.getPreferredSize().height;
         timeline = new TimelinePanel(jump, canvas::setFrame, timelineEditor);
+        focusAreas = new FocusAreas(List.of(canvas, timeline.bar(), timeline.lanes(), instruments, controlPanel));
         banner = new VerdictBanner(jump);
         canvas.setLayout(new BorderLayout());
         canvas.add(banner, BorderLayout.NORTH);
@@ -211,24 +205,7 @@ final class MainPanel extends JPanel {
      * Moves the focus to the next area, or to the previous one: canvas, time slider, lanes, instruments, control panel.
      */
     void focusArea(int step) {
-        List<? extends Container> areas = Stream.of(canvas, timeline.bar(), timeline.lanes(), instruments, controlPanel)
-                .filter(area -> area.isShowing())
-                .toList();
-        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-        int current = IntStream.range(0, areas.size())
-                .filter(i -> owner != null && SwingUtilities.isDescendingFrom(owner, areas.get(i)))
-                .findFirst()
-                .orElse(step > 0 ? -1 : 0);
-        focusFirstComponent(areas.get(Math.floorMod(current + step, areas.size())));
-    }
-
-    private static void focusFirstComponent(Container area) {
-        Component first = area instanceof SimulationCanvas || area instanceof LaneView
-                ? area
-                : new LayoutFocusTraversalPolicy().getFirstComponent(area);
-        if (first != null) {
-            first.requestFocusInWindow();
-        }
+        focusAreas.move(step);
     }
 
     ControlPanel controlPanel() {

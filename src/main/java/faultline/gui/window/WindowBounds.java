@@ -13,7 +13,12 @@ import javax.swing.JFrame;
 /** Restores and stores the bounds of the window and its dividers, within the current screen. */
 final class WindowBounds {
 
+    /** The size on screens that have room for it. */
     private static final Dimension DEFAULT_SIZE = new Dimension(1360, 880);
+    /** The part of a larger screen that the window takes, and its largest size there. */
+    private static final double SCREEN_SHARE = 0.9;
+
+    private static final Dimension MAX_DEFAULT_SIZE = new Dimension(1920, 1200);
     private static final Dimension MIN_SIZE = new Dimension(1024, 600);
     /** The part of the title bar that must be on a screen, pixels. */
     private static final Dimension MIN_VISIBLE_TITLE = new Dimension(120, 20);
@@ -60,10 +65,15 @@ final class WindowBounds {
      * window manager, AWT may keep a wrong location, so that popups do not open and dialogs are off centre.
      */
     private static Rectangle centred(Rectangle screen) {
-        int width = Math.min(DEFAULT_SIZE.width, screen.width);
-        int height = Math.min(DEFAULT_SIZE.height, screen.height);
+        int width = defaultLength(DEFAULT_SIZE.width, MAX_DEFAULT_SIZE.width, screen.width);
+        int height = defaultLength(DEFAULT_SIZE.height, MAX_DEFAULT_SIZE.height, screen.height);
         return new Rectangle(
                 screen.x + (screen.width - width) / 2, screen.y + (screen.height - height) / 2, width, height);
+    }
+
+    private static int defaultLength(int usual, int most, int available) {
+        int share = (int) Math.min(most, SCREEN_SHARE * available);
+        return Math.min(available, Math.max(usual, share));
     }
 
     private static boolean isOnScreen(Rectangle bounds) {

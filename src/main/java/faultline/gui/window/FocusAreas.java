@@ -1,0 +1,64 @@
+package faultline.gui.window;
+
+import faultline.gui.canvas.SimulationCanvas;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.KeyboardFocusManager;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.LayoutFocusTraversalPolicy;
+import javax.swing.SwingUtilities;
+
+/** The areas of the window among which F6 and Shift+F6 move the focus. */
+final class FocusAreas {
+
+    private final List<Container> areas;
+    /** The area that has been asked for and has not got the focus yet, null for none. */
+    private Container pending;
+
+    /** Creates the areas in the order of F6; those that are not showing are left out when the focus moves. */
+    FocusAreas(List<Container> areas) {
+        this.areas = List.copyOf(areas);
+    }
+
+    /**
+     * Moves the focus by a number of areas. The focus arrives later than the call returns: a second call before that
+     * counts from the area that the first one has chosen.
+     */
+    void move(int step) {
+        List<Container> shown = areas.stream().filter(Component::isShowing).toList();
+        if (!shown.isEmpty()) {
+            int current = pending == null ? focused(shown) : shown.indexOf(pending);
+            int from = current < 0 && step < 0 ? 0 : current;
+            focus(shown.get(Math.floorMod(from + step, shown.size())));
+        }
+    }
+
+    private static int focused(List<Container> shown) {
+        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        return IntStream.range(0, shown.size())
+                .filter(i -> owner != null && SwingUtilities.isDescendingFrom(owner, shown.get(i)))
+                .findFirst()
+                .orElse(-1);
+    }
+
+    private void focus(Container area) {
+        Component first = area instanceof SimulationCanvas || area.getComponentCount() == 0
+                ? area
+                : new LayoutFocusTraversalPolicy().getFirstComponent(area);
+        pending = null;
+        if (first != null && !first.isFocusOwner()) {
+            pending = area;
+            first.addFocusListener(new FocusAdapter() {
+                @Override
+                public void focusGained(FocusEvent event) {
+                    first.removeFocusListener(this);
+                    pending = null;
+                }
+            });
+            first.requestFocusInWindow(FocusEvent.Cause.TRAVERSAL);
+        }
+    }
+}
