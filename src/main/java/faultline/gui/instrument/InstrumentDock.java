@@ -20,7 +20,7 @@ public final class InstrumentDock extends JTabbedPane {
 
     private static final int FRAMES_PER_UPDATE = 3;
     private static final Dimension MIN_SIZE = new Dimension(400, 120);
-    private static final Dimension DEFAULT_SIZE = new Dimension(900, 230);
+    private static final Dimension DEFAULT_SIZE = new Dimension(900, 196);
 
     private final StripChart chart = new StripChart();
     private final StateDiagramView diagram = new StateDiagramView();

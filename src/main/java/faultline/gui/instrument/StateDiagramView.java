@@ -1,6 +1,8 @@
 package faultline.gui.instrument;
 
+import faultline.control.ControllerState;
 import faultline.control.FollowerState;
+import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.engine.session.SessionFrame;
@@ -61,8 +63,10 @@ public final class StateDiagramView extends JComponent {
                         .orElse("");
     }
 
+    /** Returns whether the wall follower drives, or has stopped because it has no strategy left. */
     private static boolean isFollower(SessionFrame shown) {
-        return shown.telemetry().state() instanceof FollowerState;
+        ControllerState state = shown.telemetry().state();
+        return state instanceof FollowerState || state.equals(FaultTolerantFollower.STOP);
     }
 
     private double scale() {

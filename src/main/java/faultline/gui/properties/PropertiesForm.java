@@ -46,10 +46,16 @@ final class PropertiesForm extends JPanel {
         add(new TitledSection(Messages.get("expect.title"), expectation));
     }
 
+    /** Returns the first field. */
+    JTextField nameField() {
+        return name;
+    }
+
     /** Shows properties. */
     void setProperties(ScenarioProperties shown) {
         name.setText(shown.name());
         description.setText(shown.description());
+        description.setCaretPosition(0);
         width.setWorldValue(shown.width());
         height.setWorldValue(shown.height());
         enclosed.setSelected(shown.enclosed());

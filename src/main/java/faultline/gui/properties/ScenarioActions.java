@@ -17,6 +17,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 
@@ -64,7 +65,7 @@ public final class ScenarioActions {
         JPanel content = new JPanel(new BorderLayout());
         content.add(choice, BorderLayout.NORTH);
         content.add(form, BorderLayout.CENTER);
-        if (confirm(content, "new.title", () -> form.findProblem(scenarioOf(template)))) {
+        if (confirm(content, template, "new.title", () -> form.findProblem(scenarioOf(template)))) {
             onNew.accept(form.properties().applyTo(scenarioOf(template)));
         }
     }
@@ -78,7 +79,7 @@ public final class ScenarioActions {
             ScenarioProperties before = ScenarioProperties.of(open);
             PropertiesForm form = new PropertiesForm();
             form.setProperties(before);
-            if (confirm(form, "properties.title", () -> form.findProblem(open))
+            if (confirm(form, form.nameField(), "properties.title", () -> form.findProblem(open))
                     && !form.properties().equals(before)) {
                 ScenarioProperties after = form.properties();
                 editor.edit("edit.properties", after::applyTo, before::applyTo);
@@ -87,18 +88,29 @@ public final class ScenarioActions {
     }
 
     /** Shows a form until it is cancelled or nothing is wrong with it, and returns whether it was accepted. */
-    private boolean confirm(JComponent form, String titleKey, Supplier<Optional<String>> problem) {
-        while (true) {
-            int answer = JOptionPane.showConfirmDialog(
-                    parent, form, Messages.get(titleKey), JOptionPane.OK_CANCEL_OPTION, JOptionPane.PLAIN_MESSAGE);
-            if (answer != JOptionPane.OK_OPTION) {
-                return false;
-            }
+    private boolean confirm(JComponent form, JComponent first, String titleKey, Supplier<Optional<String>> problem) {
+        while (isAccepted(form, first, Messages.get(titleKey))) {
             Optional<String> found = problem.get();
             if (found.isEmpty()) {
                 return true;
             }
             JOptionPane.showMessageDialog(parent, found.get(), Messages.get(titleKey), JOptionPane.WARNING_MESSAGE);
         }
+        return false;
+    }
+
+    /** Shows a form once, with the focus in its first field. */
+    private boolean isAccepted(JComponent form, JComponent first, String title) {
+        JOptionPane pane = new JOptionPane(form, JOptionPane.PLAIN_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
+            @Override
+            public void selectInitialValue() {
+                super.selectInitialValue();
+                first.requestFocusInWindow();
+            }
+        };
+        JDialog dialog = pane.createDialog(parent, title);
+        dialog.setVisible(true);
+        dialog.dispose();
+        return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue());
     }
 }

@@ -84,6 +84,22 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
         return ticks;
     }
 
+    /**
+     * Returns every how many ticks of a linear axis there is room for a label; 1 for a logarithmic axis.
+     *
+     * @param length the length of the axis in a picture
+     * @param label the length that a label takes along the axis there
+     */
+    int labelStride(double length, double label) {
+        double distance = niceStep(high - low) / (high - low) * length;
+        return logarithmic || distance >= label ? 1 : (int) Math.ceil(label / Math.max(distance, 1e-3));
+    }
+
+    /** Returns whether a tick has a label; for a stride, these are the same values wherever the axis starts. */
+    boolean hasLabel(double tick, int stride) {
+        return stride == 1 || Math.round(tick / niceStep(high - low)) % stride == 0;
+    }
+
     private static double niceStep(double span) {
         double rough = span / MAX_INTERVALS;
         double power = powerOfTen(rough);

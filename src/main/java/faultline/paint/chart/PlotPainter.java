@@ -34,24 +34,34 @@ public record PlotPainter(Surface surface, Plot plot) {
         });
     }
 
-    /** Paints the ticks of both axes with their values. */
+    /** Paints the ticks of both axes with their values; values for which there is no room are left out. */
     public void paintTicks(TickStyle style) {
         LineStyle mark = LineStyle.solid(style.text().colour(), 1);
+        double widest = plot.horizontal().ticks().stream()
+                .mapToDouble(tick -> style.text().estimateWidth(Axis.formatTick(tick) + style.unit()))
+                .max()
+                .orElse(0);
+        int across = plot.horizontal().labelStride(plot.area().width(), widest);
         for (double tick : plot.horizontal().ticks()) {
             Vector2 foot = plot.area().pointAt(plot.horizontal().fractionOf(tick), 0);
             paintTick(foot, new Vector2(0, style.markLength()), mark);
-            surface.drawText(
-                    Axis.formatTick(tick) + style.unit(),
-                    foot.plus(new Vector2(0, style.below())),
-                    style.text().withAnchor(Anchor.MIDDLE));
+            if (plot.horizontal().hasLabel(tick, across)) {
+                surface.drawText(
+                        Axis.formatTick(tick) + style.unit(),
+                        foot.plus(new Vector2(0, style.below())),
+                        style.text().withAnchor(Anchor.MIDDLE));
+            }
         }
+        int up = plot.vertical().labelStride(plot.area().height(), style.text().size());
         for (double tick : plot.vertical().ticks()) {
             Vector2 foot = plot.area().pointAt(0, plot.vertical().fractionOf(tick));
             paintTick(foot, new Vector2(-style.markLength(), 0), mark);
-            surface.drawText(
-                    Axis.formatTick(tick),
-                    foot.plus(new Vector2(-style.left(), 4)),
-                    style.text().withAnchor(Anchor.END));
+            if (plot.vertical().hasLabel(tick, up)) {
+                surface.drawText(
+                        Axis.formatTick(tick),
+                        foot.plus(new Vector2(-style.left(), 4)),
+                        style.text().withAnchor(Anchor.END));
+            }
         }
     }
 

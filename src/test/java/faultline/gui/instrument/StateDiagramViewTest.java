@@ -8,8 +8,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.control.ControllerState;
 import faultline.control.FollowerState;
 import faultline.control.Telemetry;
+import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.StateDiagram;
 import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.engine.Frame;
@@ -139,13 +141,25 @@ class StateDiagramViewTest {
         assertEquals("4 of 6: two sensors, local map · ", strategy("TWO"));
     }
 
+    @Test
+    void aStoppedFollowerKeepsItsDiagramWithoutACurrentState() {
+        BufferedImage picture = picture(frame(FaultTolerantFollower.STOP, "STOP"));
+        for (FollowerState state : FollowerState.values()) {
+            assertEquals(Theme.currentColours().field(), ground(picture, state), state.toString());
+        }
+    }
+
     private static String strategy(String rung) {
+        return DiagramPainter.strategyText(frame(FRAME.telemetry().state(), rung));
+    }
+
+    private static SessionFrame frame(ControllerState state, String rung) {
         Frame old = FRAME.frame();
         Telemetry telemetry = old.telemetry();
         Frame frame = new Frame(
                 old.snapshot(),
                 new Telemetry(
-                        telemetry.state(),
+                        state,
                         telemetry.condition(),
                         telemetry.sinceTick(),
                         telemetry.transitions(),
@@ -156,6 +170,6 @@ class StateDiagramViewTest {
                 old.rightVolts(),
                 old.path(),
                 old.trajectoryHash());
-        return DiagramPainter.strategyText(new SessionFrame(frame, FRAME.recording()));
+        return new SessionFrame(frame, FRAME.recording());
     }
 }

@@ -40,6 +40,24 @@ class ChartPainterTest {
     }
 
     @Test
+    void labelsWithoutRoomAreLeftOutAndStayAtTheirValues() {
+        assertEquals(List.of("0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8"), labels(0, 0.8, 88));
+        assertEquals(List.of("0", "0.2", "0.4", "0.6", "0.8"), labels(0, 0.8, 70));
+        assertEquals(List.of("0.2", "0.4", "0.6", "0.8"), labels(0.1, 0.9, 70));
+        assertEquals(List.of("0"), labels(0, 0.8, 3));
+        assertEquals(1, new Axis("", 1, 100, true).labelStride(10, 11));
+    }
+
+    private static List<String> labels(double low, double high, double length) {
+        Axis axis = Axis.linear("", low, high);
+        int stride = axis.labelStride(length, 11);
+        return axis.ticks().stream()
+                .filter(tick -> axis.hasLabel(tick, stride))
+                .map(Axis::formatTick)
+                .toList();
+    }
+
+    @Test
     void anAxisCoversAllValuesAndEndsAtNiceOnes() {
         Axis axis = Axis.covering("", DoubleStream.of(0.13, 7.9, Double.NaN));
         assertEquals(0, axis.low());
