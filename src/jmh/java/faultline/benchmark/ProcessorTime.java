@@ -21,6 +21,10 @@ public final class ProcessorTime {
     private static final int ROOMS = 20;
     private static final int ROOM_TICKS = 12_000;
     private static final long FIRST_ROOM = 770_000;
+    private static final int CHECKED_TICKS = 10_000;
+    /** Metres. */
+    private static final double PROBE_TOLERANCE = 1e-9;
+
     private static final int INDEXED_SEGMENTS = 100_000;
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
@@ -31,8 +35,12 @@ public final class ProcessorTime {
         printFollower();
         for (int segments : SEGMENTS) {
             SimulationSetup setup = BenchmarkRooms.of(segments);
-            print(segments + " segments", run(setup)::tick, 200_000);
+            checkProbe(setup);
+            double probe = print(segments + " segments, bare probe", new BareProbe(setup), 200_000);
+            double tick = print(segments + " segments", run(setup)::tick, 200_000);
             print(segments + " segments, the world alone", worldAlone(setup), 200_000);
+            System.out.println(
+                    String.format(Locale.ROOT, "%-40s %10.2f", segments + " segments, tick : probe", tick / probe));
         }
         for (RoomVariant room : RoomVariant.values()) {
             int ticks = room == RoomVariant.MOVERS_1000 ? 5000 : 50_000;
@@ -93,7 +101,27 @@ public final class ProcessorTime {
         };
     }
 
-    private static void print(String name, Runnable action, int count) {
+    /** Fails if the probe and the world do not measure the same; then the probe's time would say nothing. */
+    private static void checkProbe(SimulationSetup setup) {
+        World world = makeWorld(setup);
+        ControllerSpec.Drive circle = (ControllerSpec.Drive) setup.controller();
+        BareProbe probe = new BareProbe(setup);
+        for (int tick = 0; tick < CHECKED_TICKS; tick++) {
+            probe.run();
+            world.move(circle.leftVolts(), circle.rightVolts());
+            world.sense();
+            for (int i = 0; i < setup.robot().sensors().size(); i++) {
+                double off = Math.abs(probe.reading(i) - world.trueReading(i));
+                if (off > PROBE_TOLERANCE || (Double.isNaN(off) && probe.reading(i) != world.trueReading(i))) {
+                    throw new IllegalStateException(
+                            "sensor " + i + ": " + probe.reading(i) + ", not " + world.trueReading(i));
+                }
+            }
+        }
+    }
+
+    /** Prints the time and the bytes of an action and returns the time, microseconds. */
+    private static double print(String name, Runnable action, int count) {
         double leastTime = Double.POSITIVE_INFINITY;
         double leastBytes = Double.POSITIVE_INFINITY;
         for (int pass = 0; pass < PASSES; pass++) {
@@ -106,5 +134,6 @@ public final class ProcessorTime {
             leastBytes = Math.min(leastBytes, (double) (THREADS.getCurrentThreadAllocatedBytes() - bytes) / count);
         }
         System.out.println(String.format(Locale.ROOT, "%-40s %10.3f us %8.1f B", name, leastTime, leastBytes));
+        return leastTime;
     }
 }
