@@ -3,17 +3,17 @@ package faultline;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.spi.ToolProvider;
 import java.util.stream.Stream;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -22,16 +22,32 @@ class JavadocTest {
 
     private static final Path SOURCES = Path.of("src/main/java");
 
-    /** Generates nothing that is not checked. */
+    /** Stops before code is generated. */
     private static final List<String> OPTIONS = List.of(
-            "-quiet", "-Xdoclint:all", "-Xmaxwarns", "1000", "-noindex", "-notree", "-nonavbar", "-nohelp", "-nosince");
+            "-Xdoclint:all/protected",
+            "-Xmaxwarns",
+            "1000",
+            "-proc:none",
+            "-implicit:none",
+            "--should-stop=ifNoError=ATTR");
 
     @Test
-    void theDocumentedPackagesAreComplete(@TempDir Path output) throws IOException {
+    void theDocumentedPackagesAreComplete() throws IOException {
         List<String> packages = documentedPackages();
         assertTrue(packages.containsAll(List.of("faultline.geometry", "faultline.control", "faultline.scenario")));
         assertTrue(packages.stream().noneMatch(name -> name.contains(".gui")), "the window is excluded");
-        assertEquals("", javadoc(SOURCES, output, packages));
+        assertEquals("", problems(SOURCES, packages));
+    }
+
+    @Test
+    void aWrongReferenceIsFound(@TempDir Path folder) throws IOException {
+        Path sources = Files.createDirectories(folder.resolve("sample"));
+        Files.writeString(sources.resolve("package-info.java"), "/** Sample. */\npackage sample;\n");
+        Files.writeString(
+                sources.resolve("Sample.java"),
+                "package sample;\n\n/** Like {@link Exemplar}. */\npublic interface Sample {}\n");
+        String problems = problems(folder, List.of("sample"));
+        assertTrue(problems.contains("Sample.java:3: error: reference not found"), problems);
     }
 
     @Test
@@ -41,7 +57,7 @@ class JavadocTest {
         Files.writeString(
                 sources.resolve("Sample.java"),
                 "package sample;\n\n/** Sample. */\npublic interface Sample {\n    double value(double x);\n}\n");
-        String problems = javadoc(folder, folder.resolve("output"), List.of("sample"));
+        String problems = problems(folder, List.of("sample"));
         assertTrue(problems.contains("Sample.java:5: warning: no comment"), problems);
     }
 
@@ -67,13 +83,20 @@ class JavadocTest {
                 : name.equals(pattern);
     }
 
-    private static String javadoc(Path sources, Path output, List<String> packages) {
+    /**
+     * Returns the complaints about the comments of packages. The compiler finds them by the same rules as the Javadoc
+     * tool does, without writing pages.
+     */
+    private static String problems(Path sources, List<String> packages) throws IOException {
         List<String> arguments = new ArrayList<>(OPTIONS);
-        arguments.addAll(List.of("-d", output.toString(), "-sourcepath", sources.toString()));
-        arguments.addAll(packages);
-        StringWriter messages = new StringWriter();
-        PrintWriter writer = new PrintWriter(messages, true);
-        ToolProvider.findFirst("javadoc").orElseThrow().run(writer, writer, arguments.toArray(String[]::new));
-        return messages.toString();
+        arguments.addAll(List.of("-Xdoclint/package:" + String.join(",", packages), "-sourcepath", "" + sources));
+        for (String name : packages) {
+            try (Stream<Path> files = Files.list(sources.resolve(name.replace('.', '/')))) {
+                files.filter(file -> file.toString().endsWith(".java")).forEach(file -> arguments.add("" + file));
+            }
+        }
+        ByteArrayOutputStream messages = new ByteArrayOutputStream();
+        ToolProvider.getSystemJavaCompiler().run(null, messages, messages, arguments.toArray(String[]::new));
+        return messages.toString(StandardCharsets.UTF_8);
     }
 }
