@@ -1,11 +1,15 @@
 package faultline;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Assertions;
 
 /** Starts Java programs with the class path of the tests, and kills them at random moments. */
 public final class JavaProcess {
@@ -25,10 +29,14 @@ public final class JavaProcess {
         return new ProcessBuilder(command);
     }
 
+    /**
+     * Returns the classes of the program, those of the tests, and the assertions, which a runner may load by itself.
+     */
     private static String classPath() {
-        return location(faultline.world.World.class)
-                + System.getProperty("path.separator")
-                + location(JavaProcess.class);
+        return Stream.of(faultline.world.World.class, JavaProcess.class, Assertions.class)
+                        .map(JavaProcess::location)
+                        .collect(Collectors.joining(File.pathSeparator, "", File.pathSeparator))
+                + System.getProperty("java.class.path");
     }
 
     private static String location(Class<?> type) {

@@ -30,8 +30,6 @@ class KilledWriterTest {
     private static final byte[] OLD = "old".getBytes(StandardCharsets.UTF_8);
     private static final int CAMPAIGN_RUNS = 60;
     private static final long SAVE_MILLIS = 200;
-    /** Within this time the command writes its first figures. */
-    private static final long FIGURES_MILLIS = 6000;
 
     @TempDir
     private Path folder;
@@ -144,25 +142,6 @@ class KilledWriterTest {
         age();
         finish(start("run", "scenarios/beside-a-wall.xml", "--until", "1", "--journal", file.toString()));
         assertEquals(List.of("saved.xml"), names());
-    }
-
-    @Test
-    void killedFiguresAreWholeOldFilesOrWholeNewOnes() throws Exception {
-        for (int i = 0; i < JavaProcess.KILLS; i++) {
-            try (Stream<Path> results = Files.list(Path.of("docs/results"))) {
-                for (Path result : results.filter(Files::isRegularFile).toList()) {
-                    Files.write(folder.resolve(result.getFileName()), OLD);
-                }
-            }
-            JavaProcess.killWithin(FIGURES_MILLIS, start("figures", "--out", folder.toString()));
-            for (String name : names()) {
-                // Pixels of letters depend on the fonts.
-                if (!name.endsWith(".png") && !name.endsWith(".tmp")) {
-                    assertOldOrNew(Files.readAllBytes(Path.of("docs/results", name)), folder.resolve(name));
-                }
-            }
-            age();
-        }
     }
 
     private Process campaign(String out) throws IOException {

@@ -28,7 +28,7 @@ class AlignmentModelTest {
     @Test
     void theRuleIsExactForAnyDistanceRangeConeAndRate() {
         SplittableRandom random = new SplittableRandom(71);
-        for (int i = 0; i < 1000; i++) {
+        for (int i = 0; i < 250; i++) {
             double range = random.nextDouble(0.3, 2);
             double distance = random.nextDouble(0.2, 0.1 + 0.95 * range);
             double rate = Math.toRadians(random.nextDouble(20, 180));

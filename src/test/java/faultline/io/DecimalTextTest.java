@@ -9,7 +9,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+/** Decimal numbers and their text; the system property {@code faultline.numbers} sets how many are tried at random. */
 class DecimalTextTest {
+
+    private static final int NUMBERS = Integer.getInteger("faultline.numbers", 100_000) / 5;
 
     @ParameterizedTest
     @CsvSource({
@@ -31,7 +34,7 @@ class DecimalTextTest {
     @Test
     void everyNumberReadsBackToTheSameBits() {
         Random random = new Random(1);
-        for (int i = 0; i < 100_000; i++) {
+        for (int i = 0; i < NUMBERS; i++) {
             double value = Double.longBitsToDouble(random.nextLong());
             if (Double.isFinite(value)) {
                 String text = DecimalText.format(value);
@@ -43,7 +46,7 @@ class DecimalTextTest {
     @Test
     void everyAngleReadsBackToTheSameBits() {
         Random random = new Random(1);
-        for (int i = 0; i < 20_000; i++) {
+        for (int i = 0; i < NUMBERS; i++) {
             double radians = random.nextGaussian() * Math.pow(10, random.nextInt(8) - 4);
             String text = DecimalText.formatDegrees(radians);
             assertEquals(radians, DecimalText.toRadians(DecimalText.parse(text).orElseThrow(), text), text);

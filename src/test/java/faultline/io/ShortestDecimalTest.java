@@ -7,8 +7,10 @@ import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 
+/** Random numbers are written as the JDK writes them; the system property {@code faultline.numbers} sets how many. */
 class ShortestDecimalTest {
 
+    private static final int NUMBERS = Integer.getInteger("faultline.numbers", 100_000);
     private static final char[] TEXT = new char[ShortestDecimal.MAX_LENGTH];
 
     private static String text(double number) {
@@ -18,7 +20,7 @@ class ShortestDecimalTest {
     @Test
     void numbersOfAnySizeReadAsTheJdkWritesThem() {
         SplittableRandom random = new SplittableRandom(20_261_122);
-        for (int i = 0; i < 1_000_000; i++) {
+        for (int i = 0; i < NUMBERS; i++) {
             double number = (random.nextDouble() - 0.5) * StrictMath.pow(10, random.nextDouble(-30, 12));
             assertEquals(Double.toString(number), text(number));
         }
@@ -27,7 +29,7 @@ class ShortestDecimalTest {
     @Test
     void numbersWithFewDigitsOrBitsReadAsTheJdkWritesThem() {
         SplittableRandom random = new SplittableRandom(8);
-        for (int i = 0; i < 1_000_000; i++) {
+        for (int i = 0; i < NUMBERS; i++) {
             double digits = random.nextInt(1_000_000) / StrictMath.pow(10, random.nextInt(12));
             assertEquals(Double.toString(digits), text(digits));
             double bits = Math.scalb(random.nextInt(1 << 12), -random.nextInt(70));

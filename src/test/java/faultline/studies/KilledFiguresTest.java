@@ -1,0 +1,101 @@
+package faultline.studies;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.JavaProcess;
+import faultline.paint.surface.SvgTheme;
+import faultline.studies.figure.Figure;
+import faultline.studies.figure.FigureFolder;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Processes that are killed at random moments while they write figures: each file is the whole old one or the whole new
+ * one. The system property {@code faultline.kills} sets how many.
+ */
+class KilledFiguresTest {
+
+    private static final long WRITING_MILLIS = 400;
+
+    @TempDir
+    private Path folder;
+
+    /** Writes figures in light and dark colours in turn, until it is killed. */
+    static final class FiguresLoop {
+
+        private FiguresLoop() {}
+
+        public static void main(String[] args) throws IOException {
+            Path out = Path.of(args[0]);
+            write(out, SvgTheme.LIGHT);
+            System.out.println("written");
+            while (true) {
+                write(out, SvgTheme.DARK);
+                write(out, SvgTheme.LIGHT);
+            }
+        }
+    }
+
+    /** Writes the figures that take little time. */
+    private static void write(Path out, SvgTheme colours) throws IOException {
+        List<Figure> figures = Figures.allFigures().stream()
+                .filter(figure -> figure instanceof DriveMotions
+                        || figure instanceof PoseAndReferenceFrames
+                        || figure instanceof StateDiagramFigure
+                        || figure instanceof StepResponse)
+                .toList();
+        Figures.writeAll(FigureFolder.create(out, colours), figures, (done, all) -> {});
+    }
+
+    private static List<Path> files(Path out) throws IOException {
+        try (Stream<Path> files = Files.list(out)) {
+            return files.sorted().toList();
+        }
+    }
+
+    private static List<String> names(Path out) throws IOException {
+        return files(out).stream().map(file -> file.getFileName().toString()).toList();
+    }
+
+    @Test
+    void killedFiguresAreWholeOldFilesOrWholeNewOnes() throws Exception {
+        Path light = folder.resolve("light");
+        Path dark = folder.resolve("dark");
+        Path killed = folder.resolve("killed");
+        write(light, SvgTheme.LIGHT);
+        write(dark, SvgTheme.DARK);
+        int temporary = 0;
+        for (int i = 0; i < JavaProcess.KILLS; i++) {
+            Process process = JavaProcess.startAndAwaitOutput(FiguresLoop.class.getName(), List.of("" + killed));
+            assertTrue(JavaProcess.killWithin(WRITING_MILLIS, process));
+            for (Path file : files(killed)) {
+                if (file.toString().endsWith(".tmp")) {
+                    temporary++;
+                } else {
+                    assertOneOf(light.resolve(file.getFileName()), dark.resolve(file.getFileName()), file);
+                }
+                // Lets what was left behind look older than it is.
+                Files.setLastModifiedTime(file, FileTime.fromMillis(1));
+            }
+        }
+        System.out.println(
+                "figures: killed " + JavaProcess.KILLS + " times, " + temporary + " temporary files left in between");
+        write(killed, SvgTheme.LIGHT);
+        assertEquals(names(light), names(killed));
+    }
+
+    private static void assertOneOf(Path one, Path other, Path file) throws IOException {
+        byte[] found = Files.readAllBytes(file);
+        assertTrue(
+                Arrays.equals(found, Files.readAllBytes(one)) || Arrays.equals(found, Files.readAllBytes(other)),
+                () -> file + ": " + found.length + " bytes");
+    }
+}
