@@ -164,48 +164,38 @@ final class BareProbe implements Runnable {
             double highX,
             double highY,
             double range) {
-        double least = range * range;
-        boolean found = false;
+        double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < segments.length; i += 4) {
             double ax = segments[i] - px;
             double ay = segments[i + 1] - py;
             double dx = segments[i + 2] - px - ax;
             double dy = segments[i + 3] - py - ay;
-            // Clips to the left of the low edge and to the right of the high edge.
             double lowA = lowX * ay - lowY * ax;
-            double lowD = lowX * dy - lowY * dx;
+            double lowB = lowA + lowX * dy - lowY * dx;
             double highA = ax * highY - ay * highX;
-            double highD = dx * highY - dy * highX;
-            double from = 0;
-            double to = 1;
-            if (lowA < 0) {
-                if (lowA + lowD < 0) {
-                    continue;
-                }
-                from = -lowA / lowD;
-            } else if (lowA + lowD < 0) {
-                to = -lowA / lowD;
-            }
-            if (highA < 0) {
-                if (highA + highD < 0) {
-                    continue;
-                }
-                from = Math.max(from, -highA / highD);
-            } else if (highA + highD < 0) {
-                to = Math.min(to, -highA / highD);
-            }
-            if (from <= to) {
-                double foot = -(ax * dx + ay * dy) / (dx * dx + dy * dy);
-                double t = Math.max(from, Math.min(to, foot));
-                double nx = ax + t * dx;
-                double ny = ay + t * dy;
-                double square = nx * nx + ny * ny;
-                if (square <= least) {
-                    least = square;
-                    found = true;
+            double highB = highA + dx * highY - dy * highX;
+            if ((lowA >= 0 || lowB >= 0) && (highA >= 0 || highB >= 0)) {
+                double from = Math.max(entry(lowA, lowB), entry(highA, highB));
+                double to = Math.min(1 - entry(lowB, lowA), 1 - entry(highB, highA));
+                if (from <= to) {
+                    least = Math.min(least, squareDistance(ax, ay, dx, dy, from, to));
                 }
             }
         }
-        return found ? Math.sqrt(least) : Double.POSITIVE_INFINITY;
+        return least <= range * range ? Math.sqrt(least) : Double.POSITIVE_INFINITY;
+    }
+
+    /** Returns the fraction of a segment before a line, from the distances of its ends, negative before the line. */
+    private static double entry(double first, double last) {
+        return first < 0 ? first / (first - last) : 0;
+    }
+
+    /** Returns the square of the distance from the origin to the part of a segment between two fractions. */
+    private static double squareDistance(double ax, double ay, double dx, double dy, double from, double to) {
+        double foot = -(ax * dx + ay * dy) / (dx * dx + dy * dy);
+        double t = Math.max(from, Math.min(to, foot));
+        double x = ax + t * dx;
+        double y = ay + t * dy;
+        return x * x + y * y;
     }
 }
