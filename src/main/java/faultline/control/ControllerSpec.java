@@ -41,9 +41,16 @@ public sealed interface ControllerSpec {
      * @param timingRule which moments are F3 and F4
      * @param diagnosis whether it watches its sensors and carries on with those that it trusts
      * @param gainRule how the gains of its distance controller are chosen
+     * @param thresholds when its states are left
      */
     record WallFollowing(
-            double distance, WallSide side, double period, TimingRule timingRule, boolean diagnosis, GainRule gainRule)
+            double distance,
+            WallSide side,
+            double period,
+            TimingRule timingRule,
+            boolean diagnosis,
+            GainRule gainRule,
+            Thresholds thresholds)
             implements BuiltIn {
 
         /** The follower that is used where a file gives no values. */
@@ -76,12 +83,32 @@ public sealed interface ControllerSpec {
         }
 
         /**
+         * Creates settings with the default thresholds.
+         *
+         * @param distance the wanted reading of the sensor that faces the wall, in metres, positive
+         * @param side the side of the robot on which the wall is
+         * @param period the time between two decisions, in seconds; 0 for every tick
+         * @param timingRule the timing rule
+         * @param diagnosis whether the follower watches its sensors
+         * @param gainRule the choice of the gains
+         */
+        public WallFollowing(
+                double distance,
+                WallSide side,
+                double period,
+                TimingRule timingRule,
+                boolean diagnosis,
+                GainRule gainRule) {
+            this(distance, side, period, timingRule, diagnosis, gainRule, Thresholds.DEFAULT);
+        }
+
+        /**
          * {@return the same settings with another distance, metres}
          *
          * @param metres the distance, in metres, positive
          */
         public WallFollowing withDistance(double metres) {
-            return new WallFollowing(metres, side, period, timingRule, diagnosis, gainRule);
+            return new WallFollowing(metres, side, period, timingRule, diagnosis, gainRule, thresholds);
         }
 
         /**
@@ -90,7 +117,7 @@ public sealed interface ControllerSpec {
          * @param newSide the side of the wall
          */
         public WallFollowing withSide(WallSide newSide) {
-            return new WallFollowing(distance, newSide, period, timingRule, diagnosis, gainRule);
+            return new WallFollowing(distance, newSide, period, timingRule, diagnosis, gainRule, thresholds);
         }
 
         /**
@@ -99,7 +126,7 @@ public sealed interface ControllerSpec {
          * @param rule the timing rule
          */
         public WallFollowing withTimingRule(TimingRule rule) {
-            return new WallFollowing(distance, side, period, rule, diagnosis, gainRule);
+            return new WallFollowing(distance, side, period, rule, diagnosis, gainRule, thresholds);
         }
 
         /**
@@ -108,7 +135,36 @@ public sealed interface ControllerSpec {
          * @param rule the choice of the gains
          */
         public WallFollowing withGainRule(GainRule rule) {
-            return new WallFollowing(distance, side, period, timingRule, diagnosis, rule);
+            return new WallFollowing(distance, side, period, timingRule, diagnosis, rule, thresholds);
+        }
+
+        /**
+         * {@return the same settings with another period}
+         *
+         * @param seconds the time between two decisions, in seconds; 0 for every tick
+         */
+        public WallFollowing withPeriod(double seconds) {
+            return new WallFollowing(distance, side, seconds, timingRule, diagnosis, gainRule, thresholds);
+        }
+
+        /**
+         * {@return the same settings with other thresholds}
+         *
+         * @param values the thresholds
+         */
+        public WallFollowing withThresholds(Thresholds values) {
+            return new WallFollowing(distance, side, period, timingRule, diagnosis, gainRule, values);
+        }
+
+        /**
+         * {@return the same settings with another threshold}
+         *
+         * @param threshold the threshold
+         * @param value its value, in the unit of its quantity
+         * @throws IllegalArgumentException if the value is not within the bounds of its quantity
+         */
+        public WallFollowing withThreshold(Threshold threshold, double value) {
+            return withThresholds(thresholds.with(threshold, value));
         }
 
         /**
@@ -126,7 +182,7 @@ public sealed interface ControllerSpec {
          * @param on whether the follower watches its sensors
          */
         public WallFollowing withDiagnosis(boolean on) {
-            return new WallFollowing(distance, side, period, timingRule, on, gainRule);
+            return new WallFollowing(distance, side, period, timingRule, on, gainRule, thresholds);
         }
 
         @Override
@@ -143,6 +199,7 @@ public sealed interface ControllerSpec {
          * @param timingRule which moments are F3 and F4
          * @param diagnosis whether it watches its sensors and carries on with those that it trusts
          * @param gainRule how the gains of its distance controller are chosen
+         * @param thresholds when its states are left
          * @throws IllegalArgumentException if the distance is not positive and finite, or the period is negative or not
          *     finite
          */

@@ -17,12 +17,6 @@ public enum TimingRule {
      */
     RANGE;
 
-    /**
-     * How far above the nearest reading the equal readings are taken, as a share of that reading: there the nearest
-     * point has left the cone and readings rise fast.
-     */
-    public static final double MARGIN = 0.08;
-
     /** {@return the name in scenario files, in lower case with hyphens} */
     public String fileName() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');

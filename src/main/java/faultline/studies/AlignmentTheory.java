@@ -1,5 +1,6 @@
 package faultline.studies;
 
+import faultline.control.Threshold;
 import faultline.control.TimingRule;
 import faultline.geometry.Angles;
 import faultline.geometry.ConvexShape;
@@ -64,7 +65,7 @@ record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 po
             return leftSensor().range();
         }
         double nearest = nearestHeading();
-        double level = readingAt(nearest) * (1 + TimingRule.MARGIN);
+        double level = readingAt(nearest) * (1 + Threshold.TIMING_LEVEL.defaultValue());
         return Math.min(level, Math.min(maxReading(nearest, level, 1), maxReading(nearest, level, -1)));
     }
 

@@ -67,12 +67,10 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
 
     private AlignmentTrial withControl(double distance, double period, TimingRule timing) {
         return new AlignmentTrial(
-                setup.withController(new WallFollowing(
-                        distance,
-                        controllerSpec(setup).side(),
-                        period,
-                        timing,
-                        controllerSpec(setup).diagnosis())),
+                setup.withController(controllerSpec(setup)
+                        .withDistance(distance)
+                        .withPeriod(period)
+                        .withTimingRule(timing)),
                 handOver);
     }
 

@@ -22,8 +22,7 @@ final class SetupVariations {
     /** Returns a setup whose wall follower does not diagnose its sensors, as in the paper. */
     static SimulationSetup withoutDiagnosis(SimulationSetup base) {
         WallFollowing spec = (WallFollowing) base.controller();
-        return base.withController(
-                new WallFollowing(spec.distance(), spec.side(), spec.period(), spec.timingRule(), false));
+        return base.withController(spec.withDiagnosis(false));
     }
 
     /** Returns a setup with the same noise on all sensors, standard deviation in metres. */

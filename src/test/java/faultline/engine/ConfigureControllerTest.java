@@ -8,6 +8,7 @@ import faultline.control.ControllerSpec;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.FollowerState;
 import faultline.control.GainRule;
+import faultline.control.Threshold;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.geometry.Pose;
@@ -69,6 +70,8 @@ class ConfigureControllerTest {
                 INITIAL.withGainRule(new GainRule.Length(0.3)),
                 INITIAL.withGainRule(new GainRule.Fixed(9, 5)),
                 INITIAL.withDiagnosis(false),
+                INITIAL.withPeriod(0.05),
+                INITIAL.withThreshold(Threshold.AHEAD_MARGIN, 0.12),
                 new ControllerSpec.Drive(1, 1.2),
                 new ControllerSpec.None())) {
             assertEquals(

@@ -1,5 +1,7 @@
 package faultline.control.wallfollower;
 
+import faultline.control.Threshold;
+import faultline.control.Thresholds;
 import faultline.control.TimingRule;
 import faultline.sensor.Reading;
 
@@ -13,17 +15,14 @@ final class AlignmentManoeuvre {
 
     /**
      * A reading that exceeds the wanted distance by more than the greater of these when the spin begins is not of the
-     * wall that was met: metres, and a fraction of the wanted distance, which leaves room for the level of
-     * {@link TimingRule#MARGIN}.
+     * wall that was met: metres, and a multiple of the timing level's share of the wanted distance, which leaves room
+     * for that level. A wall that is met farther away adds the margin of the wall ahead.
      */
     private static final double OTHER_WALL_MARGIN = 0.15;
 
-    private static final double OTHER_WALL_MARGIN_RATIO = 2 * TimingRule.MARGIN;
+    private static final double OTHER_WALL_LEVELS = 2;
 
     private static final double QUARTER_TURN = StrictMath.PI / 2;
-
-    /** ALIGN hands over below this rate, radians per second. */
-    private static final double MAX_FINAL_RATE = StrictMath.toRadians(1);
 
     private final StateEstimate estimate;
     private TimingRule rule;
@@ -69,7 +68,11 @@ final class AlignmentManoeuvre {
         estimate.clearFrontMemory();
         backingOff = wallMetSideways && wallReading() < Reading.NOTHING;
         nearestReading = left().reading();
-        edgeTimer.start(estimate.leftNoise(), estimate.isLeftNoiseKnown(), estimate.turnRate() * estimate.period());
+        edgeTimer.start(
+                estimate.thresholds().get(Threshold.TIMING_LEVEL),
+                estimate.leftNoise(),
+                estimate.isLeftNoiseKnown(),
+                estimate.turnRate() * estimate.period());
         if (!backingOff) {
             edgeTimer.addApproachSample(
                     spinClock(), wallReading(), estimate.odometer().deltaDistance());
@@ -135,7 +138,9 @@ final class AlignmentManoeuvre {
     }
 
     boolean isAligned() {
-        return remainingTurn <= 0 && Math.abs(estimate.odometer().omega(estimate.robot())) < MAX_FINAL_RATE;
+        return remainingTurn <= 0
+                && Math.abs(estimate.odometer().omega(estimate.robot()))
+                        < estimate.thresholds().radians(Threshold.SETTLED_RATE);
     }
 
     /**
@@ -144,7 +149,10 @@ final class AlignmentManoeuvre {
      */
     private double wallReading() {
         double wanted = estimate.wantedCentreDistance();
-        double margin = Math.max(OTHER_WALL_MARGIN, OTHER_WALL_MARGIN_RATIO * wanted);
+        Thresholds thresholds = estimate.thresholds();
+        double level = OTHER_WALL_LEVELS * thresholds.get(Threshold.TIMING_LEVEL);
+        double margin =
+                Math.max(OTHER_WALL_MARGIN, level * wanted) + Math.max(0, thresholds.get(Threshold.AHEAD_MARGIN));
         boolean counts = rule == TimingRule.RANGE || left().detectsWithin(wanted + margin);
         return counts ? left().reading() : Reading.NOTHING;
     }

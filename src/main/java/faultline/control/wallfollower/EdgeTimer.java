@@ -41,6 +41,7 @@ final class EdgeTimer {
     private int nearestIndex;
     private double farthestSinceNearest;
     private double reversalMargin;
+    private double margin;
     private double step;
     private boolean noiseKnown;
     private double tF3 = Double.NaN;
@@ -53,11 +54,13 @@ final class EdgeTimer {
     /**
      * Starts a new spin. By the paper's rule every sample counts by itself.
      *
+     * @param newMargin how far above the nearest reading the timing level is, as a share of that reading
      * @param noise the standard deviation of the readings' noise, metres
      * @param known whether the noise is known; otherwise {@link #updateNoise} sets it during the spin
      * @param newStep the turn between two readings, radians
      */
-    void start(double noise, boolean known, double newStep) {
+    void start(double newMargin, double noise, boolean known, double newStep) {
+        margin = newMargin;
         step = newStep;
         samples.clear();
         highestReading = -1;
@@ -161,7 +164,7 @@ final class EdgeTimer {
     }
 
     private boolean leavesLevel() {
-        double level = Math.min(highestReading, nearest + Math.max(TimingRule.MARGIN * nearest, 3 * reversalMargin));
+        double level = Math.min(highestReading, nearest + Math.max(margin * nearest, 3 * reversalMargin));
         double last = lastSample().reading();
         boolean turnedRound = noiseKnown
                 && farthestSinceNearest - nearest > reversalMargin

@@ -22,10 +22,11 @@ final class SearchState implements StateBehaviour {
     boolean isWallMet() {
         SensorViews views = estimate.views();
         double radius = estimate.wantedCentreDistance();
-        double near = radius + estimate.stoppingDistance();
+        double ahead = estimate.aheadDistance();
+        double near = ahead + estimate.stoppingDistance();
         return estimate.isWallAheadWhileSearching()
                 || estimate.isFrontTargetWithinTurningCircle()
-                || estimate.isLastSeenPointWithin(radius)
+                || estimate.isLastSeenPointWithin(ahead)
                 || views.frontLeft().detectsWithin(near)
                 || views.frontRight().detectsWithin(near)
                 || views.left().detectsWithin(radius)

@@ -1,16 +1,11 @@
 package faultline.control.wallfollower;
 
 import faultline.control.FollowerState;
+import faultline.control.Threshold;
 import faultline.geometry.Angles;
 
 /** TURN, MEASURE and ALIGN: the three parts of the alignment manoeuvre. */
 final class SpinStates {
-
-    /**
-     * A spin that ends within this of its initial heading has found the same wall again: the slight corner ahead cannot
-     * be distinguished from it.
-     */
-    private static final double SAME_HEADING_TOLERANCE = StrictMath.toRadians(15);
 
     private final StateEstimate estimate;
     private final AlignmentManoeuvre alignment;
@@ -79,6 +74,6 @@ final class SpinStates {
      */
     boolean foundSameWall() {
         double turned = Angles.difference(startHeading, estimate.odometer().heading());
-        return Math.abs(turned) < SAME_HEADING_TOLERANCE;
+        return Math.abs(turned) < estimate.thresholds().radians(Threshold.SAME_WALL_ANGLE);
     }
 }

@@ -3,6 +3,8 @@ package faultline.control.wallfollower;
 import faultline.control.ControllerSpec;
 import faultline.control.Observation;
 import faultline.control.PeriodicController;
+import faultline.control.Threshold;
+import faultline.control.Thresholds;
 import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 
@@ -20,14 +22,9 @@ final class StateEstimate {
     /** The number of standard deviations by which the nearest of many readings is nearer than their mean. */
     private static final double MINIMUM_BIAS_FACTOR = 3;
 
-    /**
-     * The robot turns away from an object at the far front corner, or one that has left the front cone, if it is this
-     * near to the circle in which the platform turns, metres.
-     */
-    private static final double CORNER_CLEARANCE = 0.06;
-
     private final WallSide side;
     private double wantedDistance;
+    private Thresholds thresholds;
     private final Odometer odometer = new Odometer();
     private final FrontRangeMemory frontMemory = new FrontRangeMemory();
     private final LastSeenPoint lastSeenFront = new LastSeenPoint();
@@ -43,13 +40,18 @@ final class StateEstimate {
 
     StateEstimate(ControllerSpec.WallFollowing spec) {
         side = spec.side();
-        wantedDistance = spec.distance();
+        configure(spec);
         controlPeriod = spec.period();
     }
 
-    /** Sets the wanted distance, metres. */
-    void setWantedDistance(double metres) {
-        wantedDistance = metres;
+    /** Sets the wanted distance and the thresholds. */
+    final void configure(ControllerSpec.WallFollowing spec) {
+        wantedDistance = spec.distance();
+        thresholds = spec.thresholds();
+    }
+
+    Thresholds thresholds() {
+        return thresholds;
     }
 
     /** Processes an observation, until which a command has acted. */
@@ -75,7 +77,7 @@ final class StateEstimate {
 
     /** Returns the radius about the robot's centre in which nothing may be when it turns, metres. */
     double guardedRadius() {
-        return robot().boundingRadius() + CORNER_CLEARANCE;
+        return robot().boundingRadius() + thresholds.get(Threshold.TURN_CLEARANCE);
     }
 
     /** Remembers what the sensors that look ahead see during straight motion. */
@@ -171,15 +173,20 @@ final class StateEstimate {
         return wantedDistance + sideMountOffset();
     }
 
+    /** Returns the distance from the robot's centre at which a wall ahead ends a state, metres. */
+    double aheadDistance() {
+        return wantedCentreDistance() + thresholds.get(Threshold.AHEAD_MARGIN);
+    }
+
     /** Returns the distance that the robot still rolls after the command to stop, metres. */
     double stoppingDistance() {
         return robot().speed() * (motorLag() + current.dt());
     }
 
-    /** Returns whether a wall ahead, at any slant, will be at the wanted distance when the robot has stopped. */
+    /** Returns whether a wall ahead, at any slant, will be at its distance when the robot has stopped. */
     boolean isWallAheadWhileSearching() {
         return FrontWallEstimator.isWithin(
-                wantedCentreDistance(),
+                aheadDistance(),
                 stoppingDistance(),
                 views,
                 FrontWallEstimator.MAX_SEARCH_SLANT,
@@ -188,15 +195,17 @@ final class StateEstimate {
 
     /**
      * Returns the same along a wall, which does not count as a wall ahead: the front left sensor's reading of it is
-     * ignored.
+     * ignored. A margin for walls ahead counts only at the wanted distance: a robot that still approaches the followed
+     * wall has that wall ahead, too.
      */
-    boolean isWallAheadWhileFollowing() {
+    boolean isWallAheadWhileFollowing(boolean atWantedDistance) {
         boolean seesTheWall = views.left().detects()
                 && views.frontLeft().wallDistance(QUARTER_TURN)
                         >= views.left().perpendicularDistance() - SAME_WALL_TOLERANCE;
+        double margin = thresholds.get(Threshold.AHEAD_MARGIN);
         SensorViews ahead = seesTheWall ? views.withFrontLeft(SensorView.NONE) : views;
         return FrontWallEstimator.isWithin(
-                wantedCentreDistance(),
+                wantedCentreDistance() + (atWantedDistance ? margin : Math.min(0, margin)),
                 stoppingDistance(),
                 ahead,
                 FrontWallEstimator.MAX_LEFT_SLANT,

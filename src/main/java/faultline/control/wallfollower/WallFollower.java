@@ -13,6 +13,7 @@ import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
+import faultline.control.Threshold;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -49,9 +50,6 @@ public final class WallFollower implements Controller {
 
     /** The state in which the follower starts. */
     static final FollowerState INITIAL_STATE = SEARCH;
-
-    /** More than a whole turn, radians: a wall that has not been seen by then does not exist. */
-    private static final double MAX_SPIN = StrictMath.toRadians(400);
 
     private ControllerSpec.WallFollowing spec;
     private final StateEstimate estimate;
@@ -129,7 +127,7 @@ public final class WallFollower implements Controller {
     @Override
     public void configure(ControllerSpec.BuiltIn settings) {
         spec = (ControllerSpec.WallFollowing) settings;
-        estimate.setWantedDistance(spec.distance());
+        estimate.configure(spec);
         alignment.setRule(spec.timingRule());
         steering.configure(spec.distance(), spec.gainRule());
     }
@@ -145,7 +143,8 @@ public final class WallFollower implements Controller {
     }
 
     private boolean turnedAllRound() {
-        return Math.abs(estimate.odometer().heading() - entryHeading) > MAX_SPIN;
+        return Math.abs(estimate.odometer().heading() - entryHeading)
+                > spec.thresholds().radians(Threshold.GIVE_UP_ANGLE);
     }
 
     private Telemetry telemetry(Telemetry.Diagnosis diagnosis) {

@@ -1,15 +1,10 @@
 package faultline.control.wallfollower;
 
 import faultline.control.FollowerState;
+import faultline.control.Threshold;
 
 /** FOLLOW and ROUND: along a wall and around its outer corners, by the left sensor. */
 final class WallStates {
-
-    /**
-     * If a spin has found the same wall again, the robot steers through the slight corner ahead by the left sensor and
-     * checks for walls ahead only after this distance, metres.
-     */
-    private static final double STEER_THROUGH_DISTANCE = 0.15;
 
     /** A bend too tight for the turn rate slows the robot down, but not below this share of its speed. */
     private static final double MIN_SPEED_SHARE = 0.3;
@@ -34,7 +29,8 @@ final class WallStates {
                     steering.switchToWall();
                 } else {
                     steering.begin();
-                    remainingSteerThrough = spin.foundSameWall() ? STEER_THROUGH_DISTANCE : 0;
+                    remainingSteerThrough =
+                            spin.foundSameWall() ? estimate.thresholds().get(Threshold.STEER_THROUGH) : 0;
                 }
             }
 
@@ -86,7 +82,7 @@ final class WallStates {
     }
 
     boolean isWallAhead() {
-        return remainingSteerThrough <= 0 && estimate.isWallAheadWhileFollowing()
+        return remainingSteerThrough <= 0 && estimate.isWallAheadWhileFollowing(steering.isAtWantedDistance())
                 || estimate.isFrontTargetWithinTurningCircle()
                 || estimate.views().frontRight().detectsWithin(estimate.guardedRadius());
     }

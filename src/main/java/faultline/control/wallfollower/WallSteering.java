@@ -1,15 +1,13 @@
 package faultline.control.wallfollower;
 
 import faultline.control.GainRule;
+import faultline.control.Threshold;
 
 /** FOLLOW and ROUND: steering along a wall, and around its outer corners, by the left sensor. */
 final class WallSteering {
 
-    /** A reading that exceeds the wanted one by this is not of the followed wall, metres. */
-    private static final double GATE = 0.06;
-
-    /** The innovation that counts as a bend, as a share of the final innovation at a corner. */
-    private static final double BEND_SHARE = 0.6;
+    /** A robot that is this much farther away than wanted is on its way to the wall, metres. */
+    private static final double DISTANCE_TOLERANCE = 0.02;
 
     /**
      * The number of standard deviations of the noise that a bend must exceed, in one reading and in two successive
@@ -97,7 +95,14 @@ final class WallSteering {
     }
 
     boolean isWallInSight() {
-        return left().reading() <= Math.max(tracker.distance(), wantedDistance) + GATE;
+        return left().reading()
+                <= Math.max(tracker.distance(), wantedDistance)
+                        + estimate.thresholds().get(Threshold.LOST_MARGIN);
+    }
+
+    /** Returns whether the robot is no farther from the wall than wanted, within a tolerance. */
+    boolean isAtWantedDistance() {
+        return tracker.distance() <= wantedDistance + DISTANCE_TOLERANCE;
     }
 
     boolean bendsAway() {
@@ -154,7 +159,7 @@ final class WallSteering {
     }
 
     private double noiselessBendThreshold() {
-        return BEND_SHARE * WallTracker.cornerInnovation(radius());
+        return estimate.thresholds().get(Threshold.BEND_SHARE) * WallTracker.cornerInnovation(radius());
     }
 
     /**

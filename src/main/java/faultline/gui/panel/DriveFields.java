@@ -40,10 +40,10 @@ final class DriveFields extends JPanel {
     DriveFields(ScenarioEditor editor) {
         super(new GridBagLayout());
         this.editor = editor;
-        ControllerPanel.addRow(this, 0, "drive.turnRate", turnRate.withColumns(7));
-        ControllerPanel.addRow(this, 1, "drive.timeConstant", timeConstant.withColumns(7));
-        ControllerPanel.addRow(this, 2, "drive.speedConstant", speedConstant.withColumns(7));
-        ControllerPanel.addRow(this, 3, "drive.maxVoltage", maxVoltage.withColumns(7));
+        ControllerForm.addRow(this, 0, "drive.turnRate", turnRate.withColumns(7));
+        ControllerForm.addRow(this, 1, "drive.timeConstant", timeConstant.withColumns(7));
+        ControllerForm.addRow(this, 2, "drive.speedConstant", speedConstant.withColumns(7));
+        ControllerForm.addRow(this, 3, "drive.maxVoltage", maxVoltage.withColumns(7));
     }
 
     private void changeMotor(UnaryOperator<MotorSpec> change) {

@@ -44,10 +44,10 @@ final class GainFields extends JPanel {
     GainFields(Consumer<GainRule> onChange) {
         super(new GridBagLayout());
         this.onChange = onChange;
-        ControllerPanel.addRow(this, 0, "controller.gains.choice", choice);
-        ControllerPanel.addRow(this, 1, "controller.gains.length", length.withColumns(7));
-        ControllerPanel.addRow(this, 2, "controller.gains.kp", proportional.withColumns(7));
-        ControllerPanel.addRow(this, 3, "controller.gains.kd", derivative.withColumns(7));
+        ControllerForm.addRow(this, 0, "controller.gains.choice", choice);
+        ControllerForm.addRow(this, 1, "controller.gains.length", length.withColumns(7));
+        ControllerForm.addRow(this, 2, "controller.gains.kp", proportional.withColumns(7));
+        ControllerForm.addRow(this, 3, "controller.gains.kd", derivative.withColumns(7));
     }
 
     private double proportionalValue() {

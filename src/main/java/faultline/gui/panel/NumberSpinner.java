@@ -2,12 +2,14 @@ package faultline.gui.panel;
 
 import faultline.gui.text.Messages;
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.text.ParseException;
 import java.util.function.DoubleConsumer;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JFormattedTextField;
 import javax.swing.JSpinner;
@@ -75,6 +77,21 @@ public final class NumberSpinner extends JSpinner {
         setToolTipText(tip);
         textField().setToolTipText(tip);
         nameArrows();
+    }
+
+    /** Shows a text and the limits as the tool tip. */
+    void setTip(String text) {
+        String tip = text + " (" + formatter.limitsText() + ")";
+        setToolTipText(tip);
+        textField().setToolTipText(tip);
+    }
+
+    /** Returns the fields in a component and its descendants. */
+    public static Stream<NumberSpinner> findIn(Container parent) {
+        return Stream.of(parent.getComponents())
+                .flatMap(child -> child instanceof NumberSpinner field
+                        ? Stream.of(field)
+                        : child instanceof Container inner ? findIn(inner) : Stream.empty());
     }
 
     private void nameArrows() {

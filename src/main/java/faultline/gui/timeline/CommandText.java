@@ -29,6 +29,13 @@ public final class CommandText implements Command.Visitor<String> {
                 || command instanceof Command.ClearMotorFaults;
     }
 
+    /** Returns whether a command changes settings of the controller, of a sensor or of the platform. */
+    public static boolean isSettingChange(Command command) {
+        return command instanceof Command.ConfigureController
+                || command instanceof Command.ConfigureSensor
+                || command instanceof Command.SetPlatform;
+    }
+
     @Override
     public String visit(Command.SwitchSensor command) {
         return Messages.get(command.on() ? "command.on" : "command.off", command.sensor());

@@ -1,31 +1,36 @@
 package faultline.gui.timeline;
 
+import faultline.control.ControllerSpec;
 import faultline.geometry.Pose;
+import faultline.gui.panel.ControllerForm;
 import faultline.gui.panel.FaultFields;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Messages;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
+import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import faultline.world.Command;
+import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.GridBagLayout;
+import java.awt.GridLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 
-/** Asks for the details of an item: the sensor and the fault, or the pose of a move, and the times. */
+/** Asks for the details of an item: the sensor and the fault, the pose of a move, or the controller, and the times. */
 final class ItemDialog {
 
     private static final double MAX_TIME = 1e6;
@@ -33,6 +38,7 @@ final class ItemDialog {
     private static final int FAULT_ROWS = 4;
 
     private final TimelineItem item;
+    private final RobotSpec robot;
     private final double tick;
     private final JPanel form = new JPanel(new GridBagLayout());
     private final JComboBox<Lane> lane = new JComboBox<>();
@@ -42,10 +48,13 @@ final class ItemDialog {
     private final NumberSpinner from = time("timeline.start");
     private final NumberSpinner until = time("timeline.end");
     private final JCheckBox ends = new JCheckBox(Messages.get("timeline.end"));
+    private final ControllerForm controllerForm = new ControllerForm(this::setController);
+    private ControllerSpec.BuiltIn controller;
     private int row;
 
-    private ItemDialog(List<Lane> lanes, TimelineItem item, double tick) {
+    private ItemDialog(List<Lane> lanes, TimelineItem item, RobotSpec robot, double tick) {
         this.item = item;
+        this.robot = robot;
         this.tick = tick;
         lanes.stream().filter(other -> item.inLane(other).lane().equals(other)).forEach(lane::addItem);
         addFaultFields();
@@ -59,10 +68,8 @@ final class ItemDialog {
             until.setEnabled(ends.isSelected());
             ends.addActionListener(event -> until.setEnabled(ends.isSelected()));
         }
-        Stream.of(form.getComponents())
-                .filter(NumberSpinner.class::isInstance)
-                .map(NumberSpinner.class::cast)
-                .forEach(NumberSpinner::passEnterOn);
+        addControllerFields();
+        NumberSpinner.findIn(form).forEach(NumberSpinner::passEnterOn);
     }
 
     /**
@@ -71,11 +78,13 @@ final class ItemDialog {
      * @param parent the component behind the dialog
      * @param lanes the lanes to choose from
      * @param item the initial values
+     * @param robot the robot
      * @param tick the length of a tick, the shortest interval, seconds
      * @return the item with other values, empty if cancelled
      */
-    static Optional<TimelineItem> showDialog(Component parent, List<Lane> lanes, TimelineItem item, double tick) {
-        return new ItemDialog(lanes, item, tick).show(parent);
+    static Optional<TimelineItem> showDialog(
+            Component parent, List<Lane> lanes, TimelineItem item, RobotSpec robot, double tick) {
+        return new ItemDialog(lanes, item, robot, tick).show(parent);
     }
 
     private Optional<TimelineItem> show(Component parent) {
@@ -91,14 +100,14 @@ final class ItemDialog {
         boolean accepted;
         do {
             pane.setValue(JOptionPane.UNINITIALIZED_VALUE);
-            JDialog dialog = pane.createDialog(parent, TimelineText.name(item));
+            JDialog dialog = pane.createDialog(parent, TimelineText.title(item));
             dialog.setVisible(true);
             dialog.dispose();
             accepted = Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue());
             result = accepted ? read() : Optional.empty();
             if (accepted && endsBeforeItStarts()) {
                 JOptionPane.showMessageDialog(
-                        parent, Messages.get("timeline.order"), TimelineText.name(item), JOptionPane.WARNING_MESSAGE);
+                        parent, Messages.get("timeline.order"), TimelineText.title(item), JOptionPane.WARNING_MESSAGE);
             }
         } while (accepted && result.isEmpty());
         return result;
@@ -167,10 +176,40 @@ final class ItemDialog {
         pose.add(field);
     }
 
+    /** Adds the fields of a controller in two columns. */
+    private void addControllerFields() {
+        if (item.command() instanceof Command.ConfigureController change) {
+            List<JComponent> sections = controllerForm.sections();
+            JPanel columns = new JPanel(new GridLayout(1, 2));
+            columns.add(column(sections.get(0), sections.get(1)));
+            columns.add(column(sections.get(2), sections.get(3)));
+            form.add(columns, FormConstraints.fillRow(0, row++));
+            NumberSpinner.findIn(columns).forEach(NumberSpinner::keepInvalidText);
+            setController(change.controller());
+        }
+    }
+
+    private static JPanel column(JComponent upper, JComponent lower) {
+        JPanel sections = new JPanel(new BorderLayout());
+        sections.add(upper, BorderLayout.NORTH);
+        sections.add(lower, BorderLayout.CENTER);
+        JPanel column = new JPanel(new BorderLayout());
+        column.add(sections, BorderLayout.NORTH);
+        return column;
+    }
+
+    private void setController(ControllerSpec.BuiltIn changed) {
+        controller = changed;
+        controllerForm.setController(changed, robot, tick);
+    }
+
     /** Returns the item, or nothing if a value is invalid. */
     private Optional<TimelineItem> read() {
         for (NumberSpinner field : pose) {
             field.commitValidEdit();
+        }
+        if (controller != null && !NumberSpinner.findIn(form).allMatch(NumberSpinner::commitValidEdit)) {
+            return Optional.empty();
         }
         if (!from.commitValidEdit() || !until.commitValidEdit() || endsBeforeItStarts()) {
             return Optional.empty();
@@ -197,7 +236,7 @@ final class ItemDialog {
                             pose.get(1).doubleValue(),
                             heading(move.pose().heading()))));
         }
-        return Optional.of(item.command());
+        return Optional.of(controller == null ? item.command() : new Command.ConfigureController(controller));
     }
 
     /** Returns the heading of the field; the old one, to the bit, if the field has not been changed. */

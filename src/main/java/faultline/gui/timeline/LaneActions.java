@@ -29,21 +29,42 @@ final class LaneActions {
         this.editor = editor;
     }
 
-    /** Edits the selected item; without one, adds a fault at the present time. */
+    /** Edits the selected item; without one, adds one at the present time. */
     void editOrAdd() {
-        view.selectedItem().ifPresentOrElse(this::edit, () -> addFault(view.now()));
+        view.selectedItem().ifPresentOrElse(this::edit, () -> addItem(view.now()));
     }
 
     private void edit(TimelineItem item) {
         int index = view.selection();
-        ItemDialog.showDialog(view, view.allLanes(), item, editor.tickLength()).ifPresent(changed -> {
+        showDialog(item).ifPresent(changed -> {
             editor.replace(index, changed);
             view.select(changed);
         });
     }
 
+    private Optional<TimelineItem> showDialog(TimelineItem item) {
+        return ItemDialog.showDialog(view, view.allLanes(), item, editor.robot(), editor.tickLength());
+    }
+
+    /** Asks for a new fault in the selected lane that starts at a time; in the last one, for a controller. */
+    void addItem(double start) {
+        if (view.selectedLane().equals(Lane.OTHER)) {
+            addController(start);
+        } else {
+            addFault(start);
+        }
+    }
+
+    /** Asks for the settings that the controller gets at a time. */
+    private void addController(double start) {
+        double time = editor.roundToTick(start);
+        editor.controllerAt(time)
+                .map(controller -> TimelineItem.from(new Command.ConfigureController(controller), time))
+                .ifPresent(this::add);
+    }
+
     /** Asks for a new fault in the selected lane that starts at a time. */
-    void addFault(double start) {
+    private void addFault(double start) {
         newFault(start, editor.roundToTick(start + NEW_STEPS * step())).ifPresent(this::add);
     }
 
@@ -59,7 +80,7 @@ final class LaneActions {
 
     /** Asks for the details of a new item and adds it. */
     void add(TimelineItem item) {
-        Optional<TimelineItem> wanted = ItemDialog.showDialog(view, view.allLanes(), item, editor.tickLength());
+        Optional<TimelineItem> wanted = showDialog(item);
         view.setPreview(null);
         wanted.ifPresent(this::addAndSelect);
     }
@@ -147,6 +168,12 @@ final class LaneActions {
         add(menu, "timeline.menu.edit", item, this::editOrAdd);
         add(menu, "timeline.menu.fault", view.selectedLane() != Lane.OTHER, () -> addFault(time));
         add(menu, "timeline.menu.switch", sensorLane, () -> addSwitch(time));
+        boolean other = view.selectedLane().equals(Lane.OTHER);
+        add(
+                menu,
+                "timeline.menu.controller",
+                other && editor.controllerAt(time).isPresent(),
+                () -> addController(time));
         menu.addSeparator();
         add(menu, "timeline.menu.cut", item, this::cut);
         add(menu, "timeline.menu.copy", item, this::copy);

@@ -32,7 +32,7 @@ final class LaneKeys {
         bind("ctrl LEFT", () -> actions.move(-1, -1));
         bind("ctrl RIGHT", () -> actions.move(1, 1));
         bind("ENTER", actions::editOrAdd);
-        bind("INSERT", () -> actions.addFault(view.now()));
+        bind("INSERT", () -> actions.addItem(view.now()));
         bind("DELETE", actions::delete);
         bind("BACK_SPACE", actions::delete);
         bind("ctrl C", actions::copy);

@@ -7,8 +7,8 @@ import java.util.Optional;
 import javax.swing.SwingUtilities;
 
 /**
- * The mouse on the lanes: a drag in a lane draws a fault, a drag of a bar moves it, a drag of its end moves the end. A
- * double click edits.
+ * The mouse on the lanes: a drag in a lane draws a fault, a drag of a bar or a mark moves it, a drag of a bar's end
+ * moves the end. A double click edits, or adds a fault or a change of the controller.
  */
 final class LaneMouse extends MouseAdapter {
 
@@ -110,7 +110,7 @@ final class LaneMouse extends MouseAdapter {
                 && event.getClickCount() == 2
                 && view.lanes().laneAt(event.getY()) != LaneLayout.NONE) {
             if (hit == null) {
-                actions.addFault(snapped(event.getX()));
+                actions.addItem(snapped(event.getX()));
             } else {
                 actions.editOrAdd();
             }

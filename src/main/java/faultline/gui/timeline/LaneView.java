@@ -182,7 +182,8 @@ public final class LaneView extends JComponent implements Scrollable {
         if (hit != null) {
             return TimelineText.description(lanes.items().get(hit.index()));
         }
-        return lanes.laneAt(event.getY()) < allLanes.size() - 1 ? Messages.get("timeline.tip") : null;
+        boolean other = lanes.laneAt(event.getY()) >= allLanes.size() - 1;
+        return Messages.get(other ? "timeline.tip.other" : "timeline.tip");
     }
 
     @Override

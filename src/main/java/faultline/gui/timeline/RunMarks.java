@@ -10,7 +10,10 @@ import faultline.gui.theme.SliderMark.Form;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The marks on the time slider: collisions, corners, the starts of faults, and the end of the scenario. */
+/**
+ * The marks on the time slider: collisions, corners, changed settings, the starts of faults, and the end of the
+ * scenario.
+ */
 final class RunMarks {
 
     private final List<SliderMark> marks = new ArrayList<>();
@@ -34,11 +37,14 @@ final class RunMarks {
         RunMarks result = new RunMarks(frame, dt);
         EventLog log = frame.recording().events();
         for (long i = log.firstIndex(); i < log.endIndex(); i++) {
-            if (log.get(i) instanceof RunEvent.StateChanged change && change.to() == FollowerState.TURN) {
-                result.addEvent(change);
+            if (log.get(i) instanceof RunEvent.StateChanged change && change.to() == FollowerState.TURN
+                    || log.get(i) instanceof RunEvent.CommandExecuted done && result.isOwnMark(done, items)) {
+                result.addEvent(log.get(i));
             }
         }
-        items.stream().filter(TimelineItem::isInterval).forEach(result::addItem);
+        items.stream()
+                .filter(item -> item.isInterval() || CommandText.isSettingChange(item.command()))
+                .forEach(result::addItem);
         if (end > 0) {
             result.marks.add(new SliderMark(
                     value(end), Form.TICK, theme -> theme.palette().text(), Messages.get("time.end")));
@@ -55,6 +61,14 @@ final class RunMarks {
         return List.copyOf(result.marks);
     }
 
+    /** Returns whether a command has changed settings from outside, and is not marked as an item. */
+    private boolean isOwnMark(RunEvent.CommandExecuted done, List<TimelineItem> items) {
+        return CommandText.isSettingChange(done.command())
+                && items.stream()
+                        .noneMatch(item ->
+                                item.command().equals(done.command()) && Math.round(item.start() / dt) == done.tick());
+    }
+
     private void addEvent(RunEvent event) {
         marks.add(new SliderMark(
                 value(event.tick()), Form.TICK, theme -> theme.palette().muted(), EventText.sentence(event)));
@@ -64,7 +78,9 @@ final class RunMarks {
         marks.add(new SliderMark(
                 value(Math.round(item.start() / dt)),
                 Form.TICK,
-                theme -> item.colours(theme.palette(), sensorIndex(item)).outline(),
+                theme -> item.isInterval()
+                        ? item.colours(theme.palette(), sensorIndex(item)).outline()
+                        : theme.palette().muted(),
                 TimelineText.description(item)));
     }
 

@@ -1,11 +1,14 @@
 package faultline.gui.timeline;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.document.RunController;
 import faultline.gui.document.Workspace;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
+import faultline.robot.RobotSpec;
+import faultline.world.Command;
 import java.util.List;
 import java.util.Optional;
 
@@ -55,6 +58,26 @@ public final class TimelineEditor {
         return setup().map(SimulationSetup::dt).orElse(0.01);
     }
 
+    /** Returns the robot at the start of the run. */
+    RobotSpec robot() {
+        return setup().map(SimulationSetup::robot).orElse(RobotSpec.DEFAULT);
+    }
+
+    /**
+     * Returns the controller that the scenario has at a time; empty if it is not one of the program, which cannot be
+     * changed during a run.
+     */
+    Optional<ControllerSpec.BuiltIn> controllerAt(double time) {
+        return setup().map(SimulationSetup::controller)
+                .filter(ControllerSpec.BuiltIn.class::isInstance)
+                .map(first -> model().items().stream()
+                        .filter(item -> item.start() <= time)
+                        .map(TimelineItem::command)
+                        .filter(Command.ConfigureController.class::isInstance)
+                        .map(command -> ((Command.ConfigureController) command).controller())
+                        .reduce((ControllerSpec.BuiltIn) first, (earlier, later) -> later));
+    }
+
     void add(TimelineItem item) {
         commit("timeline.add", item, item, model().with(item));
     }
@@ -82,7 +105,7 @@ public final class TimelineEditor {
         List<TimedCommand> before = model().commands();
         if (!after.equals(before)) {
             undo.addSetupEdit(
-                    Messages.get(key, TimelineText.name(item)),
+                    Messages.get(key, TimelineText.title(item)),
                     target,
                     () -> setTimeline(before),
                     () -> setTimeline(after));

@@ -27,6 +27,11 @@ final class TimelineText {
         return item.isInterval() ? item.lane().label() + ": " + label(item) : label(item);
     }
 
+    /** Returns the name, or a short one for a change of the controller, whose name has all of its settings. */
+    static String title(TimelineItem item) {
+        return item.command() instanceof Command.ConfigureController ? Messages.get("timeline.controller") : name(item);
+    }
+
     /** Returns the name and the times. */
     static String description(TimelineItem item) {
         return name(item) + ", " + times(item);

@@ -3,6 +3,8 @@ package faultline.scenario.xml;
 import faultline.control.ControllerSpec;
 import faultline.control.GainRule;
 import faultline.control.RecordedDecision;
+import faultline.control.Threshold;
+import faultline.control.Thresholds;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.ControllerProviders;
@@ -101,7 +103,26 @@ final class ControllerXml {
                 fields.number("period", NumberRange.TIME, defaults.period()),
                 fields.choice("timing", TIMING_RULES, defaults.timingRule()),
                 fields.choice("diagnosis", SWITCH, defaults.diagnosis()),
-                fields.choice("gains", GAIN_RULES, given -> defaults.gainRule()).apply(fields));
+                fields.choice("gains", GAIN_RULES, given -> defaults.gainRule()).apply(fields),
+                readThresholds(fields, defaults.thresholds()));
+    }
+
+    private static Thresholds readThresholds(AttributeReader fields, Thresholds defaults) {
+        Thresholds result = defaults;
+        for (Threshold threshold : Threshold.values()) {
+            String name = threshold.fileName();
+            if (fields.isPresent(name)) {
+                result = result.with(threshold, fields.number(name, NumberRange.of(threshold.quantity())));
+            }
+        }
+        return result;
+    }
+
+    /** Returns the follower whose values hold for attributes that a command of the timeline omits. */
+    static ControllerSpec.WallFollowing defaultsFor(ControllerSpec controller) {
+        return controller instanceof ControllerSpec.WallFollowing follower
+                ? follower
+                : ControllerSpec.WallFollowing.DEFAULT;
     }
 
     /** Reads a controller of the program; what a wall follower leaves out is as usual. */
@@ -168,7 +189,7 @@ final class ControllerXml {
         }
         out.beginElement("controller");
         if (spec instanceof ControllerSpec.BuiltIn builtIn) {
-            writeBuiltIn(builtIn, false, out);
+            writeBuiltIn(builtIn, ControllerSpec.WallFollowing.DEFAULT, false, out);
         } else if (spec instanceof ControllerSpec.Extern extern) {
             out.attribute("type", EXTERN).attribute("period", extern.period());
         } else if (spec instanceof ControllerSpec.Provided provided) {
@@ -183,8 +204,15 @@ final class ControllerXml {
         out.endElement();
     }
 
-    /** Writes the attributes of a controller of the program, all of them or without those that are as usual. */
-    static XmlWriter writeBuiltIn(ControllerSpec.BuiltIn spec, boolean all, XmlWriter out) {
+    /**
+     * Writes the attributes of a controller of the program.
+     *
+     * @param spec the controller
+     * @param defaults what a reader takes for omitted thresholds
+     * @param all whether a follower's diagnosis and gains are written even if they are as usual
+     */
+    static XmlWriter writeBuiltIn(
+            ControllerSpec.BuiltIn spec, ControllerSpec.WallFollowing defaults, boolean all, XmlWriter out) {
         if (spec instanceof ControllerSpec.WallFollowing follow) {
             out.attribute("type", DEFAULT_TYPE)
                     .attribute("distance", follow.distance())
@@ -195,6 +223,7 @@ final class ControllerXml {
                 out.attribute("diagnosis", follow.diagnosis() ? "on" : "off");
             }
             writeGains(follow.gainRule(), all, out);
+            writeThresholds(follow.thresholds(), defaults.thresholds(), out);
         } else if (spec instanceof ControllerSpec.Drive drive) {
             out.attribute("type", "drive").attribute("left", drive.leftVolts()).attribute("right", drive.rightVolts());
         } else {
@@ -212,6 +241,15 @@ final class ControllerXml {
                     .attribute("kd", fixed.derivative());
         } else if (all) {
             out.attribute("gains", "automatic");
+        }
+    }
+
+    private static void writeThresholds(Thresholds thresholds, Thresholds defaults, XmlWriter out) {
+        for (Threshold threshold : Threshold.values()) {
+            double value = thresholds.get(threshold);
+            if (Double.compare(value, defaults.get(threshold)) != 0) {
+                out.attribute(threshold.fileName(), value);
+            }
         }
     }
 

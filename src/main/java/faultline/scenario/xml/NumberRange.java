@@ -1,5 +1,6 @@
 package faultline.scenario.xml;
 
+import faultline.control.Threshold;
 import faultline.io.DecimalText;
 import faultline.io.Message;
 import faultline.robot.DriveScale;
@@ -38,6 +39,18 @@ record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean
     static final NumberRange DRIVE_SCALE = closed(DriveScale.MIN, DriveScale.MAX, Allowed.UNITLESS);
     static final NumberRange GAIN = positive("1000000", Allowed.UNITLESS);
     static final NumberRange FRACTION = closed("0", "1", Allowed.UNITLESS);
+
+    /** Returns the values of a threshold that measures a quantity. */
+    static NumberRange of(Threshold.Quantity quantity) {
+        Allowed unit =
+                switch (quantity) {
+                    case MARGIN, SIGNED_MARGIN -> Allowed.METRES;
+                    case SHARE -> Allowed.UNITLESS;
+                    case TURN_RATE -> Allowed.TURN_RATE;
+                    case ANGLE -> Allowed.DEGREES;
+                };
+        return closed(quantity.min(), quantity.max(), unit);
+    }
 
     private static NumberRange closed(String least, String most, Allowed unit) {
         return new NumberRange(new BigDecimal(least), true, new BigDecimal(most), true, unit);

@@ -51,7 +51,7 @@ final class ScenarioWriter {
         RobotWriter.write(setup.robot(), setup.start(), out);
         ControllerXml.write(setup.controller(), out);
         if (!setup.timeline().isEmpty()) {
-            TimelineWriter.write(setup.timeline(), out);
+            TimelineWriter.write(setup.timeline(), setup.controller(), out);
         }
         writeExpectation(scenario.expectation(), out);
         return out.endElement().toString();

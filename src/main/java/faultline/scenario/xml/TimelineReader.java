@@ -81,8 +81,7 @@ final class TimelineReader {
         this.problems = problems;
         this.obstacleReader = obstacles;
         this.robot = robot;
-        this.follower =
-                controller instanceof ControllerSpec.WallFollowing wall ? wall : ControllerSpec.WallFollowing.DEFAULT;
+        this.follower = ControllerXml.defaultsFor(controller);
         this.obstacleIds = new LinkedHashSet<>(obstacleIds);
         robot.sensors().forEach(sensor -> sensors.put(sensor.id(), sensor));
         readers.put("fault", this::readFault);

@@ -1,5 +1,6 @@
 package faultline.scenario.xml;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
@@ -10,15 +11,18 @@ import java.util.List;
 /** Writes the timeline. A fault that the next command clears is written as one element with {@code until}. */
 final class TimelineWriter implements Command.Visitor<XmlWriter> {
 
+    private final ControllerSpec.WallFollowing follower;
     private final XmlWriter out;
     private double time;
 
-    private TimelineWriter(XmlWriter out) {
+    private TimelineWriter(ControllerSpec.WallFollowing follower, XmlWriter out) {
+        this.follower = follower;
         this.out = out;
     }
 
-    static void write(List<TimedCommand> commands, XmlWriter out) {
-        TimelineWriter writer = new TimelineWriter(out);
+    /** Writes the commands of a scenario, whose controller has the values of omitted attributes. */
+    static void write(List<TimedCommand> commands, ControllerSpec controller, XmlWriter out) {
+        TimelineWriter writer = new TimelineWriter(ControllerXml.defaultsFor(controller), out);
         out.beginElement("timeline");
         for (int i = 0; i < commands.size(); i++) {
             writer.time = commands.get(i).time();
@@ -129,6 +133,6 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
 
     @Override
     public XmlWriter visit(Command.ConfigureController command) {
-        return ControllerXml.writeBuiltIn(command.controller(), true, begin("controller"));
+        return ControllerXml.writeBuiltIn(command.controller(), follower, true, begin("controller"));
     }
 }

@@ -15,6 +15,7 @@ class AttributePathTest {
         "robot/sensor[front]/@cone, front_cone_deg",
         "robot/sensor[rear-left]/@on, rear_left_on",
         "robot/@speed, robot_speed_m_s",
+        "controller/@lostMargin, controller_lost_margin_m",
         "robot/@turnRate, robot_turn_rate_deg_s",
         "robot/motor/@timeConstant, motor_time_constant_s",
         "controller/@distance, controller_distance_m",

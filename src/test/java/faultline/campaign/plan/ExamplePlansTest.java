@@ -3,6 +3,9 @@ package faultline.campaign.plan;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
+import faultline.control.Threshold;
+import faultline.control.Thresholds;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Matcher;
@@ -25,6 +28,24 @@ class ExamplePlansTest {
         assertTrue(snippet.find());
         CampaignPlan plan = SamplePlan.read(snippet.group(1));
         assertEquals(360, plan.runCount());
+    }
+
+    @Test
+    void thePlanOfThresholdsVariesThem() throws Exception {
+        String page = Files.readString(Path.of("docs/campaigns.md"));
+        Matcher snippet = Pattern.compile("(?s)```xml\n(<campaign.*?)```")
+                .matcher(page.substring(page.indexOf("### Thresholds of the controller")));
+        assertTrue(snippet.find());
+        CampaignPlan plan = SamplePlan.read(snippet.group(1));
+        assertEquals(60, plan.runCount());
+        for (int i = 0; i < 3; i++) {
+            Thresholds thresholds = ((ControllerSpec.WallFollowing)
+                            plan.scenario(plan.run(i)).setup().controller())
+                    .thresholds();
+            assertEquals(0.05 * i, thresholds.get(Threshold.AHEAD_MARGIN), 1e-12);
+            double lost = thresholds.get(Threshold.LOST_MARGIN);
+            assertTrue(lost >= 0.04 && lost <= 0.1 && lost != 0.06, "drawn: " + lost);
+        }
     }
 
     @ParameterizedTest

@@ -20,7 +20,7 @@ class EdgeTimerTest {
 
     private static EdgeTimer timeSpin(TimingRule rule, double noise, DoubleUnaryOperator readings) {
         EdgeTimer timing = new EdgeTimer(rule);
-        timing.start(noise, true, TURN);
+        timing.start(0.08, noise, true, TURN);
         int i = 0;
         do {
             timing.addApproachSample(i * STEP, readings.applyAsDouble(i * STEP), 0);
@@ -76,7 +76,7 @@ class EdgeTimerTest {
     @Test
     void byRangeAWallInSightFromTheStartIsNotReached() {
         EdgeTimer timing = new EdgeTimer(TimingRule.RANGE);
-        timing.start(0, true, TURN);
+        timing.start(0.08, 0, true, TURN);
         timing.addApproachSample(0, 0.4, 0);
         timing.addApproachSample(0.1, 0.3, 0);
         assertFalse(timing.reachesWall());
@@ -85,7 +85,7 @@ class EdgeTimerTest {
     @Test
     void byEqualReadingsAWallInSightFromTheStartIsReachedAsSoonAsReadingsFall() {
         EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
-        timing.start(0, true, TURN);
+        timing.start(0.08, 0, true, TURN);
         timing.addApproachSample(0, 0.3, 0);
         timing.addApproachSample(0.1, 0.4, 0);
         assertFalse(timing.reachesWall(), "the wall behind goes");
@@ -105,7 +105,7 @@ class EdgeTimerTest {
     @Test
     void aWiggleOfTheNoiseIsNoWall() {
         EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
-        timing.start(0.005, true, TURN);
+        timing.start(0.08, 0.005, true, TURN);
         for (int i = 0; i < 50; i++) {
             timing.addApproachSample(i * STEP, 0.4 + wiggle(i), 0);
             assertFalse(timing.reachesWall());
@@ -115,7 +115,7 @@ class EdgeTimerTest {
     @Test
     void aWallThatTheRobotRollsTowardsIsNotReached() {
         EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
-        timing.start(0, true, TURN);
+        timing.start(0.08, 0, true, TURN);
         for (int i = 0; i < 10; i++) {
             timing.addApproachSample(i * STEP, 0.4 - 0.002 * i, 0.003);
             assertFalse(timing.reachesWall());
@@ -127,7 +127,7 @@ class EdgeTimerTest {
     @Test
     void noiseIsAveragedAwayWhereManySamplesFitIntoASmallTurn() {
         EdgeTimer timing = new EdgeTimer(TimingRule.EQUAL_READINGS);
-        timing.start(0.005, true, Math.toRadians(0.5));
+        timing.start(0.08, 0.005, true, Math.toRadians(0.5));
         for (int i = 0; i < 20; i++) {
             timing.addApproachSample(i * STEP, 0.4 + wiggle(i), 0);
             assertFalse(timing.reachesWall(), "the swing of 16 mm is gone");
@@ -145,7 +145,7 @@ class EdgeTimerTest {
     @Test
     void byRangeNothingIsAveraged() {
         EdgeTimer timing = new EdgeTimer(TimingRule.RANGE);
-        timing.start(0.005, true, Math.toRadians(0.5));
+        timing.start(0.08, 0.005, true, Math.toRadians(0.5));
         timing.addApproachSample(0, Reading.NOTHING, 0);
         timing.addApproachSample(STEP, 0.7, 0);
         assertTrue(timing.reachesWall());
@@ -154,7 +154,7 @@ class EdgeTimerTest {
     @Test
     void aNewSpinForgetsTheOneBefore() {
         EdgeTimer timing = timeSpin(TimingRule.EQUAL_READINGS, 0, wallAt(3));
-        timing.start(0, true, TURN);
+        timing.start(0.08, 0, true, TURN);
         assertTrue(Double.isNaN(timing.tF3()) && Double.isNaN(timing.tF4()));
         timing.addApproachSample(7, Reading.NOTHING, 0);
         assertFalse(timing.reachesWall());

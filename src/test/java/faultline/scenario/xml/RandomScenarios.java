@@ -4,6 +4,8 @@ import faultline.control.ControllerSpec;
 import faultline.control.ControllerState;
 import faultline.control.GainRule;
 import faultline.control.RecordedDecision;
+import faultline.control.Threshold;
+import faultline.control.Thresholds;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.ControllerFactory;
@@ -213,8 +215,18 @@ final class RandomScenarios {
                         edgeValue(0, 10),
                         random.nextBoolean() ? TimingRule.EQUAL_READINGS : TimingRule.RANGE,
                         random.nextBoolean(),
-                        gainRule());
+                        gainRule(),
+                        thresholds());
         };
+    }
+
+    private Thresholds thresholds() {
+        Thresholds result = Thresholds.DEFAULT;
+        for (Threshold threshold : Threshold.values()) {
+            Threshold.Quantity quantity = threshold.quantity();
+            result = random.nextBoolean() ? result.with(threshold, edgeValue(quantity.min(), quantity.max())) : result;
+        }
+        return result;
     }
 
     private GainRule gainRule() {

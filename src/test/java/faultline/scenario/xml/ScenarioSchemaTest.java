@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.Threshold;
 import faultline.robot.MotorFaultKind;
 import faultline.scenario.Scenario;
 import faultline.sensor.FaultKind;
@@ -56,9 +57,8 @@ class ScenarioSchemaTest {
                         .toList());
     }
 
-    @Test
-    void theRangesOfTheReaderAreThoseOfTheSchema() throws Exception {
-        Map<String, NumberRange> ranges = Map.ofEntries(
+    private static Map<String, NumberRange> ranges() {
+        return Map.ofEntries(
                 entry("size", NumberRange.SIZE),
                 entry("coordinate", NumberRange.COORDINATE),
                 entry("noise", NumberRange.NOISE),
@@ -75,7 +75,17 @@ class ScenarioSchemaTest {
                 entry("positiveVoltage", NumberRange.POSITIVE_VOLTAGE),
                 entry("share", NumberRange.FRACTION),
                 entry("driveScale", NumberRange.DRIVE_SCALE),
-                entry("gain", NumberRange.GAIN));
+                entry("gain", NumberRange.GAIN),
+                entry("margin", NumberRange.of(Threshold.Quantity.MARGIN)),
+                entry("signedMargin", NumberRange.of(Threshold.Quantity.SIGNED_MARGIN)),
+                entry("levelShare", NumberRange.of(Threshold.Quantity.SHARE)),
+                entry("settledRate", NumberRange.of(Threshold.Quantity.TURN_RATE)),
+                entry("turnedAngle", NumberRange.of(Threshold.Quantity.ANGLE)));
+    }
+
+    @Test
+    void theRangesOfTheReaderAreThoseOfTheSchema() throws Exception {
+        Map<String, NumberRange> ranges = ranges();
         List<Element> types = elements("simpleType")
                 .filter(type -> type.getElementsByTagName("xs:restriction").item(0) instanceof Element base
                         && List.of("xs:double", "xs:decimal").contains(base.getAttribute("base")))

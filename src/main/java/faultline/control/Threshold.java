@@ -1,0 +1,100 @@
+package faultline.control;
+
+/**
+ * A threshold of the wall follower's state diagram. It decides when a state is left; the map follower, which drives
+ * when too few sensors are trusted, has none of them.
+ */
+public enum Threshold {
+    /** How much farther away than the wanted distance a wall ahead ends SEARCH, FOLLOW and ROUND. */
+    AHEAD_MARGIN("aheadMargin", Quantity.SIGNED_MARGIN, 0),
+
+    /** How near to the circle in which the platform turns an object ahead ends SEARCH, FOLLOW and ROUND. */
+    TURN_CLEARANCE("turnClearance", Quantity.MARGIN, 0.06),
+
+    /**
+     * How far above the nearest reading the equal readings of F3 and F4 are taken, as a share of that reading: there
+     * the nearest point has left the cone and readings rise fast.
+     */
+    TIMING_LEVEL("timingLevel", Quantity.SHARE, 0.08),
+
+    /** The turn rate below which ALIGN ends. */
+    SETTLED_RATE("settledRate", Quantity.TURN_RATE, 1),
+
+    /** By how much a reading exceeds the wanted one if it is not of the followed wall any more. */
+    LOST_MARGIN("lostMargin", Quantity.MARGIN, 0.06),
+
+    /** The innovation that counts as a corner, as a share of the final innovation at an outer corner. */
+    BEND_SHARE("bendShare", Quantity.SHARE, 0.6),
+
+    /** A wall that has not been seen in a turn of more than this does not exist: the search begins again. */
+    GIVE_UP_ANGLE("giveUpAngle", Quantity.ANGLE, 400),
+
+    /**
+     * A spin that ends within this of its initial heading has found the same wall again: the slight corner ahead cannot
+     * be distinguished from it.
+     */
+    SAME_WALL_ANGLE("sameWallAngle", Quantity.ANGLE, 15),
+
+    /**
+     * After a spin that has found the same wall again, the robot steers through the slight corner by the left sensor
+     * and checks for walls ahead only after this distance.
+     */
+    STEER_THROUGH("steerThrough", Quantity.MARGIN, 0.15);
+
+    /** What a threshold measures, with the bounds of its values. */
+    public enum Quantity {
+        /** A length in metres. */
+        MARGIN(0, 100),
+        /** A length in metres, which may be negative. */
+        SIGNED_MARGIN(-100, 100),
+        /** A share. */
+        SHARE(0.001, 1),
+        /** Degrees per second. */
+        TURN_RATE(0.001, 3600),
+        /** Degrees. */
+        ANGLE(0, 3600);
+
+        private final double min;
+        private final double max;
+
+        Quantity(double min, double max) {
+            this.min = min;
+            this.max = max;
+        }
+
+        /** {@return the smallest value} */
+        public double min() {
+            return min;
+        }
+
+        /** {@return the greatest value} */
+        public double max() {
+            return max;
+        }
+    }
+
+    private final String fileName;
+    private final Quantity quantity;
+    private final double defaultValue;
+
+    Threshold(String fileName, Quantity quantity, double defaultValue) {
+        this.fileName = fileName;
+        this.quantity = quantity;
+        this.defaultValue = defaultValue;
+    }
+
+    /** {@return the name of the attribute in scenario files} */
+    public String fileName() {
+        return fileName;
+    }
+
+    /** {@return what it measures} */
+    public Quantity quantity() {
+        return quantity;
+    }
+
+    /** {@return the value that is used where a file gives none, in the unit of its quantity} */
+    public double defaultValue() {
+        return defaultValue;
+    }
+}

@@ -1,0 +1,214 @@
+package faultline.gui.panel;
+
+import faultline.control.ControllerSpec;
+import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.Threshold;
+import faultline.control.Thresholds;
+import faultline.control.TimingRule;
+import faultline.control.WallSide;
+import faultline.gui.text.Messages;
+import faultline.robot.RobotSpec;
+import java.awt.GridBagLayout;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
+import java.util.function.UnaryOperator;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+
+/** The fields of a controller's kind and settings, in sections. Settings that do not apply are disabled. */
+public final class ControllerForm {
+
+    /** The kinds of controllers. */
+    private enum Kind {
+        FOLLOWER,
+        DRIVE,
+        NONE,
+        FOREIGN;
+
+        static Kind of(ControllerSpec spec) {
+            if (!(spec instanceof ControllerSpec.BuiltIn)) {
+                return FOREIGN;
+            }
+            return spec instanceof WallFollowing ? FOLLOWER : spec instanceof ControllerSpec.Drive ? DRIVE : NONE;
+        }
+    }
+
+    private static final double MIN_DISTANCE = 0.05;
+    private static final double MAX_DISTANCE = 10;
+    private static final double MAX_PERIOD = 10;
+    private static final double MAX_VOLTS = 100;
+
+    private final Consumer<ControllerSpec.BuiltIn> onChange;
+    private final NamedChoice<Kind> kind = new NamedChoice<>(
+            Kind.values(), value -> Messages.get("controller.kind." + value.name()), this::selectKind);
+    private final NumberSpinner distance = new NumberSpinner(
+            "0.00##", MIN_DISTANCE, MAX_DISTANCE, 0.01, value -> change(old -> old.withDistance(value)));
+    private final NamedChoice<WallSide> side = new NamedChoice<>(
+            WallSide.values(),
+            value -> Messages.get("controller.hand." + value.fileName()),
+            value -> change(old -> old.withSide(value)));
+    private final NamedChoice<TimingRule> timing = new NamedChoice<>(
+            TimingRule.values(),
+            value -> Messages.get("spin.rule." + value.fileName()),
+            value -> change(old -> old.withTimingRule(value)));
+    private final NumberSpinner period =
+            new NumberSpinner("0.00###", 0, MAX_PERIOD, 0.01, value -> change(old -> old.withPeriod(value)));
+    private final JCheckBox diagnosis = new JCheckBox(Messages.get("controller.diagnosis"));
+    private final GainFields gains = new GainFields(rule -> change(old -> old.withGainRule(rule)));
+    private final Map<Threshold, NumberSpinner> thresholds = new EnumMap<>(Threshold.class);
+    private final JButton defaultThresholds = new JButton(Messages.get("controller.thresholds.defaults"));
+    private final NumberSpinner left =
+            new NumberSpinner("0.0##", -MAX_VOLTS, MAX_VOLTS, 0.1, value -> drive(value, drive().rightVolts()));
+    private final NumberSpinner right =
+            new NumberSpinner("0.0##", -MAX_VOLTS, MAX_VOLTS, 0.1, value -> drive(drive().leftVolts(), value));
+    private final List<JComponent> sections;
+    private ControllerSpec shown = WallFollowing.DEFAULT;
+
+    /**
+     * Creates the fields.
+     *
+     * @param onChange receives the controller with every change that the user makes
+     */
+    public ControllerForm(Consumer<ControllerSpec.BuiltIn> onChange) {
+        this.onChange = onChange;
+        diagnosis.setToolTipText(Messages.get("controller.diagnosis.tip"));
+        diagnosis.addActionListener(event -> change(old -> old.withDiagnosis(diagnosis.isSelected())));
+        sections = List.of(
+                new TitledSection(createFollowerForm()),
+                new TitledSection(Messages.get("controller.gains"), gains),
+                new TitledSection(Messages.get("controller.thresholds"), createThresholdForm()),
+                new TitledSection(Messages.get("controller.voltages"), createVoltageForm()));
+    }
+
+    private JPanel createFollowerForm() {
+        JPanel form = new JPanel(new GridBagLayout());
+        addRow(form, 0, "controller.kind", kind);
+        addRow(form, 1, "controller.distance", distance.withColumns(6));
+        addRow(form, 2, "controller.hand", side);
+        addRow(form, 3, "controller.timing", timing);
+        addRow(form, 4, "controller.period", period.withColumns(6));
+        form.add(diagnosis, FormConstraints.fillRow(1, 5));
+        return form;
+    }
+
+    private JPanel createThresholdForm() {
+        JPanel form = new JPanel(new GridBagLayout());
+        for (Threshold threshold : Threshold.values()) {
+            NumberSpinner field =
+                    spinner(threshold.quantity(), value -> change(old -> old.withThreshold(threshold, value)));
+            addRow(form, thresholds.size(), "controller." + threshold.fileName(), field.withColumns(6));
+            thresholds.put(threshold, field);
+        }
+        defaultThresholds.setToolTipText(Messages.get("controller.thresholds.defaults.tip"));
+        defaultThresholds.addActionListener(event -> change(old -> old.withThresholds(Thresholds.DEFAULT)));
+        form.add(defaultThresholds, FormConstraints.cell(1, thresholds.size()));
+        return form;
+    }
+
+    private static NumberSpinner spinner(Threshold.Quantity quantity, DoubleConsumer onChange) {
+        return switch (quantity) {
+            case MARGIN, SIGNED_MARGIN, SHARE ->
+                new NumberSpinner("0.00##", quantity.min(), quantity.max(), 0.01, onChange);
+            case TURN_RATE -> new NumberSpinner("0.0##", quantity.min(), quantity.max(), 0.5, onChange);
+            case ANGLE -> new NumberSpinner("0.##", quantity.min(), quantity.max(), 5, onChange);
+        };
+    }
+
+    private JPanel createVoltageForm() {
+        JPanel form = new JPanel(new GridBagLayout());
+        addRow(form, 0, "controller.left", left.withColumns(6));
+        addRow(form, 1, "controller.right", right.withColumns(6));
+        return form;
+    }
+
+    /** Adds a row with a label, a field and a tooltip for both; that of a number states its limits. */
+    static void addRow(JPanel form, int row, String key, JComponent field) {
+        JLabel label = FormConstraints.addRow(form, row, key, field);
+        label.setToolTipText(Messages.get(key + ".tip"));
+        if (field instanceof NumberSpinner number) {
+            number.setTip(Messages.get(key + ".tip"));
+        } else {
+            field.setToolTipText(Messages.get(key + ".tip"));
+        }
+    }
+
+    /** Returns the sections: the controller, its gains, its thresholds and its voltages. */
+    public List<JComponent> sections() {
+        return sections;
+    }
+
+    private ControllerSpec.Drive drive() {
+        return shown instanceof ControllerSpec.Drive drive ? drive : new ControllerSpec.Drive(1, 1);
+    }
+
+    private void selectKind(Kind selected) {
+        if (selected != Kind.of(shown) && selected != Kind.FOREIGN) {
+            send(
+                    switch (selected) {
+                        case FOLLOWER -> WallFollowing.DEFAULT;
+                        case DRIVE -> drive();
+                        case NONE, FOREIGN -> new ControllerSpec.None();
+                    });
+        }
+    }
+
+    private void change(UnaryOperator<WallFollowing> change) {
+        if (shown instanceof WallFollowing follower) {
+            send(change.apply(follower));
+        }
+    }
+
+    private void drive(double leftVolts, double rightVolts) {
+        if (shown instanceof ControllerSpec.Drive) {
+            send(new ControllerSpec.Drive(leftVolts, rightVolts));
+        }
+    }
+
+    private void send(ControllerSpec.BuiltIn changed) {
+        if (!changed.equals(shown)) {
+            shown = changed;
+            onChange.accept(changed);
+        }
+    }
+
+    /**
+     * Shows a controller.
+     *
+     * @param controller the controller
+     * @param robot the robot, whose speed and motors determine automatic gains
+     * @param dt the length of a tick, seconds
+     */
+    public void setController(ControllerSpec controller, RobotSpec robot, double dt) {
+        shown = controller;
+        boolean follows = shown instanceof WallFollowing;
+        kind.setValue(Kind.of(shown));
+        kind.setEnabled(Kind.of(shown) != Kind.FOREIGN);
+        for (JComponent field : new JComponent[] {distance, side, timing, period, diagnosis}) {
+            field.setEnabled(follows);
+        }
+        if (shown instanceof WallFollowing follower) {
+            distance.setWorldValue(follower.distance());
+            side.setValue(follower.side());
+            timing.setValue(follower.timingRule());
+            period.setWorldValue(follower.period());
+            diagnosis.setSelected(follower.diagnosis());
+            gains.setGains(follower, robot, dt);
+            thresholds.forEach((threshold, field) ->
+                    field.setWorldValue(follower.thresholds().get(threshold)));
+        }
+        gains.setApplicable(follows);
+        thresholds.values().forEach(field -> field.setEnabled(follows));
+        defaultThresholds.setEnabled(shown instanceof WallFollowing follower
+                && !follower.thresholds().equals(Thresholds.DEFAULT));
+        left.setEnabled(Kind.of(shown) == Kind.DRIVE);
+        right.setEnabled(left.isEnabled());
+        left.setWorldValue(drive().leftVolts());
+        right.setWorldValue(drive().rightVolts());
+    }
+}
