@@ -11,7 +11,22 @@ public final class XmlText {
      * @param text the text
      */
     public static String oneLine(String text) {
-        return replaceInvalid(text, ' ').replaceAll("\\s+", " ").strip();
+        return isWords(text)
+                ? text
+                : replaceInvalid(text, ' ').replaceAll("\\s+", " ").strip();
+    }
+
+    /** Returns whether a text consists of ASCII words with single blanks between them. */
+    private static boolean isWords(String text) {
+        boolean blank = true;
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            if (c < ' ' || c > '~' || blank && c == ' ') {
+                return false;
+            }
+            blank = c == ' ';
+        }
+        return !blank || text.isEmpty();
     }
 
     /**

@@ -68,7 +68,7 @@ final class Heading {
             for (int side = -1; side <= 1; side++) {
                 double px = at.x() + ahead * cos - side * half * sin;
                 double py = at.y() + ahead * sin + side * half * cos;
-                if (map.toUnknown(px, py) < MARGIN) {
+                if (!map.isKnown(px, py)) {
                     return way - SPACING;
                 }
             }

@@ -5,9 +5,9 @@ import faultline.control.diagnosis.SensorDiagnosis;
 import java.util.Arrays;
 
 /**
- * The surroundings as trusted sensors recently saw them: for each place, the distance to the nearest surface, and to
- * the nearest place that no sensor has seen free. Distances are computed by two chamfer sweeps over a window of cells
- * (Borgefors 1986).
+ * The surroundings as trusted sensors recently saw them: for each place, the distance to the nearest surface, and
+ * whether a sensor has seen it free. Distances are computed by two chamfer sweeps over a window of cells (Borgefors
+ * 1986).
  */
 final class LocalMap {
 
@@ -19,7 +19,11 @@ final class LocalMap {
     private static final int DIAGONAL = 7;
 
     private final int[] surface = new int[WINDOW * WINDOW];
-    private final int[] unknown = new int[WINDOW * WINDOW];
+    /** The cells with surfaces, row by row. */
+    private final int[] surfaceCells = new int[WINDOW * WINDOW];
+
+    private int surfaceCount;
+    private final boolean[] known = new boolean[WINDOW * WINDOW];
     private final int[] lastFree = new int[WINDOW];
     private final int[] lastHit = new int[WINDOW];
     private int column;
@@ -39,6 +43,7 @@ final class LocalMap {
         row = EvidenceGrid.cellOf(y) - WINDOW / 2;
         int since = diagnosis.now() - memory;
         int asked = diagnosis.trusted() | 1 << bodySource;
+        surfaceCount = 0;
         double ownSquare = bodyRadius * bodyRadius / (EvidenceGrid.CELL * EvidenceGrid.CELL);
         for (int r = 0; r < WINDOW; r++) {
             Arrays.fill(lastFree, Integer.MIN_VALUE);
@@ -50,16 +55,22 @@ final class LocalMap {
                 boolean own = dx * dx + dy * dy <= ownSquare;
                 boolean free = lastFree[c] >= since;
                 boolean hit = !free && lastHit[c] >= since;
-                surface[r * WINDOW + c] = hit ? 0 : FAR;
-                unknown[r * WINDOW + c] = hit || !free && !own ? 0 : FAR;
+                int cell = r * WINDOW + c;
+                surface[cell] = hit ? 0 : FAR;
+                known[cell] = free || own && !hit;
+                if (hit) {
+                    surfaceCells[surfaceCount++] = cell;
+                }
             }
         }
-        sweep(surface);
-        sweep(unknown);
+        if (surfaceCount > 0) {
+            sweep(surface, surfaceCells[0] / WINDOW);
+        }
     }
 
-    private static void sweep(int[] d) {
-        for (int r = 1; r < WINDOW - 1; r++) {
+    /** Computes distances from zeros, of which there are none before a row. */
+    private static void sweep(int[] d, int firstRow) {
+        for (int r = Math.max(1, firstRow); r < WINDOW - 1; r++) {
             int before = d[r * WINDOW];
             for (int i = r * WINDOW + 1; i < (r + 1) * WINDOW - 1; i++) {
                 int slant = Math.min(d[i - WINDOW - 1], d[i - WINDOW + 1]) + DIAGONAL;
@@ -79,23 +90,23 @@ final class LocalMap {
         }
     }
 
-    private double distance(int[] d, double px, double py) {
-        int c = EvidenceGrid.cellOf(px) - column;
-        int r = EvidenceGrid.cellOf(py) - row;
-        if (c < 0 || r < 0 || c >= WINDOW || r >= WINDOW) {
-            return 0;
-        }
-        return d[r * WINDOW + c] * (EvidenceGrid.CELL / STRAIGHT);
-    }
-
     /** Returns the distance from a point to the nearest surface, metres. */
     double toSurface(double px, double py) {
-        return distance(surface, px, py);
+        int cell = cellAt(px, py);
+        return cell < 0 ? 0 : surface[cell] * (EvidenceGrid.CELL / STRAIGHT);
     }
 
-    /** Returns the distance from a point to the nearest place that is not known to be free, metres. */
-    double toUnknown(double px, double py) {
-        return distance(unknown, px, py);
+    /** Returns whether a point is known to be free. */
+    boolean isKnown(double px, double py) {
+        int cell = cellAt(px, py);
+        return cell >= 0 && known[cell];
+    }
+
+    /** Returns the cell at a point, negative outside the window. */
+    private int cellAt(double px, double py) {
+        int c = EvidenceGrid.cellOf(px) - column;
+        int r = EvidenceGrid.cellOf(py) - row;
+        return c < 0 || r < 0 || c >= WINDOW || r >= WINDOW ? -1 : r * WINDOW + c;
     }
 
     /**
@@ -112,18 +123,13 @@ final class LocalMap {
         double ax = StrictMath.cos(towards);
         double ay = StrictMath.sin(towards);
         double cosWithin = StrictMath.cos(within);
-        for (int r = 0; r < WINDOW; r++) {
-            double dy = (row + r + 0.5) * EvidenceGrid.CELL - y;
-            for (int c = 0; c < WINDOW; c++) {
-                if (surface[r * WINDOW + c] != 0) {
-                    continue;
-                }
-                double dx = (column + c + 0.5) * EvidenceGrid.CELL - x;
-                double square = dx * dx + dy * dy;
-                if (square < best && dx * ax + dy * ay >= cosWithin * Math.sqrt(square)) {
-                    best = square;
-                    found = StrictMath.atan2(dy, dx);
-                }
+        for (int i = 0; i < surfaceCount; i++) {
+            double dy = (row + surfaceCells[i] / WINDOW + 0.5) * EvidenceGrid.CELL - y;
+            double dx = (column + surfaceCells[i] % WINDOW + 0.5) * EvidenceGrid.CELL - x;
+            double square = dx * dx + dy * dy;
+            if (square < best && dx * ax + dy * ay >= cosWithin * Math.sqrt(square)) {
+                best = square;
+                found = StrictMath.atan2(dy, dx);
             }
         }
         return found;
