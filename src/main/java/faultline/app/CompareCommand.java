@@ -93,6 +93,7 @@ final class CompareCommand {
         if (open && code == ExitCode.SUCCESS) {
             GuiLauncher.open(
                     file,
+                    () -> loaded,
                     new ControllerSelection(choices.get(0), options.jars()),
                     new ControllerSelection(choices.get(1), options.jars()));
         }

@@ -60,16 +60,17 @@ final class WindowCommand {
         if (given.size() == 1) {
             return run(file);
         }
-        Scenario.load(file);
-        requireDisplay("--controller");
+        Scenario scenario = Scenario.load(file);
         Optional<String> controller = arguments.value("--controller");
         Optional<String> ghost = arguments.value(GHOST_OPTION);
         List<Path> jars = ControllerOptions.parse(arguments, true).jars();
         if (controller.isEmpty() && ghost.isEmpty()) {
             throw new UsageException("--jar needs --controller WHICH");
         }
+        requireDisplay(controller.isPresent() ? "--controller" : GHOST_OPTION);
         GuiLauncher.open(
                 file,
+                () -> scenario,
                 controller.map(text -> new ControllerSelection(text, jars)).orElse(ControllerSelection.SCENARIO),
                 ghost.map(text -> new ControllerSelection(text, jars)).orElse(null));
         return ExitCode.SUCCESS;

@@ -42,11 +42,13 @@ public final class GuiLauncher {
      * Opens the window asynchronously with a scenario and controllers. There must be a display.
      *
      * @param file the scenario to open
+     * @param reader reads the file on another thread
      * @param controller drives the robot
      * @param ghostOrNull drives another robot, which is shown beside it; null for none
      */
-    public static void open(Path file, ControllerSelection controller, ControllerSelection ghostOrNull) {
-        open(window -> window.open(file, controller, ghostOrNull), false);
+    public static void open(
+            Path file, Callable<Scenario> reader, ControllerSelection controller, ControllerSelection ghostOrNull) {
+        open(window -> window.open(file, reader, controller, ghostOrNull), false);
     }
 
     private static void open(Consumer<MainWindow> scenario, boolean galleryWanted) {

@@ -129,6 +129,8 @@ class CompareCommandTest {
                 commandWithoutDisplay(SCENARIO, "--controller", "none", "--ghost-controller", "wall-follower");
         assertEquals(2, window.code);
         assertTrue(window.err.contains("--controller needs a display here"), window.err);
+        CommandResult ghost = commandWithoutDisplay(SCENARIO, "--ghost-controller", "wall-follower");
+        assertTrue(ghost.err.contains("--ghost-controller needs a display here"), ghost.err);
         CommandResult compared = commandWithoutDisplay(
                 "compare",
                 SCENARIO,

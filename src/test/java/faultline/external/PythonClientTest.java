@@ -15,12 +15,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The Python examples, run as the documentation says. */
 @Timeout(120)
@@ -46,15 +48,42 @@ class PythonClientTest {
     }
 
     private static RunResult follow(SimulationSetup setup) throws IOException {
-        String command = "python3 " + EXAMPLES.resolve("my_follower.py");
+        List<String> errors = new CopyOnWriteArrayList<>();
+        RunResult result = run(setup, EXAMPLES.resolve("my_follower.py"), errors);
+        assertEquals(List.of(), errors);
+        return result;
+    }
+
+    /** Runs a program as the controller of a run, and keeps what it writes to standard error. */
+    private static RunResult run(SimulationSetup setup, Path program, List<String> errors) throws IOException {
         RunDescription run = RunDescription.of("faultline test", "Yard", setup, 1);
-        List<String> errors = new ArrayList<>();
-        try (ExternalController child =
-                new ExternalController(command, run, ExternalController.Timeouts.DEFAULT, false, errors::add)) {
-            RunResult result = HeadlessRun.run(setup, child, ControllerMode.DIRECT, List.of());
-            assertEquals(List.of(), errors);
-            return result;
+        try (ExternalController child = new ExternalController(
+                "python3 " + program, run, ExternalController.Timeouts.DEFAULT, false, errors::add)) {
+            return HeadlessRun.run(setup, child, ControllerMode.DIRECT, List.of());
         }
+    }
+
+    @Test
+    void theClientLeavesTimeForFifteenThousandTicksASecond(@TempDir Path folder) throws Exception {
+        Files.copy(EXAMPLES.resolve("faultline.py"), folder.resolve("faultline.py"));
+        Path program = folder.resolve("timed.py");
+        Files.writeString(
+                program,
+                """
+                import sys, time
+                import faultline
+                begin, ticks = time.process_time(), 0
+                def decide(sight):
+                    global ticks
+                    ticks += 1
+                    return faultline.velocities(0.1, sight.distance("left", otherwise=0.5) - 0.25, state="FOLLOW")
+                faultline.drive_with(decide)
+                print((time.process_time() - begin) / ticks, file=sys.stderr)
+                """);
+        List<String> errors = new CopyOnWriteArrayList<>();
+        run(Scenario.load(Path.of("scenarios/yard.xml")).setup(), program, errors);
+        double secondsPerTick = Double.parseDouble(errors.get(0));
+        assertTrue(secondsPerTick < 1 / 15_000.0, () -> secondsPerTick + " s of processor time a tick");
     }
 
     @Test

@@ -90,7 +90,12 @@ final class FileDialogs {
     }
 
     private JFileChooser createChooser(String action, String extension) {
-        return createChooser(action, extension, extension);
+        return createChooser(action, filterName(action, extension), extension);
+    }
+
+    /** Returns the name of an action's filter: its own, if it has one, or that of all files of a type. */
+    static String filterName(String action, String extension) {
+        return Messages.contains("files.filter." + action) ? action : extension;
     }
 
     private JFileChooser createChooser(String action, String filter, String... extensions) {

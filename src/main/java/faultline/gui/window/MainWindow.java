@@ -264,10 +264,14 @@ public final class MainWindow extends JFrame {
         fileController.openWithoutAsking(file);
     }
 
-    /** Opens a scenario file asynchronously, with a controller, and that of a ghost beside it, null for none. */
-    public void open(Path file, ControllerSelection controller, ControllerSelection ghostOrNull) {
+    /**
+     * Opens a scenario file asynchronously, given what reads it, with a controller, and that of a ghost beside it, null
+     * for none.
+     */
+    public void open(
+            Path file, Callable<Scenario> reader, ControllerSelection controller, ControllerSelection ghostOrNull) {
         controllerChooser.select(controller, ghostOrNull);
-        open(file);
+        open(file, reader);
     }
 
     /** Opens a scenario file asynchronously, given what reads it. */

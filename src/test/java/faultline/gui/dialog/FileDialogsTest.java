@@ -1,7 +1,9 @@
 package faultline.gui.dialog;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.gui.text.Messages;
 import java.nio.file.Path;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -20,5 +22,12 @@ class FileDialogsTest {
     })
     void aNameGetsItsExtensionUnlessItHasIt(String typed, String saved) {
         assertEquals(Path.of(saved), FileDialogs.withExtension(Path.of(typed), "xml"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"saveAs, xml, xml", "saveJournal, xml, xml", "batchPlan, xml, batchPlan", "exportPng, png, png"})
+    void theFilterOfAChooserNamesWhatItShows(String action, String extension, String filter) {
+        assertEquals(filter, FileDialogs.filterName(action, extension));
+        assertTrue(Messages.contains("files.filter." + filter));
     }
 }

@@ -102,6 +102,7 @@ class ComparisonRobotTest {
         runOnEdt(() -> driver.window()
                 .open(
                         OFFICE,
+                        () -> Scenario.load(OFFICE),
                         new ControllerSelection("none", List.of()),
                         new ControllerSelection("wall-follower", List.of())));
         driver.waitForReferenceRun();
