@@ -91,13 +91,18 @@ final class CompareCommand {
                 new ControllerComparison(scenario, compared, windowCommands(file, choices, options));
         int code = write(comparison, compared, page, replays);
         if (open && code == ExitCode.SUCCESS) {
-            GuiLauncher.open(
-                    file,
-                    () -> loaded,
-                    new ControllerSelection(choices.get(0), options.jars()),
-                    new ControllerSelection(choices.get(1), options.jars()));
+            openWindow(file, loaded, choices, options);
         }
         return code;
+    }
+
+    /** Shows the first two controllers, the second as the ghost. */
+    private static void openWindow(Path file, Scenario scenario, List<String> choices, ControllerOptions options) {
+        GuiLauncher.open(
+                file,
+                () -> scenario,
+                new ControllerSelection(choices.get(0), options.jars()),
+                new ControllerSelection(choices.get(1), options.jars()));
     }
 
     /** Returns the commands that show the first controller in the window with each other one as its ghost. */
