@@ -36,10 +36,12 @@ import javax.swing.KeyStroke;
 /** The actions on obstacles: placing, copying, deleting, motion and snapping. */
 public final class ObstacleActions {
 
-    /** The keys of the actions that place obstacles, in the order of the palette. */
-    public static final List<String> PALETTE_KEYS = Stream.concat(
+    /** The keys of the actions that choose what the mouse does, in the order of the palette. */
+    public static final List<String> PALETTE_KEYS = Stream.of(
+                    Stream.of("select"),
                     Stream.of(ShapePreset.values()).map(shape -> UiAction.key("place", shape)),
                     Stream.of("drawWall", "drawPolygon"))
+            .flatMap(keys -> keys)
             .toList();
 
     private static final double GRID_STEP = 0.05;
@@ -74,6 +76,7 @@ public final class ObstacleActions {
     }
 
     public void addTo(ActionRegistry actions) {
+        actions.add(createSelectAction().withIcon(Glyph.SELECT).withAccelerator(unmodified(KeyEvent.VK_V)));
         for (ShapePreset shape : ShapePreset.values()) {
             actions.add(createToolAction(UiAction.key("place", shape), () -> tools.placeShape(shape))
                     .withIcon(Glyph.valueOf(shape.name())));
@@ -95,6 +98,18 @@ public final class ObstacleActions {
                 .withAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_N, InputEvent.SHIFT_DOWN_MASK)));
         actions.add(snapGrid);
         actions.add(snapAngle);
+    }
+
+    /** Creates the action that ends the active tool. It is on while there is none. */
+    private UiAction createSelectAction() {
+        UiAction[] self = new UiAction[1];
+        self[0] = UiAction.of("select", () -> {
+            tools.endTool();
+            self[0].setOn(true);
+        });
+        self[0].setOn(true);
+        tools.addToolListener(inUse -> self[0].setOn(!inUse));
+        return self[0];
     }
 
     private UiAction createToolAction(String key, Runnable tool) {

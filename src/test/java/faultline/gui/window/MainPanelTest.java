@@ -156,6 +156,25 @@ class MainPanelTest {
                         .map(language -> Arguments.of(room.width, room.height, size, language))));
     }
 
+    @Test
+    void exactlyOneButtonOfThePaletteIsOn() {
+        runOnEdt(() -> {
+            assertEquals(List.of("select"), paletteButtonsOn());
+            for (String key : List.of("placeCircle", "drawWall", "select", "select", "placeEllipse")) {
+                actions.get(key).actionPerformed(null);
+                assertEquals(List.of(key), paletteButtonsOn());
+            }
+            actions.get("measure").actionPerformed(null);
+            assertEquals(List.of(), paletteButtonsOn());
+        });
+    }
+
+    private List<String> paletteButtonsOn() {
+        return ObstacleActions.PALETTE_KEYS.stream()
+                .filter(key -> actions.get(key).isOn())
+                .toList();
+    }
+
     @ParameterizedTest
     @MethodSource("windowSizes")
     void noComponentIsCutOffInAnyLanguageAndTextSize(int width, int height, TextSize size, Language language) {

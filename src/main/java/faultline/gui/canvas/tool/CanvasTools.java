@@ -89,6 +89,14 @@ public final class CanvasTools {
         return IdGenerator.uniqueId(stem, context.model().obstacleIds());
     }
 
+    /** Ends the active tool, so that the left button selects and moves. */
+    public void endTool() {
+        assert EventQueue.isDispatchThread();
+        mouse.cancel();
+        canvas.requestFocusInWindow();
+        canvas.repaint();
+    }
+
     private void activate(Tool tool) {
         assert EventQueue.isDispatchThread();
         mouse.cancel();
