@@ -31,6 +31,9 @@ final class ReportCommand {
         Optional<Path> table = sorted.fileOption("--table");
         List<Path> targets = table.map(file -> List.of(target, file)).orElse(List.of(target));
         Path folder = Arguments.parsePath(sorted.files().get(0));
+        if (FileTarget.findConflict(List.of(), targets).isPresent()) {
+            throw new UsageException("--out and --table are the same file; expected two files");
+        }
         CampaignReport report = new CampaignReport(folder);
         if (FileTarget.findConflict(new CampaignFolder(folder).files(), targets).isPresent()) {
             throw new UsageException("--out or --table is a file of the campaign itself; expected another file");
