@@ -1,6 +1,13 @@
 package faultline.gui.edit;
 
+import faultline.control.ControllerSpec;
+import faultline.control.ControllerSpec.WallFollowing;
+import faultline.control.Threshold;
 import faultline.world.Command;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * The part of the world that a command changes. Two commands of one edit with equal targets are merged into one.
@@ -47,6 +54,36 @@ record EditTarget(String kind, Object subject, boolean repeatable) {
             return new EditTarget("controller", "", true);
         }
     };
+
+    /**
+     * Returns the target of a command as part of a gesture; different settings of the controller are different ones.
+     */
+    static EditTarget ofGesture(Command command, ControllerSpec before) {
+        return command instanceof Command.ConfigureController change
+                        && change.controller() instanceof WallFollowing after
+                        && before instanceof WallFollowing follower
+                ? new EditTarget("controller", changedSettings(settings(follower), settings(after)), true)
+                : of(command);
+    }
+
+    private static List<Object> settings(WallFollowing follower) {
+        List<Object> settings = new ArrayList<>(List.of(
+                follower.distance(),
+                follower.side(),
+                follower.period(),
+                follower.timingRule(),
+                follower.diagnosis(),
+                follower.gainRule()));
+        Arrays.stream(Threshold.values()).map(follower.thresholds()::get).forEach(settings::add);
+        return settings;
+    }
+
+    private static List<Integer> changedSettings(List<Object> before, List<Object> after) {
+        return IntStream.range(0, before.size())
+                .filter(i -> !before.get(i).equals(after.get(i)))
+                .boxed()
+                .toList();
+    }
 
     /** Returns the target of a command. */
     static EditTarget of(Command command) {

@@ -80,7 +80,9 @@ public final class UndoController {
     public void send(List<Command> commands) {
         assert EventQueue.isDispatchThread();
         if (!commands.isEmpty()) {
-            int id = gestureIdOf(commands.stream().map(EditTarget::of).toList());
+            int id = gestureIdOf(commands.stream()
+                    .map(command -> EditTarget.ofGesture(command, pendingEdits.controller()))
+                    .toList());
             submit(commands, results -> recordEdit(id, results));
         }
     }

@@ -8,14 +8,19 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.engine.SimulationSetup;
 import faultline.engine.recording.TraceChannels;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.ComponentFinder;
 import faultline.gui.theme.Theme;
+import faultline.world.Command;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.BeforeEach;
@@ -162,6 +167,29 @@ class StripChartTest {
         for (long pixels : seen) {
             assertTrue(pixels > 20, "only " + pixels + " pixels");
         }
+    }
+
+    @Test
+    void aChangeOfTheControllerIsMarkedAtItsTime() {
+        // The same settings again leave the lines as they are.
+        SimulationSetup setup = SampleRuns.ROOM_SETUP.withTimeline(Stream.concat(
+                        SampleRuns.ROOM_SETUP.timeline().stream(),
+                        Stream.of(new SimulationSetup.TimedCommand(
+                                16, new Command.ConfigureController(ControllerSpec.WallFollowing.DEFAULT))))
+                .toList());
+        int[] columns = callOnEdt(() -> {
+            StripChart fresh = new StripChart();
+            fresh.setFrame(FRAME);
+            BufferedImage before = SampleRuns.render(fresh, WIDTH, HEIGHT);
+            fresh.setFrame(SampleRuns.frame(setup, 2000));
+            BufferedImage after = SampleRuns.render(fresh, WIDTH, HEIGHT);
+            return IntStream.range(0, WIDTH)
+                    .filter(x -> IntStream.range(0, HEIGHT).anyMatch(y -> before.getRGB(x, y) != after.getRGB(x, y)))
+                    .toArray();
+        });
+        assertTrue(columns.length >= 1 && columns.length <= 3, columns.length + " columns");
+        int expected = callOnEdt(() -> (int) x(16) + chart.view().getX());
+        assertEquals(expected, columns[0], 2);
     }
 
     @Test

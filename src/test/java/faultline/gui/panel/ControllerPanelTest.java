@@ -9,6 +9,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.GainRule;
+import faultline.control.Threshold;
+import faultline.control.Thresholds;
 import faultline.control.WallSide;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
@@ -19,11 +21,13 @@ import faultline.gui.document.Workspace;
 import faultline.gui.document.WorkspaceListener;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.nio.file.Path;
 import java.util.function.Predicate;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JSpinner;
 import org.junit.jupiter.api.AfterEach;
@@ -133,6 +137,61 @@ class ControllerPanelTest {
         Await.until("the scenario is saved", () -> !workspace.isChanged());
         WallFollowing saved = follower(Scenario.load(file).setup().controller());
         assertEquals(14.5, ((GainRule.Fixed) saved.gainRule()).derivative());
+    }
+
+    @Test
+    void everyThresholdIsAFieldWhoseChangeIsUndoneAndSaved() throws ScenarioException {
+        WallFollowing wanted = callOnEdt(
+                () -> follower(workspace.scenario().orElseThrow().setup().controller()));
+        for (Threshold threshold : Threshold.values()) {
+            String name = Messages.get("controller." + threshold.fileName());
+            assertEquals(threshold.defaultValue(), shown(name), name);
+            double value = threshold.defaultValue() + 0.125;
+            type(name, value);
+            await(name, spec -> follower(spec).thresholds().get(threshold) == value);
+            wanted = wanted.withThreshold(threshold, value);
+        }
+        Path file = folder.resolve("thresholds.xml");
+        runOnEdt(() -> documents.save(file, () -> {}));
+        Await.until("the scenario is saved", () -> !workspace.isChanged());
+        assertEquals(wanted, Scenario.load(file).setup().controller());
+        Thresholds typed = wanted.thresholds();
+        click("Defaults");
+        await("the defaults", spec -> follower(spec).thresholds().equals(Thresholds.DEFAULT));
+        runOnEdt(undo::undo);
+        await("the typed values", spec -> follower(spec).thresholds().equals(typed));
+        runOnEdt(undo::undo);
+        Thresholds earlier = typed.with(Threshold.STEER_THROUGH, Threshold.STEER_THROUGH.defaultValue());
+        await("all but the last one", spec -> follower(spec).thresholds().equals(earlier));
+    }
+
+    private void click(String text) {
+        runOnEdt(() -> ComponentFinder.findAll(panel, JButton.class)
+                .filter(button -> text.equals(button.getText()))
+                .findFirst()
+                .orElseThrow()
+                .doClick(0));
+    }
+
+    @Test
+    void thePeriodIsAFieldAndSaved() throws ScenarioException {
+        type("Period, s", 0.04);
+        await("the new period", spec -> spec.period() == 0.04);
+        Path file = folder.resolve("period.xml");
+        runOnEdt(() -> documents.save(file, () -> {}));
+        Await.until("the scenario is saved", () -> !workspace.isChanged());
+        assertEquals(0.04, Scenario.load(file).setup().controller().period());
+    }
+
+    @Test
+    void theEventNamesWhatIsNotAsUsual() {
+        assertEquals(
+                "wall follower, 0.25 m, wall left, automatic gains, equal readings, every 0.05 s, no diagnosis;"
+                        + " Wall lost, m: 0.1",
+                ControllerText.format(WallFollowing.DEFAULT
+                        .withPeriod(0.05)
+                        .withDiagnosis(false)
+                        .withThreshold(Threshold.LOST_MARGIN, 0.1)));
     }
 
     @Test

@@ -23,6 +23,9 @@ class RunMarksTest {
     private static final TimelineItem FAULT =
             new TimelineItem(new Command.InjectFault("left", new Fault.Dead()), 1.5, 2.5);
 
+    private static final Command.ConfigureController CHANGE =
+            new Command.ConfigureController(new ControllerSpec.Drive(2, 1.9));
+
     private static SessionFrame crash(SimulationSetup setup) {
         Recorder recorder = new Recorder(setup);
         try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT, recorder)) {
@@ -54,5 +57,25 @@ class RunMarksTest {
                 Theme.LIGHT.palette().sensorColours(2).outline(),
                 marks.get(0).colour().apply(Theme.LIGHT));
         assertEquals(Theme.LIGHT.palette().collision(), marks.get(2).colour().apply(Theme.LIGHT));
+    }
+
+    @Test
+    void aChangeOfTheControllerIsMarkedOnceWhetherItIsAnItemOrWasMadeDuringTheRun() throws ScenarioException {
+        SimulationSetup setup = Scenario.loadShipped("office.xml")
+                .setup()
+                .withController(new ControllerSpec.Drive(2, 2))
+                .withTimeline(List.of(new SimulationSetup.TimedCommand(0.7, CHANGE)));
+        SessionFrame frame = crash(setup);
+        TimelineItem item = TimelineItem.from(CHANGE, 0.7);
+        for (List<TimelineItem> items : List.of(List.of(item), List.<TimelineItem>of())) {
+            List<SliderMark> marks = RunMarks.of(frame, items, 0, setup.dt());
+            assertEquals(
+                    List.of(setup.tickAt(0.7), frame.snapshot().tick()),
+                    marks.stream().map(mark -> (long) mark.value()).toList());
+            assertEquals(
+                    "Controller: constant voltages 2 V and 1.9 V",
+                    marks.get(0).text().replaceAll(", 0.70 s$", ""));
+            assertEquals(Theme.LIGHT.palette().muted(), marks.get(0).colour().apply(Theme.LIGHT));
+        }
     }
 }
