@@ -70,13 +70,19 @@ final class ClaimTest {
         double axisSin = claims.axisSin(0);
         double reading = claims.reading(0);
         boolean found = false;
+        int lastColumn = Integer.MIN_VALUE;
+        int lastRow = 0;
         for (int i = 0; i < ConeTable.SAMPLES; i++) {
             double x = claims.x(0) + reading * table.cos(i, axisCos, axisSin);
             double y = claims.y(0) + reading * table.sin(i, axisCos, axisSin);
             int column = EvidenceGrid.cellOf(x);
             int row = EvidenceGrid.cellOf(y);
-            found = found || grid.hitBy(column, row, oldest, others) != 0;
-            grid.markHit(sensor.index(), column, row, now);
+            if (column != lastColumn || row != lastRow) {
+                found = found || grid.hitBy(column, row, oldest, others) != 0;
+                grid.markHit(sensor.index(), column, row, now);
+                lastColumn = column;
+                lastRow = row;
+            }
         }
         return found;
     }

@@ -21,7 +21,7 @@ final class SignalTest {
     /** The maximum share of such differences. */
     private static final double MAX_SCATTER = 0.25;
 
-    private static final double SCATTER_MEMORY = 200;
+    private static final double SCATTER_STEP = 1 / 200.0;
 
     /** A reading that is shorter by this than both its neighbours is a spike, metres. */
     private static final double SPIKE = 0.04;
@@ -32,7 +32,7 @@ final class SignalTest {
     /** The maximum number of spikes within about three seconds. */
     private static final double MAX_SPIKES = 2;
 
-    private static final double SPIKE_MEMORY = 300;
+    private static final double SPIKE_STEP = 1 / 300.0;
 
     /** Readings this near to the range may come and go, metres. */
     private static final double NEAR_RANGE = 0.1;
@@ -40,10 +40,10 @@ final class SignalTest {
     /** The maximum number of times that a reading may come or go within about a second. */
     private static final double MAX_FLIPS = 7;
 
-    private static final double FLIP_MEMORY = 150;
+    private static final double FLIP_STEP = 1 / 150.0;
 
-    /** Fewer flips than this need not decay. */
-    private static final double QUIET = 1e-3;
+    /** Smaller counts are none. */
+    private static final double NEGLIGIBLE = 1e-3;
 
     private final MountedCone cone;
     private final double axisCos;
@@ -57,6 +57,8 @@ final class SignalTest {
     private double flips;
     private double spikes;
     private boolean quiet;
+    /** Whether no spikes, scatter or flips are remembered. */
+    private boolean unremarkable;
 
     SignalTest(MountedCone cone) {
         this.cone = cone;
@@ -68,6 +70,29 @@ final class SignalTest {
         if (quiet && reading == Reading.NOTHING) {
             return SensorFinding.NONE;
         }
+        return continues(reading) ? SensorFinding.NONE : testAll(reading, rolled, turned);
+    }
+
+    /**
+     * Returns whether nothing is remembered and a reading continues the last ones smoothly, so that it can be no
+     * finding; if so, takes note of it.
+     */
+    private boolean continues(double reading) {
+        double newFirst = reading - before;
+        double newSecond = newFirst - first;
+        // False for differences that are not numbers.
+        boolean smooth = unremarkable && newFirst != 0 && first >= -SPIKE && Math.abs(newSecond - second) <= SCATTER;
+        if (smooth) {
+            turn = 0;
+            way = 0;
+            before = reading;
+            first = newFirst;
+            second = newSecond;
+        }
+        return smooth;
+    }
+
+    private SensorFinding testAll(double reading, double rolled, double turned) {
         if (Reading.isOff(reading)) {
             before = Double.NaN;
             quiet = false;
@@ -79,6 +104,7 @@ final class SignalTest {
         learnFlips(reading);
         before = reading;
         quiet = isQuiet();
+        unremarkable = scatter < NEGLIGIBLE && spikes < NEGLIGIBLE && flips < NEGLIGIBLE;
         if (stuck) {
             return SensorFinding.STUCK;
         }
@@ -91,8 +117,8 @@ final class SignalTest {
     /** Returns whether another reading of nothing after one of nothing changes nothing. */
     private boolean isQuiet() {
         return before == Reading.NOTHING
-                && flips < QUIET
-                && spikes < QUIET
+                && flips < NEGLIGIBLE
+                && spikes < NEGLIGIBLE
                 && scatter <= MAX_SCATTER
                 && turn == 0
                 && way == 0
@@ -120,7 +146,7 @@ final class SignalTest {
         boolean spike = first < -SPIKE && Math.abs(first + (reading - before)) < NO_SPIKE;
         boolean counts = spike && Math.abs(before - lastSpike) > NO_SPIKE;
         lastSpike = spike ? before : lastSpike;
-        spikes += (counts ? 1 : 0) - spikes / SPIKE_MEMORY;
+        spikes += (counts ? 1 : 0) - spikes * SPIKE_STEP;
     }
 
     private void learnScatter(double reading) {
@@ -128,7 +154,7 @@ final class SignalTest {
         double newSecond = newFirst - first;
         double third = Math.abs(newSecond - second);
         if (third < Reading.NOTHING) {
-            scatter += ((third > SCATTER ? 1 : 0) - scatter) / SCATTER_MEMORY;
+            scatter += ((third > SCATTER ? 1 : 0) - scatter) * SCATTER_STEP;
         }
         first = newFirst;
         second = newSecond;
@@ -138,6 +164,6 @@ final class SignalTest {
         double nearer = Math.min(reading, before);
         boolean flip =
                 reading != before && Math.max(reading, before) == Reading.NOTHING && nearer < cone.range() - NEAR_RANGE;
-        flips += (flip ? 1 : 0) - flips / FLIP_MEMORY;
+        flips += (flip ? 1 : 0) - flips * FLIP_STEP;
     }
 }

@@ -15,35 +15,58 @@ final class WallLine {
 
     private static final double GREATEST_SLANT = StrictMath.toRadians(70);
 
-    private InspectedSensor facing;
-    private InspectedSensor ahead;
-    private InspectedSensor behind;
+    /**
+     * A sensor and the point of its mounting and the direction in its cone in which a wall beside the robot is nearest.
+     */
+    private record Ray(InspectedSensor sensor, int index, double range, double x, double y, double cos, double sin) {
 
-    /** The direction in each sensor's cone in which a wall beside the robot is nearest. */
-    private final double[] cos;
+        static Ray of(InspectedSensor sensor) {
+            MountedCone cone = sensor.cone();
+            double nearest = Math.max(cone.bearing() - cone.half(), Math.min(cone.bearing() + cone.half(), QUARTER));
+            return new Ray(
+                    sensor,
+                    sensor.index(),
+                    cone.range(),
+                    cone.x(),
+                    cone.y(),
+                    StrictMath.cos(nearest),
+                    StrictMath.sin(nearest));
+        }
 
-    private final double[] sin;
+        /** Returns whether a reading is a distance; false if the sensor is off. */
+        boolean sees(double reading) {
+            return reading < range;
+        }
+
+        double x(double reading) {
+            return x + reading * cos;
+        }
+
+        double y(double reading) {
+            return y + reading * sin;
+        }
+    }
+
+    private Ray facing;
+    private Ray ahead;
+    private Ray behind;
 
     WallLine(InspectedSensor[] sensors) {
-        cos = new double[sensors.length];
-        sin = new double[sensors.length];
         for (InspectedSensor sensor : sensors) {
-            cos[sensor.index()] = StrictMath.cos(nearest(sensor.cone()));
-            sin[sensor.index()] = StrictMath.sin(nearest(sensor.cone()));
             double off = QUARTER - sensor.cone().bearing();
             if (Math.abs(off) < sensor.cone().half()) {
-                facing = sensor;
+                facing = Ray.of(sensor);
             } else if (off > LEAST_SLANT && off < GREATEST_SLANT) {
-                ahead = sensor;
+                ahead = Ray.of(sensor);
             } else if (-off > LEAST_SLANT && -off < GREATEST_SLANT) {
-                behind = sensor;
+                behind = Ray.of(sensor);
             }
         }
     }
 
     /** Returns the reading of the sensor that faces the wall. */
     double distance(double[] readings) {
-        return facing == null ? Reading.OFF : readings[facing.index()];
+        return facing == null ? Reading.OFF : readings[facing.index];
     }
 
     /**
@@ -54,31 +77,18 @@ final class WallLine {
      *     with the others, which may be suspected just because the path bends, a sag that is wrong does no harm
      */
     double sag(double[] readings) {
-        if (!sees(facing, readings) || !facing.isTrusted() || !sees(ahead, readings) || !sees(behind, readings)) {
+        if (facing == null || ahead == null || behind == null || !facing.sensor.isTrusted()) {
             return Double.NaN;
         }
-        double aheadX = x(ahead, readings);
-        double behindX = x(behind, readings);
-        double share = (x(facing, readings) - behindX) / (aheadX - behindX);
-        return y(facing, readings) - y(behind, readings) - share * (y(ahead, readings) - y(behind, readings));
-    }
-
-    private static boolean sees(InspectedSensor sensor, double[] readings) {
-        return sensor != null
-                && !Reading.isOff(readings[sensor.index()])
-                && readings[sensor.index()] < sensor.cone().range();
-    }
-
-    /** Returns the bearing in a cone at which a wall beside the robot is nearest. */
-    private static double nearest(MountedCone cone) {
-        return Math.max(cone.bearing() - cone.half(), Math.min(cone.bearing() + cone.half(), QUARTER));
-    }
-
-    private double x(InspectedSensor sensor, double[] readings) {
-        return sensor.cone().x() + readings[sensor.index()] * cos[sensor.index()];
-    }
-
-    private double y(InspectedSensor sensor, double[] readings) {
-        return sensor.cone().y() + readings[sensor.index()] * sin[sensor.index()];
+        double beside = readings[facing.index];
+        double before = readings[ahead.index];
+        double after = readings[behind.index];
+        if (!facing.sees(beside) || !ahead.sees(before) || !behind.sees(after)) {
+            return Double.NaN;
+        }
+        double behindX = behind.x(after);
+        double behindY = behind.y(after);
+        double share = (facing.x(beside) - behindX) / (ahead.x(before) - behindX);
+        return facing.y(beside) - behindY - share * (ahead.y(before) - behindY);
     }
 }
