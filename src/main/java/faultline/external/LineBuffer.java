@@ -62,6 +62,13 @@ final class LineBuffer {
         return line;
     }
 
+    /** Returns the last line at the end of a stream, if it has no break; null if there is none. */
+    String rest() {
+        String line = hasPart() ? new String(bytes, begin, end - begin, StandardCharsets.UTF_8) : null;
+        begin = end;
+        return line;
+    }
+
     /** Returns whether part of a line has come. */
     boolean hasPart() {
         return end > begin;

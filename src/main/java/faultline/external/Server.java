@@ -134,7 +134,7 @@ public final class Server {
         String line = lines.next();
         while (line == null) {
             if (!lines.fill(in)) {
-                return null;
+                return lines.rest();
             }
             line = lines.next();
         }

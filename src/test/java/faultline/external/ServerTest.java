@@ -24,8 +24,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ServerTest {
 
     private static List<String> serve(String... requests) throws Exception {
+        return serveText(String.join("\n", requests) + "\n");
+    }
+
+    private static List<String> serveText(String requests) throws Exception {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        byte[] in = (String.join("\n", requests) + "\n").getBytes(StandardCharsets.UTF_8);
+        byte[] in = requests.getBytes(StandardCharsets.UTF_8);
         new Server("faultline test", "Office", true, new ByteArrayInputStream(in), out).run(office());
         return out.toString(StandardCharsets.UTF_8).lines().toList();
     }
@@ -59,6 +63,13 @@ class ServerTest {
         String end = answers.get(1);
         assertTrue(end.startsWith("{\"type\":\"end\",\"reason\":\"duration\""), end);
         assertTrue(end.contains(String.format(Locale.ROOT, "\"trajectory_hash\":\"%016x\"", expected)), end);
+    }
+
+    @Test
+    void aLastLineWithoutABreakCountsAsARequest() throws Exception {
+        assertEquals(2, serveText("{\"type\":\"reset\"}\n{\"type\":\"close\"}").size());
+        RunFailedException half = assertThrows(RunFailedException.class, () -> serveText("{\"type\":\"res"));
+        assertTrue(half.getMessage().startsWith("the client wrote no JSON at tick 0: "), half.getMessage());
     }
 
     @Test
