@@ -40,15 +40,6 @@ public final class GridRing {
         return rows[corner];
     }
 
-    /** {@return twice the enclosed area in cells, negative for the outline of a hole} */
-    long doubledArea() {
-        long sum = 0;
-        for (int i = 0, j = size() - 1; i < size(); j = i++) {
-            sum += (long) columns[j] * rows[i] - (long) columns[i] * rows[j];
-        }
-        return sum;
-    }
-
     /** Returns the ring through some of these corners, by their ascending indexes. */
     GridRing select(int[] corners) {
         int[] x = Arrays.stream(corners).map(i -> columns[i]).toArray();

@@ -32,19 +32,6 @@ public final class WallReference {
     }
 
     /**
-     * {@return how much farther than wanted the nearest wall is from a point, metres; NaN if that wall is not straight
-     * there, or more than twice as far as wanted}
-     *
-     * @param centre the robot's centre
-     * @param wanted the wanted distance from the centre, metres
-     * @param margin the smallest distance of the foot from the ends of a segment, metres
-     */
-    double straightWallError(Vector2 centre, double wanted, double margin) {
-        WallError error = wallError(centre, wanted, margin);
-        return error.straight() ? error.metres() : Double.NaN;
-    }
-
-    /**
      * How much farther than wanted the nearest wall is from a point.
      *
      * @param metres positive for too far; NaN if the wall is more than twice as far as wanted
@@ -52,7 +39,13 @@ public final class WallReference {
      */
     record WallError(double metres, boolean straight) {}
 
-    /** Returns how much farther than wanted the nearest wall is; parameters as {@link #straightWallError}. */
+    /**
+     * Returns how much farther than wanted the nearest wall is from a point.
+     *
+     * @param centre the robot's centre
+     * @param wanted the wanted distance from the centre, metres
+     * @param margin the smallest distance of the foot from the ends of a straight wall, metres
+     */
     WallError wallError(Vector2 centre, double wanted, double margin) {
         findNear(centre, 2 * wanted);
         double least = NONE;

@@ -97,10 +97,6 @@ final class StripView extends JComponent {
         return range;
     }
 
-    boolean isFrozen() {
-        return frozen;
-    }
-
     TimeSpan span() {
         return span;
     }

@@ -27,10 +27,6 @@ record TimeSpan(double start, double length) {
         return start + share * length;
     }
 
-    double shareOf(double time) {
-        return (time - start) / length;
-    }
-
     /** Returns this span scaled by a factor, with the time at the given share kept in place. */
     TimeSpan zoomed(double factor, double share) {
         TimeSpan resized = new TimeSpan(start, length * factor);

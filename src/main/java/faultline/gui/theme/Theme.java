@@ -48,9 +48,4 @@ public enum Theme {
     public Palette palette() {
         return palette;
     }
-
-    /** Returns the other theme. */
-    public Theme opposite() {
-        return this == LIGHT ? DARK : LIGHT;
-    }
 }

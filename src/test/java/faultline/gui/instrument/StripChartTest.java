@@ -60,7 +60,9 @@ class StripChartTest {
     private double x(double time) {
         TimeSpan span = chart.view().span();
         return StripScale.LEFT_MARGIN
-                + span.shareOf(time) * (chart.view().getWidth() - StripScale.LEFT_MARGIN - StripScale.RIGHT_MARGIN);
+                + (time - span.start())
+                        / span.length()
+                        * (chart.view().getWidth() - StripScale.LEFT_MARGIN - StripScale.RIGHT_MARGIN);
     }
 
     @Test

@@ -55,7 +55,6 @@ class ThemeTest {
     void theThemeThatIsInstalledIsTheCurrentOne() {
         runOnEdt(Theme.DARK::install);
         assertEquals(Theme.DARK, callOnEdt(Theme::current));
-        assertEquals(Theme.LIGHT, Theme.DARK.opposite());
     }
 
     private static JPanel everyControl() {
