@@ -44,7 +44,7 @@ record EnvironmentPath(String name, String title, String scenario, Rectangle2D b
         trace.result().collision().ifPresent(collision -> plan.drawRing(collision.point(), 7));
         plan.drawLabel(
                 "start", trace.setup().start().position().plus(new Vector2(0.1, -0.3)), 0, 0, FigureCanvas.SMALL_TEXT);
-        plan.drawScaleBar(bounds.getWidth() > 5 ? 1 : 0.5, WIDTH - 2 * MARGIN, height + 24);
+        plan.drawScaleBar(1, WIDTH - 2 * MARGIN, height + 24);
         folder.writeSvg(name, canvas.surface());
     }
 

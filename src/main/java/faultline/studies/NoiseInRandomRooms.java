@@ -1,8 +1,6 @@
 package faultline.studies;
 
 import faultline.campaign.RandomRoom;
-import faultline.control.ControllerSpec.WallFollowing;
-import faultline.control.FollowerState;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Vector2;
 import faultline.paint.chart.Axis;
@@ -12,18 +10,16 @@ import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
 import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.Sample;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.DoubleStream;
-import java.util.stream.IntStream;
 
 /** Following with noisy sensors in random rooms: the distance error, coverage and collisions. */
 final class NoiseInRandomRooms implements Figure {
 
     private static final List<Integer> NOISE_MM = List.of(0, 1, 4, 10);
-    private static final int ROOMS = 30;
+    private static final int ROOMS = 60;
     private static final long FIRST_ROOM = 5001;
     private static final double SECONDS = 60;
     private static final SimulationSetup BASE = SetupVariations.withoutDiagnosis(
@@ -46,7 +42,7 @@ final class NoiseInRandomRooms implements Figure {
                         noise,
                         room,
                         straight,
-                        1000 * followError(trace),
+                        1000 * trace.result().followRmsOrNaN(),
                         trace.result().coverage().orElse(Double.NaN),
                         trace.result().collision().isPresent());
                 errors.add(new Vector2(noise, straight));
@@ -73,14 +69,5 @@ final class NoiseInRandomRooms implements Figure {
                 .withStart(room.start())
                 .withSeed(seed)
                 .withDuration(SECONDS));
-    }
-
-    /** Returns the root mean square distance error over all of FOLLOW with a wall in sight, metres. */
-    private static double followError(RunTrace trace) {
-        double wanted = ((WallFollowing) trace.setup().controller()).distance();
-        return Sample.of(IntStream.range(0, trace.states().size())
-                        .filter(tick -> trace.states().get(tick) == FollowerState.FOLLOW)
-                        .mapToDouble(tick -> trace.distances().get(tick) - wanted))
-                .rms();
     }
 }

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.FollowerState;
 import faultline.geometry.Angles;
+import faultline.studies.figure.Sample;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -231,11 +232,37 @@ class ResultsTextTest {
                 "%.1f mm RMS on straight walls without noise, %.1f mm with noise of 4 mm",
                 runs.where("noise_mm", "0").numbers("distance_rms_mm").max().orElseThrow(),
                 runs.where("noise_mm", "4").numbers("distance_rms_mm").max().orElseThrow());
+    }
+
+    @Test
+    void theNoiseInRandomRooms() {
         ResultsTable rooms = ResultsTable.of("noise-rooms");
         assertTrue(rooms.cells("collided").noneMatch("true"::equals));
-        assertSaid(
-                "without noise the largest is %.1f mm",
-                rooms.where("noise_mm", "0").numbers("straight_rms_mm").max().orElseThrow());
+        for (String noise : List.of("0", "1", "4", "10")) {
+            ResultsTable runs = rooms.where("noise_mm", noise);
+            Sample straight = Sample.of(runs.numbers("straight_rms_mm"));
+            Sample follow = Sample.of(runs.numbers("follow_rms_mm"));
+            assertEquals(60, straight.size());
+            assertSaid(
+                    "| %s | 60 | %s | %.1f, %.1f | %s | %.1f | 0 |",
+                    noise, median(straight), straight.quantile(0.9), straight.max(), median(follow), follow.max());
+        }
+        assertSaid("without noise the largest is %.1f mm", worstRoom(rooms, "0"));
+        assertSaid("after it (%.1f mm)", worstRoom(rooms, "4"));
+    }
+
+    private static double worstRoom(ResultsTable rooms, String noise) {
+        return rooms.where("noise_mm", noise).numbers("straight_rms_mm").max().orElseThrow();
+    }
+
+    /** The median of 60 values, and the 22nd of them from either end: that many coins show heads with 95 %. */
+    private static String median(Sample sample) {
+        return String.format(
+                Locale.ROOT,
+                "%.1f (%.1f to %.1f)",
+                sample.median(),
+                sample.quantile(21 / 59.0),
+                sample.quantile(38 / 59.0));
     }
 
     @Test
