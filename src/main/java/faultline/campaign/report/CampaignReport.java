@@ -90,8 +90,19 @@ public final class CampaignReport {
                         + " worlds would.";
         return Html.section(
                 "Summary",
-                Html.paragraph(size + meaning + pairing) + "<p>All runs: " + Html.survival(all) + "</p>\n"
+                Html.paragraph(size + meaning + pairing) + undecided() + "<p>All runs: " + Html.survival(all) + "</p>\n"
                         + Html.table("numbers", List.of("outcome", "runs", "share"), rows));
+    }
+
+    private String undecided() {
+        long count = data.rows().stream()
+                .filter(row -> row.text("outcome").equals(Outcome.UNDECIDED.word()))
+                .count();
+        return count == 0
+                ? ""
+                : Html.paragraph(
+                        "Undecided runs (" + count + ") were too short to tell and are in no share. Runs as short"
+                                + " that touched something are, so shares are lower than with longer runs.");
     }
 
     private void addOutcome(String word, List<List<String>> rows) {

@@ -1,5 +1,6 @@
 package faultline.campaign.report;
 
+import faultline.io.DecimalText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -97,14 +98,8 @@ final class Html {
                 + survival.n() + "</small></td>";
     }
 
-    /** Returns a number with a sensible number of digits. */
+    /** Returns a number to three digits. */
     static String number(double value) {
-        double size = Math.abs(value);
-        if (!Double.isFinite(value)) {
-            return "&ndash;";
-        }
-        return size == 0
-                ? "0"
-                : size < 0.001 ? format("%.2g", value) : size < 10 ? format("%.3f", value) : format("%.1f", value);
+        return Double.isFinite(value) ? DecimalText.formatRounded(value) : "&ndash;";
     }
 }

@@ -19,6 +19,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -67,6 +68,23 @@ class CampaignReportTest {
         assertTrue(html.contains("<th scope=\"row\">0</th><td>1</td>"), "the empty set");
         assertTrue(html.contains("; 0 are certain."), "two runs are too few to be certain");
         assertTrue(html.contains(">simulated_s, n 16<"), "a distribution says of how many runs it is");
+    }
+
+    @Test
+    void runsThatAreTooShortToTellAreInNoShare() throws Exception {
+        String html =
+                report("<set attribute=\"@duration\" value=\"2\"/><set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
+        assertTrue(html.contains("<p>Undecided runs (8) were too short to tell"), "2 s are no lap");
+        assertTrue(html.contains("one in twenty is in bold by chance"));
+    }
+
+    @Test
+    void numbersHaveThreeDigits() {
+        assertEquals(
+                List.of("0.00187", "-0.0000971", "0.751", "12.3", "0", "&ndash;"),
+                DoubleStream.of(0.001871, -0.00009714, 0.7513, 12.34, 0, Double.NaN)
+                        .mapToObj(Html::number)
+                        .toList());
     }
 
     @Test
