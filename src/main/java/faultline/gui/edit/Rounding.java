@@ -3,8 +3,8 @@ package faultline.gui.edit;
 import faultline.geometry.Vector2;
 import java.util.List;
 
-/** Rounds the results of drags to nanometres, so that files stay readable. */
-final class Rounding {
+/** Rounds the results of drags and key strokes to nanometres, so that files stay readable. */
+public final class Rounding {
 
     private static final double STEPS_PER_METRE = 1e9;
 
@@ -14,7 +14,8 @@ final class Rounding {
         return Math.rint(value * STEPS_PER_METRE) / STEPS_PER_METRE;
     }
 
-    static Vector2 round(Vector2 value) {
+    /** Returns the nearest point on a grid of nanometres. */
+    public static Vector2 round(Vector2 value) {
         return new Vector2(round(value.x()), round(value.y()));
     }
 

@@ -3,6 +3,7 @@ package faultline.gui.canvas.tool;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.Rounding;
 import faultline.gui.edit.UndoController;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.world.Command;
@@ -57,10 +58,9 @@ public final class CanvasKeys {
     }
 
     private void nudge(double dx, double dy) {
-        moveSelected(obstacle -> new Pose(
-                obstacle.pose().x() + dx,
-                obstacle.pose().y() + dy,
-                obstacle.pose().heading()));
+        Vector2 step = new Vector2(dx, dy);
+        moveSelected(obstacle -> obstacle.pose()
+                .withPosition(Rounding.round(obstacle.pose().position().plus(step))));
     }
 
     private void turn(double turn) {

@@ -62,6 +62,14 @@ class CanvasKeysTest {
     }
 
     @Test
+    void manyNudgesDoNotAddRoundingErrors() {
+        for (int i = 1; i <= 33; i++) {
+            key("RIGHT");
+            assertEquals(moveTo((400 + i) / 100.0), callOnEdt(() -> sent.get(sent.size() - 1)));
+        }
+    }
+
+    @Test
     void obstaclesAreSelectedOneAfterTheOtherByKey() {
         Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(5, 3, 0));
         runOnEdt(() -> canvas.setFrame(
