@@ -5,6 +5,7 @@ import faultline.scenario.xml.ScenarioException;
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
@@ -15,7 +16,7 @@ import javax.swing.Timer;
 /**
  * Notices changes of the open file by other programs. The file is polled on a background thread. It is read when it has
  * not changed between two polls, so that a half-written file is not read, and reported if it holds another scenario
- * than before, or none.
+ * than before, or none, or does not exist any more.
  */
 public final class FileWatch implements AutoCloseable {
 
@@ -24,6 +25,7 @@ public final class FileWatch implements AutoCloseable {
     private final Workspace workspace;
     private final Consumer<Path> onChanged;
     private final Consumer<ScenarioException> onBroken;
+    private final Consumer<Path> onDeleted;
     private final Timer timer = new Timer(PERIOD_MILLIS, event -> poll());
     /** Null before the file is read. */
     private FileVersion lastRead;
@@ -32,7 +34,7 @@ public final class FileWatch implements AutoCloseable {
 
     private boolean polling;
 
-    /** A version of a file, as far as it is known without reading the file. */
+    /** A version of a file, as far as it is known without reading the file; the time is null if there is no file. */
     private record FileVersion(Path file, FileTime modified, long size) {}
 
     /** The result of a poll: the scenario or the failure is null, or both are if the file was not read. */
@@ -40,13 +42,19 @@ public final class FileWatch implements AutoCloseable {
 
     /**
      * Starts to watch the open file of a workspace. On the event dispatch thread, {@code onChanged} is called with the
-     * file if it holds another scenario, and {@code onBroken} if it can no longer be read.
+     * file if it holds another scenario, {@code onBroken} if it can no longer be read, and {@code onDeleted} with the
+     * file if it no longer exists.
      */
-    public FileWatch(Workspace workspace, Consumer<Path> onChanged, Consumer<ScenarioException> onBroken) {
+    public FileWatch(
+            Workspace workspace,
+            Consumer<Path> onChanged,
+            Consumer<ScenarioException> onBroken,
+            Consumer<Path> onDeleted) {
         assert EventQueue.isDispatchThread();
         this.workspace = workspace;
         this.onChanged = onChanged;
         this.onBroken = onBroken;
+        this.onDeleted = onDeleted;
         timer.start();
     }
 
@@ -57,7 +65,10 @@ public final class FileWatch implements AutoCloseable {
             polling = true;
             FileVersion seen = lastSeen;
             FileVersion read = lastRead;
-            BackgroundTasks.run(() -> inspect(file.get(), seen, read), this::inspected, unreadable -> polling = false);
+            BackgroundTasks.run(
+                    () -> inspect(file.get(), seen, read),
+                    this::inspected,
+                    unreadable -> notInspected(file.get(), unreadable));
         }
     }
 
@@ -92,6 +103,20 @@ public final class FileWatch implements AutoCloseable {
             lastRead = lastSeen;
             workspace.setSavedScenario(null);
             onBroken.accept(result.failure());
+        }
+    }
+
+    /** Reports a file that is missing at two polls; programs that replace a file may delete it for a moment. */
+    private void notInspected(Path file, Throwable failure) {
+        polling = false;
+        if (failure instanceof NoSuchFileException && workspace.file().equals(Optional.of(file))) {
+            FileVersion none = new FileVersion(file, null, 0);
+            if (none.equals(lastSeen) && !none.equals(lastRead)) {
+                lastRead = none;
+                workspace.setSavedScenario(null);
+                onDeleted.accept(file);
+            }
+            lastSeen = none;
         }
     }
 

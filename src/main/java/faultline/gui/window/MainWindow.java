@@ -134,7 +134,8 @@ public final class MainWindow extends JFrame {
         fileWatch = new FileWatch(
                 workspace,
                 fileController::onFileChangedOnDisk,
-                exception -> showNote(Dialogs.unreadableFileText(exception)));
+                exception -> showNote(Dialogs.unreadableFileText(exception)),
+                file -> showNote(Messages.get("deleted", String.valueOf(file.getFileName()))));
         installEditNotifier();
         workspace.addListener(new WorkspaceEvents());
         pollTimer.start();

@@ -47,6 +47,7 @@ class CrashRecoveryTest {
     private DocumentStore documentStore;
     private final List<Path> changedFiles = new ArrayList<>();
     private final List<ScenarioException> broken = new ArrayList<>();
+    private final List<Path> deleted = new ArrayList<>();
 
     @BeforeEach
     void openAFile() throws IOException {
@@ -215,7 +216,7 @@ class CrashRecoveryTest {
 
     @Test
     void anotherScenarioInTheFileIsReportedOnce() throws IOException {
-        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add));
+        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add, deleted::add));
         poll(watch, 3);
         assertEquals(List.of(), changedFiles);
         rewrite(Files.readString(file)
@@ -230,7 +231,7 @@ class CrashRecoveryTest {
 
     @Test
     void theSameScenarioInAnotherFormatIsNotReported() throws IOException {
-        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add));
+        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add, deleted::add));
         rewrite(Files.readString(file).replace("\n", "\n\n"));
         poll(watch, 4);
         assertEquals(List.of(), changedFiles);
@@ -239,7 +240,7 @@ class CrashRecoveryTest {
 
     @Test
     void aFileThatBecomesInvalidIsReportedOnceAndReadAgainWhenItIsRepaired() throws IOException {
-        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add));
+        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add, deleted::add));
         String whole = Files.readString(file);
         rewrite("<scenario");
         poll(watch, 1);
@@ -258,6 +259,27 @@ class CrashRecoveryTest {
         poll(watch, 4);
         assertEquals(List.of(file), changedFiles);
         assertEquals(1, broken.size());
+        runOnEdt(watch::close);
+    }
+
+    @Test
+    void aDeletedFileMakesTheScenarioUnsavedUntilItIsBack() throws IOException {
+        FileWatch watch = callOnEdt(() -> new FileWatch(workspace, changedFiles::add, broken::add, deleted::add));
+        String whole = Files.readString(file);
+        poll(watch, 2);
+        Files.delete(file);
+        poll(watch, 1);
+        assertEquals(List.of(), deleted, "the file may be about to be replaced");
+        poll(watch, 4);
+        assertEquals(List.of(file), deleted);
+        assertTrue(callOnEdt(workspace::isChanged), "no file holds it now");
+        rewrite(whole);
+        poll(watch, 4);
+        assertFalse(callOnEdt(workspace::isChanged));
+        assertEquals(List.of(), changedFiles, "it is what is open");
+        Files.delete(file);
+        poll(watch, 4);
+        assertEquals(List.of(file, file), deleted);
         runOnEdt(watch::close);
     }
 
