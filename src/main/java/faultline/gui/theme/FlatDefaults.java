@@ -65,6 +65,11 @@ final class FlatDefaults {
         table.put("ComboBox.selectionBackground", colours.accent());
         table.put("ComboBox.selectionForeground", colours.onAccent());
         table.put("TextField.inactiveBackground", colours.background());
+        table.put("List.cellNoFocusBorder", padding(1, 6, 1, 6));
+        Border focused =
+                new BorderUIResource(new CompoundBorder(new LineBorder(colours.accent()), new EmptyBorder(0, 5, 0, 5)));
+        table.put("List.focusCellHighlightBorder", focused);
+        table.put("List.focusSelectedCellHighlightBorder", focused);
     }
 
     private void addMenus() {
