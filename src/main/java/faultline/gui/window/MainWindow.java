@@ -131,14 +131,18 @@ public final class MainWindow extends JFrame {
         installCloseHandler();
         installCanvasListeners();
         new SpaceKeyDispatcher(this, runController::toggleRunning).install(this);
-        fileWatch = new FileWatch(
+        fileWatch = createFileWatch();
+        installEditNotifier();
+        workspace.addListener(new WorkspaceEvents());
+        pollTimer.start();
+    }
+
+    private FileWatch createFileWatch() {
+        return new FileWatch(
                 workspace,
                 fileController::onFileChangedOnDisk,
                 exception -> showNote(Dialogs.unreadableFileText(exception)),
                 file -> showNote(Messages.get("deleted", String.valueOf(file.getFileName()))));
-        installEditNotifier();
-        workspace.addListener(new WorkspaceEvents());
-        pollTimer.start();
     }
 
     private void installEditNotifier() {
