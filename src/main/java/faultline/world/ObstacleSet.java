@@ -167,14 +167,22 @@ final class ObstacleSet {
         }
     }
 
+    /** Returns a distance from the centre of a body beyond which it touches nothing, metres. */
+    private static double reach(OrientedBox body) {
+        return body.boundingRadius() + 2 * Clearance.MIN_DISTANCE;
+    }
+
     /** Returns whether a body neither touches nor overlaps an obstacle. */
     static boolean isClear(OrientedBox body, ObstacleGeometry geometry) {
+        Vector2 centre = body.frame().position();
+        double reach = reach(body);
         for (ConvexShape part : geometry.parts()) {
-            if (BoxDistance.between(body, part).distance() <= Clearance.MIN_DISTANCE) {
+            if (part.distanceTo(centre.x(), centre.y()) <= reach
+                    && BoxDistance.between(body, part).distance() <= Clearance.MIN_DISTANCE) {
                 return false;
             }
         }
-        return !geometry.contains(body.frame().position());
+        return !geometry.contains(centre);
     }
 
     /** Returns the id of the first obstacle that a body touches or overlaps. */
@@ -192,7 +200,7 @@ final class ObstacleSet {
             }
         }
         Vector2 centre = body.frame().position();
-        double reach = body.boundingRadius() + 2 * Clearance.MIN_DISTANCE;
+        double reach = reach(body);
         return obstacles.stream()
                 .filter(obstacle -> obstacle.pose().position().distanceTo(centre)
                         <= reach + obstacle.shape().boundingRadius())
