@@ -37,7 +37,7 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
             }
         }
         Optional<Path> jar = given.fileOption("--jar");
-        if (jar.isPresent() && !Files.isRegularFile(jar.get())) {
+        if (jar.isPresent() && !Files.exists(jar.get())) {
             throw new UsageException(
                     "--jar is " + MessageText.quoted(jar.get().toString()) + ", and there is no such file");
         }
@@ -49,6 +49,9 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
     }
 
     private static boolean isJar(Path file) {
+        if (!Files.isRegularFile(file)) {
+            return false;
+        }
         try (JarFile jar = new JarFile(file.toFile())) {
             return jar.size() > 0;
         } catch (IOException e) {

@@ -111,6 +111,10 @@ record RunOptions(
             return UnaryOperator.identity();
         }
         try {
+            // The JDK also reads the digits of other scripts; a scenario file does not.
+            if (!text.get().matches("\\p{ASCII}*")) {
+                throw new NumberFormatException();
+            }
             long seed = Long.parseLong(text.get());
             return setup -> setup.withSeed(seed);
         } catch (NumberFormatException e) {

@@ -192,10 +192,12 @@ class CommandLineTest {
             run a.xml --pace 0              | --pace is "0"; expected a multiple of real time above 0, up to 1000000
             run a.xml --jar pom.xml         | --jar is "pom.xml", which is no jar
             run a.xml --jar none.jar        | --jar is "none.jar", and there is no such file
+            run a.xml --jar .               | --jar is ".", which is no jar
             run a.xml --seed                | --seed needs a value
             run a.xml --film --until 5      | --film needs a value, and "--until" is an option
             run a.xml --seed 1 --seed 2     | --seed is there twice
             run a.xml --seed 1.5            | --seed is "1.5"; expected a whole number from -9223372036854775808 to 9223372036854775807
+            run a.xml --seed ９             | --seed is "９"; expected a whole number from -9223372036854775808 to 9223372036854775807
             run a.xml --until -1            | --until is "-1"; expected a number from 0 to 10000000 seconds
             run a.xml --until NaN           | --until is "NaN"; expected a number from 0 to 10000000 seconds
             run a.xml --until 1e999         | --until is "1e999"; expected a number from 0 to 10000000 seconds

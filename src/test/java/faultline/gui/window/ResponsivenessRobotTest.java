@@ -23,10 +23,11 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * How long the event dispatch thread is busy at a stretch while somebody tries everything for a minute, in a hall of
- * 500 shapes and with the run at full speed. What is held to the bound is the thread's own processor time, because
- * other programs on the machine do not lengthen it; the time by the clock is printed beside it. Nothing is warmed up:
- * the first use of a dialog counts.
+ * How long the event dispatch thread is busy at a stretch while somebody tries everything, in a hall of 500 shapes and
+ * with the run at full speed. It ends after a minute, or after as many gestures as the system property
+ * {@code faultline.gestures} says, which a quiet machine makes in half a minute. What is held to the bound is the
+ * thread's own processor time, because other programs on the machine do not lengthen it; the time by the clock is
+ * printed beside it. Nothing is warmed up: the first use of a dialog counts.
  */
 @ExtendWith(EdtChecker.class)
 @DisabledIf(
@@ -39,6 +40,7 @@ class ResponsivenessRobotTest {
 
     private static final long SEED = 11;
     private static final int MIN_GESTURES = 30;
+    private static final int MAX_GESTURES = Integer.getInteger("faultline.gestures", 110);
     private static final long MINUTE_NANOS = TimeUnit.SECONDS.toNanos(60);
 
     @TempDir
@@ -50,7 +52,7 @@ class ResponsivenessRobotTest {
     }
 
     @Test
-    void theWindowStaysResponsiveDuringAMinuteOfRandomInput() {
+    void theWindowStaysResponsiveDuringRandomInput() {
         assertEquals(List.of(), longBusyPeriods());
     }
 
@@ -75,7 +77,7 @@ class ResponsivenessRobotTest {
         }
     }
 
-    /** Returns the periods that exceeded the bound in a minute of use of a new window. */
+    /** Returns the periods that exceeded the bound in random use of a new window. */
     private List<EventThreadMeter.BusyPeriod> longBusyPeriods() {
         try (WindowDriver driver = CrowdedHall.open(folder)) {
             driver.runFast(frame -> frame.snapshot().time() > 60);
@@ -91,11 +93,13 @@ class ResponsivenessRobotTest {
         try (EventThreadMeter meter = EventThreadMeter.start()) {
             MonkeyTester user = new MonkeyTester(driver, SEED);
             int gestures = 0;
-            for (long start = System.nanoTime(); System.nanoTime() - start < MINUTE_NANOS; gestures++) {
+            long start = System.nanoTime();
+            while (gestures < MAX_GESTURES && System.nanoTime() - start < MINUTE_NANOS) {
                 user.performGesture();
+                gestures++;
             }
             List<EventThreadMeter.BusyPeriod> stretches = meter.drain();
-            System.out.println("busy in a minute of " + gestures + " gestures: "
+            System.out.println("busy during " + gestures + " gestures: "
                     + DurationStatistics.of(stretches.stream()
                             .map(EventThreadMeter.BusyPeriod::cpu)
                             .toList())
