@@ -11,36 +11,30 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 
 /** Finds the command that the arguments name, runs it, and turns a failure into one line and an exit code. */
 final class CommandLine {
 
-    private final CommandOutput output;
-    private final Map<String, Command> commands = new LinkedHashMap<>();
+    private static final List<String> COMMANDS = List.of(
+            "run",
+            "compare",
+            "check",
+            "campaign",
+            "merge",
+            "report",
+            "figures",
+            "serve",
+            "controller",
+            "import",
+            "--help",
+            "--version",
+            "--startup-time");
 
-    /** A command: maps its arguments to an exit code. */
-    private interface Command {
-        int run(List<String> arguments) throws UsageException, ScenarioException, IOException;
-    }
+    private final CommandOutput output;
 
     CommandLine(CommandOutput output) {
         this.output = output;
-        commands.put("run", new RunCommand(output)::run);
-        commands.put("compare", new CompareCommand(output)::run);
-        commands.put("check", new CheckCommand(output)::run);
-        commands.put("campaign", new CampaignCommand(output)::run);
-        commands.put("merge", new CampaignCommand(output)::merge);
-        commands.put("report", new ReportCommand(output)::run);
-        commands.put("figures", new FiguresCommand(output)::run);
-        commands.put("serve", new ServeCommand(output)::run);
-        commands.put("controller", new ControllerCommand(output)::run);
-        commands.put("import", new ImportCommand(output)::run);
-        commands.put("--help", arguments -> println(HelpText.HELP));
-        commands.put("--version", arguments -> println(HelpText.version()));
-        commands.put("--startup-time", new WindowCommand(output)::measureStartup);
     }
 
     /**
@@ -110,15 +104,34 @@ final class CommandLine {
             return new WindowCommand(output).run();
         }
         String first = args.get(0);
-        if (commands.containsKey(first)) {
-            return commands.get(first).run(args.subList(1, args.size()));
+        if (COMMANDS.contains(first)) {
+            return run(first, args.subList(1, args.size()));
         }
         if (!looksLikeFile(first)) {
             throw new UsageException("there is no command " + MessageText.quoted(first) + "; expected "
-                    + String.join(", ", commands.keySet()) + " or a scenario file"
-                    + DidYouMean.hint(first, commands.keySet()));
+                    + String.join(", ", COMMANDS) + " or a scenario file" + DidYouMean.hint(first, COMMANDS));
         }
         return new WindowCommand(output).run(args);
+    }
+
+    /** Runs a command; the classes of the others are not loaded. */
+    private int run(String command, List<String> arguments) throws UsageException, ScenarioException, IOException {
+        return switch (command) {
+            case "run" -> new RunCommand(output).run(arguments);
+            case "compare" -> new CompareCommand(output).run(arguments);
+            case "check" -> new CheckCommand(output).run(arguments);
+            case "campaign" -> new CampaignCommand(output).run(arguments);
+            case "merge" -> new CampaignCommand(output).merge(arguments);
+            case "report" -> new ReportCommand(output).run(arguments);
+            case "figures" -> new FiguresCommand(output).run(arguments);
+            case "serve" -> new ServeCommand(output).run(arguments);
+            case "controller" -> new ControllerCommand(output).run(arguments);
+            case "import" -> new ImportCommand(output).run(arguments);
+            case "--help" -> println(HelpText.HELP);
+            case "--version" -> println(HelpText.version());
+            case "--startup-time" -> new WindowCommand(output).measureStartup(arguments);
+            default -> throw new IllegalArgumentException(command);
+        };
     }
 
     private static boolean looksLikeFile(String argument) throws UsageException {
