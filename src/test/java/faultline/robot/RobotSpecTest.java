@@ -54,7 +54,9 @@ class RobotSpecTest {
         "front-right, 0.2, -0.15, -45"
     })
     void theStandardSensorsLookOutwardsFromTheEdges(String id, double x, double y, double bearing) {
-        SensorSpec sensor = ROBOT.sensor(id).orElseThrow();
+        SensorSpec sensor = ROBOT.withSensors(RobotSpec.standardSensors(0.4, 0.3))
+                .sensor(id)
+                .orElseThrow();
         assertEquals(new Vector2(x, y), sensor.mountPosition());
         assertEquals(Math.toRadians(bearing), sensor.bearing(), 1e-15);
     }
