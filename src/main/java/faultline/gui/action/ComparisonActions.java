@@ -47,6 +47,11 @@ public final class ComparisonActions {
         actions.add(removeAction);
     }
 
+    /** Lets the next update show the comparison again, in the current language. */
+    public void updateTexts() {
+        shownComparison = null;
+    }
+
     /** Compares the newest frame and updates the view if the result has changed. */
     public void update(SessionFrame frame) {
         RunComparison comparison = controller.update(frame).orElse(null);

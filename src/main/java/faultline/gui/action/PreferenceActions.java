@@ -3,51 +3,62 @@ package faultline.gui.action;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.gui.text.SwingMessages;
 import faultline.gui.theme.TextSize;
-import java.awt.Component;
+import faultline.gui.theme.Theme;
 import java.util.function.Consumer;
-import javax.swing.JOptionPane;
 
-/** The choice of language and text size. A change takes effect in the next window, and a message says so. */
+/** The choice of language and text size. A change takes effect in all windows at once. */
 public final class PreferenceActions {
 
-    private final Component parent;
     private final WindowPreferences preferences;
     private final ActionRegistry actions;
+    private final Runnable languageListener;
 
-    public PreferenceActions(Component parent, WindowPreferences preferences, ActionRegistry actions) {
-        this.parent = parent;
+    /**
+     * Adds the actions to a registry.
+     *
+     * @param preferences store the choice
+     * @param actions the registry; their texts follow the language
+     * @param languageListener called when the language has changed, before the windows are refreshed
+     */
+    public PreferenceActions(WindowPreferences preferences, ActionRegistry actions, Runnable languageListener) {
         this.preferences = preferences;
         this.actions = actions;
+        this.languageListener = languageListener;
         addToggles("language", Language.values(), preferences.language(), this::setLanguage);
         addToggles("textSize", TextSize.values(), preferences.textSize(), this::setTextSize);
     }
 
     private <E extends Enum<E>> void addToggles(String group, E[] options, E current, Consumer<E> setter) {
         for (E option : options) {
-            actions.add(UiAction.toggle(UiAction.key(group, option), option == current, on -> {
-                setter.accept(option);
-                if (option != current) {
-                    JOptionPane.showMessageDialog(
-                            parent,
-                            Messages.get("choice.later"),
-                            Messages.get("choice.title"),
-                            JOptionPane.INFORMATION_MESSAGE);
-                }
-            }));
+            actions.add(UiAction.toggle(UiAction.key(group, option), option == current, on -> setter.accept(option)));
         }
     }
 
-    /** Stores the language of the next window. */
+    /** Stores a language and shows it. */
     public void setLanguage(Language language) {
         preferences.setLanguage(language);
         select("language", Language.values(), language);
+        if (language != Messages.language()) {
+            Messages.setLanguage(language);
+            SwingMessages.install();
+            actions.allActions().forEach(UiAction::updateTexts);
+            languageListener.run();
+            WindowRefresh.refreshAll(1);
+        }
     }
 
-    /** Stores the text size of the next window. */
+    /** Stores a text size and shows it. */
     public void setTextSize(TextSize size) {
         preferences.setTextSize(size);
         select("textSize", TextSize.values(), size);
+        TextSize before = TextSize.current();
+        if (size != before) {
+            size.install();
+            Theme.current().install();
+            WindowRefresh.refreshAll((double) size.percent() / before.percent());
+        }
     }
 
     private <E extends Enum<E>> void select(String group, E[] options, E chosen) {

@@ -7,12 +7,7 @@ import faultline.gui.theme.Theme;
 import faultline.gui.theme.ThemeChoice;
 import java.awt.EventQueue;
 import java.awt.Toolkit;
-import java.awt.Window;
 import java.beans.PropertyChangeListener;
-import java.util.stream.Stream;
-import javax.swing.JDialog;
-import javax.swing.JFrame;
-import javax.swing.SwingUtilities;
 
 /** Switches between the light and the dark theme, or follows the desktop. */
 public final class ThemeAction {
@@ -55,23 +50,7 @@ public final class ThemeAction {
         theme.install();
         updateAction();
         canvas.setPalette(theme.palette());
-        Stream.of(Window.getWindows()).filter(ThemeAction::mayShow).forEach(ThemeAction::update);
-    }
-
-    /** Returns whether a window shows or is a dialog that may show again; closed menus keep windows, too. */
-    private static boolean mayShow(Window window) {
-        return window.isShowing() || window instanceof JDialog && window.isDisplayable();
-    }
-
-    /** Updates the menus, which are mostly closed, in an event of their own, so that neither event takes long. */
-    private static void update(Window window) {
-        if (window instanceof JFrame frame) {
-            SwingUtilities.updateComponentTreeUI(frame.getContentPane());
-            SwingUtilities.updateComponentTreeUI(frame.getGlassPane());
-            EventQueue.invokeLater(() -> SwingUtilities.updateComponentTreeUI(frame.getJMenuBar()));
-        } else {
-            SwingUtilities.updateComponentTreeUI(window);
-        }
+        WindowRefresh.refreshAll(1);
     }
 
     /** Shows the theme that the action switches to. */

@@ -15,6 +15,8 @@ public final class UiAction extends AbstractAction {
 
     private final String key;
     private final transient Consumer<UiAction> handler;
+    /** Sets the texts again in the current language. */
+    private transient Runnable texts = () -> {};
 
     private UiAction(String key, Consumer<UiAction> handler) {
         this.key = key;
@@ -55,12 +57,25 @@ public final class UiAction extends AbstractAction {
 
     /** Sets a name with a placeholder; the other texts are those of its own key. */
     public void rename(String textKey, String value) {
-        rename(key);
-        putValue(Action.NAME, Messages.get("action." + textKey, value).replaceFirst("&", ""));
+        texts = () -> {
+            setTexts(key);
+            putValue(Action.NAME, Messages.get("action." + textKey, value).replaceFirst("&", ""));
+        };
+        texts.run();
     }
 
     /** Sets the texts of another key. */
     public void rename(String textKey) {
+        texts = () -> setTexts(textKey);
+        texts.run();
+    }
+
+    /** Sets the texts again in the current language. */
+    void updateTexts() {
+        texts.run();
+    }
+
+    private void setTexts(String textKey) {
         String name = Messages.get("action." + textKey);
         int mark = name.indexOf('&');
         putValue(Action.NAME, name.replace("&", ""));

@@ -6,8 +6,10 @@ import faultline.gui.document.BackgroundTasks;
 import faultline.gui.text.ErrorMessages;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.TextSize;
+import faultline.gui.theme.UiText;
 import faultline.scenario.Scenario;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -70,13 +72,14 @@ final class BatchDialog extends JDialog {
      * @param actions opens runs and asks for files
      */
     BatchDialog(Window owner, Scenario scenario, BatchActions actions) {
-        super(owner, Messages.get("batch.title", scenario.name()), ModalityType.MODELESS);
+        super(owner, ModalityType.MODELESS);
         assert EventQueue.isDispatchThread();
         this.scenario = scenario;
         this.actions = actions;
         form = new BatchForm(scenario);
-        tabs.addTab(Messages.get("batch.tab.plan"), null, form, Messages.get("batch.tab.plan.tip"));
-        tabs.getAccessibleContext().setAccessibleName(Messages.get("batch.tabs"));
+        UiText.addTab(tabs, "batch.tab.plan", form);
+        UiText.name(tabs, "batch.tabs");
+        RefreshSteps.add(getRootPane(), root -> setTitle(Messages.get("batch.title", scenario.name())));
         JPanel content = new JPanel(new BorderLayout(0, 8));
         content.setBorder(BorderFactory.createEmptyBorder(8, 12, 12, 12));
         content.add(tabs, BorderLayout.CENTER);
@@ -107,14 +110,14 @@ final class BatchDialog extends JDialog {
     }
 
     private static JButton button(String key, Runnable action) {
-        JButton button = new JButton(Messages.get(key));
+        JButton button = UiText.button(key);
         button.addActionListener(event -> action.run());
         return button;
     }
 
     private JPanel createFooter() {
         JPanel progress = new JPanel(new BorderLayout(12, 0));
-        progressBar.getAccessibleContext().setAccessibleName(Messages.get("batch.progress"));
+        UiText.name(progressBar, "batch.progress");
         progress.add(progressBar, BorderLayout.CENTER);
         progress.add(status, BorderLayout.SOUTH);
         JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING, 8, 0));

@@ -7,6 +7,8 @@ import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.TextListener;
 import faultline.gui.panel.TitledSection;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.UiText;
 import faultline.io.DecimalText;
 import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
@@ -47,12 +49,12 @@ final class BatchForm extends JPanel {
     private final NumberSpinner seeds = number("0", 1, 1_000_000, 1, "batch.seeds");
     private final NumberSpinner firstSeed = number("0", -MAX_SEED, MAX_SEED, 1, "batch.firstSeed");
     private final NumberSpinner duration = number("0.0##", 0.001, 1e6, 10, "batch.duration");
-    private final JCheckBox untilVerdict = new JCheckBox(Messages.get("batch.untilVerdict"));
+    private final JCheckBox untilVerdict = UiText.text(new JCheckBox(), "batch.untilVerdict");
     private final NamedChoice<DiagnosisChoice> diagnosis = new NamedChoice<>(
             DiagnosisChoice.values(), value -> Messages.get("batch.diagnosis." + value), ignored -> updateCount());
     private final NumberSpinner jobs = number("0", 1, MAX_JOBS, 1, "batch.jobs");
     private final JTextField onset = new JTextField(COLUMNS);
-    private final JCheckBox healthy = new JCheckBox(Messages.get("batch.healthy"), true);
+    private final JCheckBox healthy = UiText.text(new JCheckBox("", true), "batch.healthy");
     private final List<JCheckBox> sensors;
     private final FaultChoices faults;
     private final JLabel count = new JLabel(" ");
@@ -69,17 +71,17 @@ final class BatchForm extends JPanel {
         JPanel columns = new JPanel(new BorderLayout());
         columns.add(
                 atTop(
-                        new TitledSection(Messages.get("batch.section.runs"), createRunFields()),
-                        new TitledSection(Messages.get("batch.section.sensors"), createSensorFields())),
+                        new TitledSection("batch.section.runs", createRunFields()),
+                        new TitledSection("batch.section.sensors", createSensorFields())),
                 BorderLayout.LINE_START);
-        columns.add(atTop(new TitledSection(Messages.get("batch.section.faults"), faults)), BorderLayout.CENTER);
+        columns.add(atTop(new TitledSection("batch.section.faults", faults)), BorderLayout.CENTER);
         JScrollPane scroll = new JScrollPane(columns);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         TabKeys.leaveToTabs(scroll);
         scroll.getVerticalScrollBar().setUnitIncrement(WHEEL_STEP);
         add(scroll, BorderLayout.CENTER);
         showFocused(columns);
-        updateCount();
+        RefreshSteps.add(count, label -> updateCount());
     }
 
     private void setInitialValues() {
@@ -103,7 +105,7 @@ final class BatchForm extends JPanel {
 
     private NumberSpinner number(String pattern, double min, double max, double step, String key) {
         NumberSpinner spinner = new NumberSpinner(pattern, min, max, step, ignored -> updateCount())
-                .withName(Messages.get(key))
+                .withName(key)
                 .withColumns(COLUMNS)
                 .keepInvalidText();
         spinner.passEnterOn();
@@ -115,14 +117,13 @@ final class BatchForm extends JPanel {
         addField(fields, "batch.seeds", seeds, "");
         addField(fields, "batch.firstSeed", firstSeed, "");
         addField(fields, "batch.duration", duration, "s");
-        untilVerdict.setToolTipText(Messages.get("batch.untilVerdict.tip"));
+        UiText.tip(untilVerdict, "batch.untilVerdict.tip");
         fields.add(untilVerdict, FormConstraints.fillRow(0, row++));
-        diagnosis.getAccessibleContext().setAccessibleName(Messages.get("batch.diagnosis"));
+        UiText.name(diagnosis, "batch.diagnosis");
         fields.add(FormConstraints.label("batch.diagnosis", diagnosis), FormConstraints.cell(0, row));
         fields.add(diagnosis, FormConstraints.fillRow(1, row++));
         addField(fields, "batch.jobs", jobs, "");
-        onset.setToolTipText(Messages.get("batch.syntax"));
-        onset.getAccessibleContext().setAccessibleName(Messages.get("batch.onset"));
+        UiText.tip(UiText.name(onset, "batch.onset"), "batch.syntax");
         onset.getDocument().addDocumentListener(new TextListener(this::updateCount));
         addField(fields, "batch.onset", onset, "s");
         healthy.addActionListener(event -> updateCount());

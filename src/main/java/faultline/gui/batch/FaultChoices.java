@@ -4,6 +4,8 @@ import faultline.gui.panel.FaultNames;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.TextListener;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.UiText;
 import faultline.io.DecimalText;
 import faultline.sensor.FaultKind;
 import java.awt.BorderLayout;
@@ -50,26 +52,28 @@ final class FaultChoices extends JPanel {
     }
 
     private Row createRow(FaultKind kind, JPanel grid, Runnable onChange) {
-        String name = FaultNames.nameOf(kind);
-        JCheckBox box = new JCheckBox(name, kind == FaultKind.STUCK);
+        JCheckBox box = new JCheckBox("", kind == FaultKind.STUCK);
         box.addActionListener(event -> onChange.run());
         JTextField value = new JTextField(VALUE_COLUMNS);
-        value.getAccessibleContext().setAccessibleName(Messages.get("batch.valueOf", name));
-        value.setToolTipText(Messages.get("batch.syntax"));
+        UiText.tip(value, "batch.syntax");
+        RefreshSteps.add(box, self -> {
+            self.setText(FaultNames.nameOf(kind));
+            value.getAccessibleContext().setAccessibleName(Messages.get("batch.valueOf", self.getText()));
+        });
         value.getDocument().addDocumentListener(new TextListener(onChange));
         int row = rows.size();
         grid.add(box, FormConstraints.cell(0, row));
         if (kind.takesValue()) {
             boolean share = kind.unit().isEmpty() && kind.maxValue() == 1;
             grid.add(value, FormConstraints.cell(1, row));
-            grid.add(new JLabel(share ? Messages.get("faults.share") : kind.unit()), FormConstraints.fillCell(2, row));
+            JLabel unit = share ? UiText.label("faults.share") : new JLabel(kind.unit());
+            grid.add(unit, FormConstraints.fillCell(2, row));
         }
         return new Row(kind, box, value);
     }
 
     private static JButton button(String key, Runnable action, Runnable onChange) {
-        JButton button = new JButton(Messages.get(key));
-        button.setToolTipText(Messages.get(key + ".tip"));
+        JButton button = UiText.tip(UiText.button(key), key + ".tip");
         button.addActionListener(event -> {
             action.run();
             onChange.run();

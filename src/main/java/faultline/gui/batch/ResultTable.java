@@ -1,7 +1,9 @@
 package faultline.gui.batch;
 
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
+import faultline.gui.theme.UiText;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
@@ -25,6 +27,7 @@ import javax.swing.SwingConstants;
 import javax.swing.border.Border;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableColumn;
 import javax.swing.table.TableRowSorter;
 
 /** A sortable table of results, which grows while they are made. A double click or Enter opens a row. */
@@ -40,11 +43,11 @@ final class ResultTable extends JTable {
 
     /** The rows of a table; they are only added and replaced. */
     private static final class Model extends AbstractTableModel {
-        private final List<String> titles;
+        private final List<String> columns;
         private final List<List<ResultCell>> rows = new ArrayList<>();
 
-        Model(List<String> titles) {
-            this.titles = List.copyOf(titles);
+        Model(List<String> columns) {
+            this.columns = List.copyOf(columns);
         }
 
         @Override
@@ -54,12 +57,12 @@ final class ResultTable extends JTable {
 
         @Override
         public int getColumnCount() {
-            return titles.size();
+            return columns.size();
         }
 
         @Override
         public String getColumnName(int column) {
-            return titles.get(column);
+            return title(columns.get(column));
         }
 
         @Override
@@ -76,32 +79,40 @@ final class ResultTable extends JTable {
     /**
      * Creates an empty table.
      *
-     * @param name the accessible name
+     * @param key the key of the accessible name; its tool tip has the key {@code KEY.tip}
      * @param columns the names of the columns in {@code runs.csv}
      * @param onOpen receives the index of the row that is opened, in the order in which rows were added
      */
-    ResultTable(String name, List<String> columns, IntConsumer onOpen) {
-        model = new Model(columns.stream().map(ResultTable::title).toList());
+    ResultTable(String key, List<String> columns, IntConsumer onOpen) {
+        model = new Model(columns);
         sorter = new TableRowSorter<>(model);
         setModel(model);
         sorter.setSortsOnUpdates(true);
         setRowSorter(sorter);
-        getAccessibleContext().setAccessibleName(name);
+        UiText.tip(UiText.name(this, key), key + ".tip");
         setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         setDefaultRenderer(ResultCell.class, new Renderer());
         setShowVerticalLines(false);
         setIntercellSpacing(new Dimension(0, 1));
         setAutoResizeMode(AUTO_RESIZE_OFF);
-        setRowHeight(TextSize.scaled(ROW_HEIGHT));
         setFillsViewportHeight(true);
         TabKeys.leaveToTabs(this);
         // Tab moves on to the buttons, not to the next cell: cells cannot be edited.
         setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
+        installOpening(onOpen);
+        RefreshSteps.add(this, ResultTable::refresh);
+    }
+
+    private void refresh() {
+        setRowHeight(TextSize.scaled(ROW_HEIGHT));
         if (getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
             headings.setHorizontalAlignment(SwingConstants.LEADING);
         }
-        installOpening(onOpen);
+        for (int column = 0; column < getColumnCount(); column++) {
+            TableColumn shown = getColumnModel().getColumn(column);
+            shown.setHeaderValue(model.getColumnName(shown.getModelIndex()));
+        }
         fitColumns();
     }
 

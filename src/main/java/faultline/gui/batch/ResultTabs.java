@@ -1,7 +1,7 @@
 package faultline.gui.batch;
 
 import faultline.campaign.report.CampaignCell;
-import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -40,11 +40,9 @@ final class ResultTabs {
         this.tabs = tabs;
         this.results = results;
         firstTab = tabs.getTabCount();
-        cellTable = new ResultTable(Messages.get("batch.tab.cells"), results.cellColumns(), this::showRuns);
-        runTable = new ResultTable(Messages.get("batch.tab.runs"), results.runColumns(), onOpen);
+        cellTable = new ResultTable("batch.tab.cells", results.cellColumns(), this::showRuns);
+        runTable = new ResultTable("batch.tab.runs", results.runColumns(), onOpen);
         histogram = new HistogramView(quantity -> results.numbers(quantity.column(), selectedRuns()));
-        cellTable.setToolTipText(Messages.get("batch.tab.cells.tip"));
-        runTable.setToolTipText(Messages.get("batch.tab.runs.tip"));
         cellTable.getSelectionModel().addListSelectionListener(this::cellSelected);
         addTab("batch.tab.cells", new JScrollPane(cellTable));
         addTab("batch.tab.runs", new JScrollPane(runTable));
@@ -57,7 +55,7 @@ final class ResultTabs {
             scroll.setBorder(BorderFactory.createEmptyBorder());
             TabKeys.leaveToTabs(scroll);
         }
-        tabs.addTab(Messages.get(key), null, view, Messages.get(key + ".tip"));
+        UiText.addTab(tabs, key, view);
     }
 
     /** Removes the tabs. */

@@ -14,6 +14,7 @@ import faultline.gui.canvas.tool.Viewport;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.FocusRing;
+import faultline.gui.theme.RefreshSteps;
 import faultline.paint.export.RenderRequest;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.ReferenceOverlay;
@@ -75,6 +76,12 @@ public final class SimulationCanvas extends JComponent {
         setFocusable(true);
         setOpaque(true);
         setPreferredSize(new Dimension(800, 560));
+        RefreshSteps.add(this, SimulationCanvas::describe);
+    }
+
+    private void describe() {
+        getAccessibleContext().setAccessibleName(Messages.get("canvas"));
+        getAccessibleContext().setAccessibleDescription(Messages.get("canvas.description"));
     }
 
     /** Shows a frame. The first one, and one of a world of another size, is fitted into the canvas. */
@@ -226,8 +233,6 @@ public final class SimulationCanvas extends JComponent {
     public AccessibleContext getAccessibleContext() {
         if (accessibleContext == null) {
             accessibleContext = new Accessibility();
-            accessibleContext.setAccessibleName(Messages.get("canvas"));
-            accessibleContext.setAccessibleDescription(Messages.get("canvas.description"));
         }
         return accessibleContext;
     }

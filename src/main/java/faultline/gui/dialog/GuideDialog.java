@@ -3,35 +3,63 @@ package faultline.gui.dialog;
 import faultline.gui.document.BackgroundTasks;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.TextSize;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.Point;
 import java.awt.Window;
 import javax.swing.BorderFactory;
 import javax.swing.JDialog;
+import javax.swing.JEditorPane;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JViewport;
 
 /** The user guide in a non-modal dialog. */
 final class GuideDialog extends JDialog {
 
     private static final Dimension SIZE = new Dimension(620, 560);
 
+    private final JEditorPane pane;
+
     private GuideDialog(Window owner, GuidePage page) {
-        super(owner, Messages.get("guide.title"), ModalityType.MODELESS);
+        super(owner, ModalityType.MODELESS);
         JPanel content = new JPanel(new BorderLayout(0, 12));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
         // A scroll bar that comes and goes would lay out the text twice.
+        pane = page.createPane();
         JScrollPane scroll = new JScrollPane(
-                page.createPane(), JScrollPane.VERTICAL_SCROLLBAR_ALWAYS, JScrollPane.HORIZONTAL_SCROLLBAR_AS_NEEDED);
+                pane, JScrollPane.VERTICAL_SCROLLBAR_ALWAYS, JScrollPane.HORIZONTAL_SCROLLBAR_AS_NEEDED);
         scroll.setPreferredSize(new Dimension(TextSize.scaled(SIZE.width), SIZE.height));
         content.add(scroll, BorderLayout.CENTER);
-        content.add(
-                DialogButtons.createSingleButton(this, Messages.get("dialog.close"), this::dispose),
-                BorderLayout.SOUTH);
+        content.add(DialogButtons.createSingleButton(this, "dialog.close", this::dispose), BorderLayout.SOUTH);
         setContentPane(content);
+        RefreshSteps.add(getRootPane(), root -> refresh());
+    }
+
+    /** Loads the page again after a change of language, text size or theme. */
+    private void refresh() {
+        setTitle(Messages.get("guide.title"));
+        if (isShowing()) {
+            BackgroundTasks.run(GuidePage::load, this::replacePage, failure -> {
+                throw new IllegalStateException(failure);
+            });
+        }
+    }
+
+    /** Shows another page at the same place of the text; the layout has an event of its own. */
+    private void replacePage(GuidePage page) {
+        JViewport viewport = (JViewport) pane.getParent();
+        double share = (double) viewport.getViewPosition().y / viewport.getViewSize().height;
+        page.showIn(pane);
+        EventQueue.invokeLater(() -> {
+            validate();
+            int y = (int) Math.round(share * viewport.getViewSize().height);
+            EventQueue.invokeLater(() -> viewport.setViewPosition(new Point(0, y)));
+        });
     }
 
     /** Shows the guide asynchronously, or brings it to the front if it is open. */

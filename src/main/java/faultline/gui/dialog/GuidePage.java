@@ -3,6 +3,7 @@ package faultline.gui.dialog;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.gui.theme.UiText;
 import java.awt.Color;
 import java.io.IOException;
 import java.io.StringReader;
@@ -58,14 +59,19 @@ record GuidePage(HTMLEditorKit kit, Document document) {
     /** Creates the component that displays the page. Event dispatch thread only. */
     JEditorPane createPane() {
         JEditorPane pane = new JEditorPane();
-        pane.setEditorKit(kit);
         // Otherwise one CSS pixel would be 1.3 screen pixels.
         pane.putClientProperty(JEditorPane.W3C_LENGTH_UNITS, true);
-        pane.setDocument(document);
         pane.setEditable(false);
+        UiText.name(pane, "guide.title");
+        showIn(pane);
+        return pane;
+    }
+
+    /** Displays the page in a component. Event dispatch thread only. */
+    void showIn(JEditorPane pane) {
+        pane.setEditorKit(kit);
+        pane.setDocument(document);
         pane.setCaretPosition(0);
         pane.setBackground(Theme.currentColours().field());
-        pane.getAccessibleContext().setAccessibleName(Messages.get("guide.title"));
-        return pane;
     }
 }

@@ -6,15 +6,16 @@ import faultline.gui.action.PreferenceActions;
 import faultline.gui.action.ThemeAction;
 import faultline.gui.action.UiAction;
 import faultline.gui.panel.FormConstraints;
-import faultline.gui.panel.MutedLabel;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.ScreenFit;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.ThemeChoice;
+import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.GridBagLayout;
 import java.awt.Window;
@@ -27,10 +28,7 @@ import javax.swing.JCheckBox;
 import javax.swing.JDialog;
 import javax.swing.JPanel;
 
-/**
- * All remembered settings in one modal dialog. A change takes effect at once or, where a note says so, at the next
- * start.
- */
+/** All remembered settings in one modal dialog. A change takes effect at once. */
 public final class PreferencesDialog extends JDialog {
 
     private static final List<String> TOGGLES =
@@ -43,9 +41,10 @@ public final class PreferencesDialog extends JDialog {
             Window owner,
             ActionRegistry actions,
             WindowPreferences preferences,
-            PreferenceActions later,
+            PreferenceActions choices,
             ThemeAction theme) {
-        super(owner, Messages.get("preferences.title"), ModalityType.APPLICATION_MODAL);
+        super(owner, ModalityType.APPLICATION_MODAL);
+        RefreshSteps.add(getRootPane(), pane -> setTitle(Messages.get("preferences.title")));
         addChoice(
                 "preferences.theme",
                 ThemeChoice.values(),
@@ -56,25 +55,23 @@ public final class PreferencesDialog extends JDialog {
                 "preferences.language",
                 Language.values(),
                 preferences.language(),
-                option -> later.name("language", option),
-                later::setLanguage);
+                option -> choices.name("language", option),
+                choices::setLanguage);
         addChoice(
                 "preferences.textSize",
                 TextSize.values(),
                 preferences.textSize(),
-                option -> later.name("textSize", option),
-                later::setTextSize);
-        form.add(new MutedLabel(Messages.get("preferences.later")), FormConstraints.fillRow(1, row++));
-        JCheckBox gallery = new JCheckBox(Messages.get("preferences.gallery"), preferences.isGalleryShownAtStart());
+                option -> choices.name("textSize", option),
+                choices::setTextSize);
+        JCheckBox gallery = UiText.text(new JCheckBox(), "preferences.gallery");
+        gallery.setSelected(preferences.isGalleryShownAtStart());
         gallery.addActionListener(event -> preferences.setGalleryShownAtStart(gallery.isSelected()));
         form.add(gallery, FormConstraints.fillRow(1, row++));
         TOGGLES.forEach(key -> form.add(createToggle(actions.get(key)), FormConstraints.fillRow(1, row++)));
         JPanel content = new JPanel(new BorderLayout(0, 16));
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
         content.add(form, BorderLayout.CENTER);
-        content.add(
-                DialogButtons.createSingleButton(this, Messages.get("dialog.close"), this::dispose),
-                BorderLayout.SOUTH);
+        content.add(DialogButtons.createSingleButton(this, "dialog.close", this::dispose), BorderLayout.SOUTH);
         setContentPane(content);
         ScreenFit.pack(this);
         setLocationRelativeTo(owner);
@@ -85,9 +82,9 @@ public final class PreferencesDialog extends JDialog {
             ActionRegistry actions,
             Window owner,
             WindowPreferences preferences,
-            PreferenceActions later,
+            PreferenceActions choices,
             ThemeAction theme) {
-        actions.add(UiAction.of("preferences", () -> new PreferencesDialog(owner, actions, preferences, later, theme)
+        actions.add(UiAction.of("preferences", () -> new PreferencesDialog(owner, actions, preferences, choices, theme)
                         .setVisible(true))
                 .withAccelerator(Keystrokes.menuShortcut(KeyEvent.VK_COMMA)));
     }

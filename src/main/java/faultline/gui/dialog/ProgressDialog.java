@@ -41,7 +41,7 @@ final class ProgressDialog extends JDialog {
         content.setBorder(BorderFactory.createEmptyBorder(16, 16, 12, 16));
         content.add(new JLabel(sentence), BorderLayout.NORTH);
         content.add(progressBar, BorderLayout.CENTER);
-        content.add(DialogButtons.createSingleButton(this, Messages.get("wait.cancel"), cancel), BorderLayout.SOUTH);
+        content.add(DialogButtons.createSingleButton(this, "wait.cancel", cancel), BorderLayout.SOUTH);
         setContentPane(content);
         setProgress(task.progress());
         pack();

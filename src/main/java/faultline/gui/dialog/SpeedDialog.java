@@ -18,12 +18,7 @@ public final class SpeedDialog {
     /** Asks for a speed in metres per second, given the current one; empty if cancelled. */
     public static OptionalDouble showDialog(Component parent, double now) {
         return new NumberDialog(
-                        Messages.get("waySpeed.title"),
-                        Messages.get("waySpeed"),
-                        "m/s",
-                        0,
-                        Math.max(MAX_SPEED, now),
-                        SPEED_STEP)
+                        Messages.get("waySpeed.title"), "waySpeed", "m/s", 0, Math.max(MAX_SPEED, now), SPEED_STEP)
                 .showDialog(parent, now);
     }
 }

@@ -1,6 +1,5 @@
 package faultline.gui.dialog;
 
-import faultline.gui.text.Messages;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;
@@ -52,9 +51,7 @@ final class TableDialog extends JDialog {
         JTable table = createTable(columns, rows);
         WrappedCellRenderer.install(table, widths);
         content.add(createScrollPane(table, title), BorderLayout.CENTER);
-        content.add(
-                DialogButtons.createSingleButton(this, Messages.get("dialog.close"), this::dispose),
-                BorderLayout.SOUTH);
+        content.add(DialogButtons.createSingleButton(this, "dialog.close", this::dispose), BorderLayout.SOUTH);
         setContentPane(content);
         EmptyToolTips.disable(content);
         ScreenFit.pack(this);

@@ -25,7 +25,7 @@ public final class ScenarioEditor {
      * @param inverse reverts it and nothing else
      */
     public void edit(String key, UnaryOperator<Scenario> change, UnaryOperator<Scenario> inverse) {
-        undo.addSetupEdit(Messages.get(key), key, () -> run.change(inverse), () -> run.change(change));
+        undo.addSetupEdit(() -> Messages.get(key), key, () -> run.change(inverse), () -> run.change(change));
         run.change(change);
     }
 }

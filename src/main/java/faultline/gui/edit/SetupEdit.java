@@ -1,17 +1,24 @@
 package faultline.gui.edit;
 
+import java.util.function.Supplier;
+
 /**
  * A change of the scenario's setup. Undoing it runs the scenario again with the old setup.
  *
- * @param name the name that menus show
+ * @param nameSource returns the name that menus show, in the current language
  * @param gestureId edits of one gesture are merged
  * @param undoAction restores the old setup
  * @param redoAction sets the new setup
  */
-record SetupEdit(String name, int gestureId, Runnable undoAction, Runnable redoAction) implements Edit {
+record SetupEdit(Supplier<String> nameSource, int gestureId, Runnable undoAction, Runnable redoAction) implements Edit {
+
+    @Override
+    public String name() {
+        return nameSource.get();
+    }
 
     /** Returns one edit in place of this one and a later one of the same gesture. */
     SetupEdit mergedWith(SetupEdit later) {
-        return new SetupEdit(later.name, gestureId, undoAction, later.redoAction);
+        return new SetupEdit(later.nameSource, gestureId, undoAction, later.redoAction);
     }
 }

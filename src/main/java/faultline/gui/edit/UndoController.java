@@ -10,6 +10,7 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 
 /**
  * Sends the user's commands to the run and records the results as edits that can be undone and redone. Undo and redo
@@ -137,10 +138,14 @@ public final class UndoController {
     }
 
     /**
-     * Records a change of the setup that has been made, with the name that menus show and the actions that undo and
-     * redo it. Changes with equal targets in quick succession form one edit.
+     * Records a change of the setup that has been made. Changes with equal targets in quick succession form one edit.
+     *
+     * @param name returns the name that menus show, in the current language
+     * @param target what was changed
+     * @param undoAction restores the old setup
+     * @param redoAction sets the new setup
      */
-    public void addSetupEdit(String name, Object target, Runnable undoAction, Runnable redoAction) {
+    public void addSetupEdit(Supplier<String> name, Object target, Runnable undoAction, Runnable redoAction) {
         assert EventQueue.isDispatchThread();
         int id = gestureIdOf(List.of(new EditTarget(SETUP, target, true)));
         history.add(new SetupEdit(name, id, undoAction, redoAction));

@@ -4,8 +4,10 @@ import faultline.control.TimingRule;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.gui.theme.UiText;
 import faultline.paint.surface.GraphicsSurface;
 import faultline.paint.surface.PixelRectangle;
 import java.awt.Dimension;
@@ -43,8 +45,8 @@ public final class AlignmentView extends JComponent {
         setMinimumSize(MIN_SIZE);
         setPreferredSize(MIN_SIZE);
         setOpaque(true);
-        setToolTipText(Messages.get("spin.tip"));
-        getAccessibleContext().setAccessibleName(Messages.get("spin"));
+        UiText.name(this, "spin");
+        RefreshSteps.add(this, AlignmentView::refresh);
     }
 
     /** Shows a frame with the recording of its run. */
@@ -71,7 +73,11 @@ public final class AlignmentView extends JComponent {
     /** Names the rule by which the controller chooses F3 and F4. */
     void setTimingRule(TimingRule rule) {
         timingRule = rule;
-        setToolTipText(Messages.get("spin.tip") + " " + Messages.get("spin.rule.tip." + rule.fileName()));
+        refresh();
+    }
+
+    private void refresh() {
+        setToolTipText(Messages.get("spin.tip") + " " + Messages.get("spin.rule.tip." + timingRule.fileName()));
         repaint();
     }
 

@@ -2,8 +2,9 @@ package faultline.gui.instrument;
 
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
-import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
+import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.Graphics;
@@ -73,20 +74,28 @@ public final class EventLogView extends JPanel {
     }
 
     private void configureTable() {
-        table.getAccessibleContext().setAccessibleName(Messages.get("events"));
-        table.setToolTipText(Messages.get("events.tip"));
+        UiText.tip(UiText.name(table, "events"), "events.tip");
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.setDefaultRenderer(Object.class, new EventCellRenderer(events));
         table.setShowVerticalLines(false);
-        table.setRowHeight(TextSize.scaled(ROW_HEIGHT));
         table.setFillsViewportHeight(true);
         table.getTableHeader().setReorderingAllowed(false);
+        RefreshSteps.add(table, self -> refreshTable());
+    }
+
+    /** Sets the headings, and with another text size the height of the rows and the initial widths of the columns. */
+    private void refreshTable() {
+        boolean resized = table.getRowHeight() != TextSize.scaled(ROW_HEIGHT);
+        table.setRowHeight(TextSize.scaled(ROW_HEIGHT));
         for (int i = 0; i < COLUMN_WIDTHS.length; i++) {
             TableColumn column = table.getColumnModel().getColumn(i);
-            column.setPreferredWidth(TextSize.scaled(COLUMN_WIDTHS[i]));
-            column.setMinWidth(TextSize.scaled(MIN_COLUMN_WIDTHS[i]));
-            column.setMaxWidth(
-                    i == COLUMN_WIDTHS.length - 1 ? Integer.MAX_VALUE : TextSize.scaled(2 * COLUMN_WIDTHS[i]));
+            column.setHeaderValue(events.getColumnName(i));
+            if (resized) {
+                boolean last = i == COLUMN_WIDTHS.length - 1;
+                column.setMinWidth(TextSize.scaled(MIN_COLUMN_WIDTHS[i]));
+                column.setMaxWidth(last ? Integer.MAX_VALUE : TextSize.scaled(2 * COLUMN_WIDTHS[i]));
+                column.setPreferredWidth(TextSize.scaled(COLUMN_WIDTHS[i]));
+            }
         }
         if (table.getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
             headings.setHorizontalAlignment(SwingConstants.LEADING);

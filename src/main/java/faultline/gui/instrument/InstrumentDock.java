@@ -4,8 +4,9 @@ import faultline.control.ControllerSpec;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
-import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
+import faultline.gui.theme.UiText;
 import faultline.gui.timeline.TimelineItem;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -46,13 +47,16 @@ public final class InstrumentDock extends JTabbedPane {
         addInstrument("timing", alignment);
         addInstrument("events", events);
         setMinimumSize(MIN_SIZE);
-        setPreferredSize(new Dimension(TextSize.scaled(DEFAULT_SIZE.width), TextSize.scaled(DEFAULT_SIZE.height)));
-        getAccessibleContext().setAccessibleName(Messages.get("instruments"));
+        RefreshSteps.add(
+                this,
+                dock -> dock.setPreferredSize(
+                        new Dimension(TextSize.scaled(DEFAULT_SIZE.width), TextSize.scaled(DEFAULT_SIZE.height))));
+        UiText.name(this, "instruments");
         addChangeListener(event -> update());
     }
 
     private void addInstrument(String key, JComponent instrument) {
-        addTab(Messages.get("instruments." + key), null, instrument, Messages.get("instruments." + key + ".tip"));
+        UiText.addTab(this, "instruments." + key, instrument);
     }
 
     /**

@@ -9,8 +9,10 @@ import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.Antialiasing;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.gui.theme.UiText;
 import faultline.paint.chart.StateDiagramLayout;
 import faultline.paint.surface.PixelRectangle;
 import java.awt.BasicStroke;
@@ -39,7 +41,8 @@ public final class StateDiagramView extends JComponent {
         setMinimumSize(MIN_SIZE);
         setPreferredSize(MIN_SIZE);
         setOpaque(true);
-        getAccessibleContext().setAccessibleName(Messages.get("diagram"));
+        UiText.name(this, "diagram");
+        RefreshSteps.add(this, StateDiagramView::describe);
         ToolTipManager.sharedInstance().registerComponent(this);
     }
 
@@ -51,9 +54,15 @@ public final class StateDiagramView extends JComponent {
                 || !frame.telemetry().state().equals(newest.telemetry().state());
         frame = newest;
         if (moved) {
-            getAccessibleContext().setAccessibleDescription(accessibleText(newest));
+            describe();
         }
         repaint();
+    }
+
+    private void describe() {
+        if (frame != null) {
+            getAccessibleContext().setAccessibleDescription(accessibleText(frame));
+        }
     }
 
     private static String accessibleText(SessionFrame newest) {

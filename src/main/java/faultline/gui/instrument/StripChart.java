@@ -4,7 +4,9 @@ import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
+import faultline.gui.theme.UiText;
 import faultline.gui.timeline.TimelineItem;
 import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
@@ -18,9 +20,11 @@ import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.BoxLayout;
+import javax.swing.DefaultComboBoxModel;
 import javax.swing.JButton;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JToggleButton;
@@ -37,6 +41,7 @@ public final class StripChart extends JPanel {
     private final JToggleButton fitValues = new JToggleButton(Glyph.FIT.icon());
     private final JToggleButton freeze = new JToggleButton(Glyph.PAUSE.icon());
     private List<String> sensors = List.of("");
+    private transient List<SensorSnapshot> robotSensors = List.of();
     private transient List<SignalGroup> groups = List.of();
     /** The lines of other groups that are shown beside those of the chosen one. */
     private final transient List<ChartLine> additions = new ArrayList<>();
@@ -44,29 +49,26 @@ public final class StripChart extends JPanel {
     /** Creates an empty chart. */
     public StripChart() {
         super(new BorderLayout());
-        choice.getAccessibleContext().setAccessibleName(Messages.get("strip.choice"));
-        choice.setToolTipText(Messages.get("strip.choice.tip"));
+        name(choice, "strip.choice");
         choice.addActionListener(event -> {
             additions.clear();
             updateSignal();
             view.setRange(automaticRange());
         });
-        add.getAccessibleContext().setAccessibleName(Messages.get("strip.add"));
-        add.setToolTipText(Messages.get("strip.add.tip"));
+        name(add, "strip.add");
         add.addActionListener(event -> createAdditionsMenu().show(add, 0, add.getHeight()));
-        freeze.getAccessibleContext().setAccessibleName(Messages.get("strip.hold"));
-        freeze.setToolTipText(Messages.get("strip.hold.tip"));
+        name(freeze, "strip.hold");
         freeze.addActionListener(event -> view.setFrozen(freeze.isSelected()));
-        fitValues.getAccessibleContext().setAccessibleName(Messages.get("strip.fit"));
-        fitValues.setToolTipText(Messages.get("strip.fit.tip"));
+        name(fitValues, "strip.fit");
         fitValues.addActionListener(event -> view.setRange(automaticRange()));
         new StripChartMouse(view, this::freeze).install();
         JPanel bar = new JPanel();
         bar.setLayout(new BoxLayout(bar, BoxLayout.LINE_AXIS));
         bar.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 4));
-        choice.setPrototypeDisplayValue(widestSignal());
-        choice.setMaximumSize(choice.getPreferredSize());
-        choice.setMinimumSize(new Dimension(TextSize.scaled(MIN_CHOICE_WIDTH), choice.getPreferredSize().height));
+        RefreshSteps.add(choice, box -> {
+            renameGroups();
+            fitChoice();
+        });
         add.setMinimumSize(add.getPreferredSize());
         freeze.setMinimumSize(freeze.getPreferredSize());
         fitValues.setMinimumSize(fitValues.getPreferredSize());
@@ -81,6 +83,16 @@ public final class StripChart extends JPanel {
         bar.add(legend);
         add(bar, BorderLayout.NORTH);
         add(view, BorderLayout.CENTER);
+    }
+
+    private static void name(JComponent control, String key) {
+        UiText.tip(UiText.name(control, key), key + ".tip");
+    }
+
+    private void fitChoice() {
+        choice.setPrototypeDisplayValue(widestSignal());
+        choice.setMaximumSize(choice.getPreferredSize());
+        choice.setMinimumSize(new Dimension(TextSize.scaled(MIN_CHOICE_WIDTH), choice.getPreferredSize().height));
     }
 
     /** Returns the group with the longest name for a typical robot. */
@@ -170,13 +182,35 @@ public final class StripChart extends JPanel {
         List<String> ids = present.stream().map(sensor -> sensor.spec().id()).toList();
         if (!ids.equals(sensors)) {
             sensors = ids;
-            int chosen = Math.max(0, choice.getSelectedIndex());
-            choice.removeAllItems();
-            groups = SignalGroup.allOf(present);
-            groups.forEach(choice::addItem);
-            choice.setMaximumRowCount(choice.getItemCount());
-            choice.setSelectedIndex(chosen < choice.getItemCount() ? chosen : 0);
+            robotSensors = present;
+            setGroups();
         }
+    }
+
+    /** Shows the groups of the robot; the selected index is kept if it still exists. */
+    private void setGroups() {
+        int chosen = Math.max(0, choice.getSelectedIndex());
+        groups = SignalGroup.allOf(robotSensors);
+        choice.setModel(new DefaultComboBoxModel<>(groups.toArray(SignalGroup[]::new)));
+        choice.setMaximumRowCount(choice.getItemCount());
+        choice.setSelectedIndex(chosen < choice.getItemCount() ? chosen : 0);
+    }
+
+    /** Shows the groups in the current language, with the lines and the scale that the user has chosen. */
+    private void renameGroups() {
+        if (groups.isEmpty()) {
+            return;
+        }
+        List<Integer> channels = additions.stream().map(ChartLine::channel).toList();
+        ValueRange range = view.range();
+        setGroups();
+        if (choice.getSelectedItem() instanceof SignalGroup signal) {
+            SignalGroup.additions(signal, groups).stream()
+                    .filter(line -> channels.contains(line.channel()))
+                    .forEach(additions::add);
+        }
+        updateSignal();
+        view.setRange(range);
     }
 
     StripView view() {

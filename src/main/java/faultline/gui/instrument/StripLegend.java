@@ -1,6 +1,7 @@
 package faultline.gui.instrument;
 
 import faultline.gui.theme.Antialiasing;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
@@ -22,7 +23,7 @@ final class StripLegend extends JComponent {
     private transient List<ChartLine> lines = List.of();
 
     StripLegend() {
-        setFont(TextSize.scaledFont(Font.PLAIN, 11));
+        RefreshSteps.add(this, legend -> legend.setFont(TextSize.scaledFont(Font.PLAIN, 11)));
     }
 
     void setSignal(SignalGroup signal) {

@@ -2,10 +2,10 @@ package faultline.gui.instrument;
 
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
-import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
+import faultline.gui.theme.UiText;
 import faultline.gui.timeline.TimelineItem;
 import faultline.paint.surface.GraphicsSurface;
 import java.awt.Dimension;
@@ -44,7 +44,7 @@ final class StripView extends JComponent {
         setPreferredSize(MIN_SIZE);
         setFocusable(true);
         setOpaque(true);
-        getAccessibleContext().setAccessibleName(Messages.get("strip.view"));
+        UiText.name(this, "strip.view");
     }
 
     /** Shows a newer frame. */

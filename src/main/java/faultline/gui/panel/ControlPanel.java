@@ -4,8 +4,8 @@ import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
-import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
+import faultline.gui.theme.UiText;
 import faultline.scenario.Scenario;
 import faultline.world.Snapshot;
 import java.awt.BorderLayout;
@@ -57,12 +57,12 @@ public final class ControlPanel extends JPanel {
         controller = new ControllerPanel(editor, scenarioEditor);
         sensors.addSelectionListener(sensorDetails::selectSensor);
         sensorDetails.addChoiceListener(sensors::selectByUser);
-        tabs.getAccessibleContext().setAccessibleName(Messages.get("panel"));
+        UiText.name(tabs, "panel");
         addTab(
                 "panel.robot",
                 new TitledSection(robot),
-                new TitledSection(Messages.get("sensors.title"), sensors),
-                new TitledSection(Messages.get("faults.title"), sensorDetails));
+                new TitledSection("sensors.title", sensors),
+                new TitledSection("faults.title", sensorDetails));
         addTab("panel.controller", controller);
         addTab("panel.run", run);
         add(tabs, BorderLayout.CENTER);
@@ -87,7 +87,7 @@ public final class ControlPanel extends JPanel {
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.getVerticalScrollBar().setUnitIncrement(WHEEL_STEP);
         scroll.getHorizontalScrollBar().setUnitIncrement(WHEEL_STEP);
-        tabs.addTab(Messages.get(key), null, scroll, Messages.get(key + ".tip"));
+        UiText.addTab(tabs, key, scroll);
     }
 
     /** Returns the width at the normal text size; larger text scrolls if the window has no room for it. */

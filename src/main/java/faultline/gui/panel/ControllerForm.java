@@ -1,5 +1,6 @@
 package faultline.gui.panel;
 
+import faultline.gui.theme.UiText;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.Threshold;
@@ -59,10 +60,10 @@ public final class ControllerForm {
             value -> change(old -> old.withTimingRule(value)));
     private final NumberSpinner period =
             new NumberSpinner("0.00###", 0, MAX_PERIOD, 0.01, value -> change(old -> old.withPeriod(value)));
-    private final JCheckBox diagnosis = new JCheckBox(Messages.get("controller.diagnosis"));
+    private final JCheckBox diagnosis = UiText.text(new JCheckBox(), "controller.diagnosis");
     private final GainFields gains = new GainFields(rule -> change(old -> old.withGainRule(rule)));
     private final Map<Threshold, NumberSpinner> thresholds = new EnumMap<>(Threshold.class);
-    private final JButton defaultThresholds = new JButton(Messages.get("controller.thresholds.defaults"));
+    private final JButton defaultThresholds = UiText.button("controller.thresholds.defaults");
     private final NumberSpinner left =
             new NumberSpinner("0.0##", -MAX_VOLTS, MAX_VOLTS, 0.1, value -> drive(value, drive().rightVolts()));
     private final NumberSpinner right =
@@ -77,13 +78,13 @@ public final class ControllerForm {
      */
     public ControllerForm(Consumer<ControllerSpec.BuiltIn> onChange) {
         this.onChange = onChange;
-        diagnosis.setToolTipText(Messages.get("controller.diagnosis.tip"));
+        UiText.tip(diagnosis, "controller.diagnosis.tip");
         diagnosis.addActionListener(event -> change(old -> old.withDiagnosis(diagnosis.isSelected())));
         sections = List.of(
                 new TitledSection(createFollowerForm()),
-                new TitledSection(Messages.get("controller.gains"), gains),
-                new TitledSection(Messages.get("controller.thresholds"), createThresholdForm()),
-                new TitledSection(Messages.get("controller.voltages"), createVoltageForm()));
+                new TitledSection("controller.gains", gains),
+                new TitledSection("controller.thresholds", createThresholdForm()),
+                new TitledSection("controller.voltages", createVoltageForm()));
     }
 
     private JPanel createFollowerForm() {
@@ -105,7 +106,7 @@ public final class ControllerForm {
             addRow(form, thresholds.size(), "controller." + threshold.fileName(), field.withColumns(6));
             thresholds.put(threshold, field);
         }
-        defaultThresholds.setToolTipText(Messages.get("controller.thresholds.defaults.tip"));
+        UiText.tip(defaultThresholds, "controller.thresholds.defaults.tip");
         defaultThresholds.addActionListener(event -> change(old -> old.withThresholds(Thresholds.DEFAULT)));
         form.add(defaultThresholds, FormConstraints.cell(1, thresholds.size()));
         return form;
@@ -130,11 +131,11 @@ public final class ControllerForm {
     /** Adds a row with a label, a field and a tooltip for both; that of a number states its limits. */
     static void addRow(JPanel form, int row, String key, JComponent field) {
         JLabel label = FormConstraints.addRow(form, row, key, field);
-        label.setToolTipText(Messages.get(key + ".tip"));
+        UiText.tip(label, key + ".tip");
         if (field instanceof NumberSpinner number) {
-            number.setTip(Messages.get(key + ".tip"));
+            number.setTip(key + ".tip");
         } else {
-            field.setToolTipText(Messages.get(key + ".tip"));
+            UiText.tip(field, key + ".tip");
         }
     }
 

@@ -4,7 +4,6 @@ import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
-import faultline.gui.text.Messages;
 import faultline.world.Command;
 import java.awt.EventQueue;
 import javax.swing.BoxLayout;
@@ -28,7 +27,7 @@ public final class ControllerPanel extends JPanel {
         driveFields = new DriveFields(scenarioEditor);
         setLayout(new BoxLayout(this, BoxLayout.PAGE_AXIS));
         form.sections().forEach(this::add);
-        add(new TitledSection(Messages.get("controller.drive"), driveFields));
+        add(new TitledSection("controller.drive", driveFields));
     }
 
     private void send(ControllerSpec.BuiltIn changed) {

@@ -5,6 +5,7 @@ import faultline.engine.metrics.RunOutcome;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
+import faultline.gui.theme.RefreshSteps;
 import java.awt.GridBagLayout;
 import java.util.ArrayList;
 import java.util.List;
@@ -62,20 +63,25 @@ final class ExpectationRows extends JPanel {
         labels.clear();
         values.clear();
         for (Expectation.Condition item : items) {
-            JLabel label = new JLabel(ExpectationText.format(item));
+            JLabel label = RefreshSteps.add(new JLabel(), self -> {
+                self.setText(ExpectationText.format(item));
+                // The next status gives the other texts.
+                self.setIcon(null);
+            });
             ValueLabel value = new ValueLabel(
-                    label.getText(),
-                    "0.0000 m",
-                    Messages.get("expect.none"),
-                    Messages.get("expect.collided"),
-                    Messages.get("expect.notReached"));
+                    () -> ExpectationText.format(item),
+                    () -> List.of(
+                            "0.0000 m",
+                            Messages.get("expect.none"),
+                            Messages.get("expect.collided"),
+                            Messages.get("expect.notReached")));
             add(label, FormConstraints.fillCell(0, labels.size()));
             add(value, FormConstraints.cell(1, labels.size()));
             labels.add(label);
             values.add(value);
         }
         if (items.isEmpty()) {
-            add(new MutedLabel(Messages.get("expect.nothing")), FormConstraints.fillCell(0, 0));
+            add(MutedLabel.ofKey("expect.nothing"), FormConstraints.fillCell(0, 0));
         }
         revalidate();
         repaint();

@@ -3,6 +3,8 @@ package faultline.gui.panel;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.UiText;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.sensor.Fault;
@@ -70,6 +72,7 @@ public final class FaultFields<K, F> {
         configure(length, "faults.length");
         kind.setSelectedItem(initial);
         problem.setVisible(false);
+        RefreshSteps.add(unit, label -> updateTexts());
     }
 
     /** Creates the fields of a sensor that is stuck. */
@@ -121,12 +124,11 @@ public final class FaultFields<K, F> {
         });
         kind.setMaximumRowCount(count);
         kind.addActionListener(event -> updateKind());
-        kind.getAccessibleContext().setAccessibleName(Messages.get("faults.kind"));
-        kind.setToolTipText(Messages.get("faults.kind"));
+        UiText.nameAndTip(kind, "faults.kind");
     }
 
     private void configure(NumberSpinner spinner, String key) {
-        spinner.withName(Messages.get(key)).withColumns(COLUMNS).keepInvalidText();
+        spinner.withName(key).withColumns(COLUMNS).keepInvalidText();
         spinner.textField().addPropertyChangeListener("editValid", event -> updateProblem());
     }
 
@@ -160,6 +162,10 @@ public final class FaultFields<K, F> {
         for (JComponent part : new JComponent[] {lengthLabel, length, lengthUnit}) {
             part.setVisible(rules().takesLength());
         }
+        updateTexts();
+    }
+
+    private void updateTexts() {
         boolean share = rules().unit().isEmpty() && rules().max() == 1;
         unit.setText(share ? Messages.get("faults.share") : rules().unit());
         updateProblem();

@@ -4,6 +4,8 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.UiText;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import faultline.world.SensorSnapshot;
@@ -47,7 +49,7 @@ final class FaultList extends JPanel {
     private void rebuild() {
         removeAll();
         if (shownFaults.isEmpty()) {
-            add(new MutedLabel(Messages.get("faults.none")), FormConstraints.fillCell(0, 0));
+            add(MutedLabel.ofKey("faults.none"), FormConstraints.fillCell(0, 0));
         } else {
             for (int row = 0; row < shownFaults.size(); row++) {
                 addRow(row, shownFaults.get(row));
@@ -61,18 +63,24 @@ final class FaultList extends JPanel {
     }
 
     private void addRow(int row, ActiveFault active) {
-        String text = active.sensor() + ": " + ReadingText.format(active.fault());
-        add(new JLabel(text, WARNING_ICON, JLabel.LEADING), FormConstraints.fillCell(0, row));
+        JLabel label = new JLabel(WARNING_ICON, JLabel.LEADING);
+        add(RefreshSteps.add(label, self -> self.setText(text(active))), FormConstraints.fillCell(0, row));
         JButton mend = new JButton(REMOVE_ICON);
         mend.setBorder(BorderFactory.createEmptyBorder(3, 5, 3, 5));
-        mend.setToolTipText(Messages.get("faults.mend", text));
-        mend.getAccessibleContext().setAccessibleName(Messages.get("faults.mend", text));
+        RefreshSteps.add(mend, button -> {
+            button.setToolTipText(Messages.get("faults.mend", text(active)));
+            button.getAccessibleContext().setAccessibleName(button.getToolTipText());
+        });
         mend.addActionListener(event -> editor.send(new Command.ClearFault(active.sensor(), active.fault())));
         add(mend, FormConstraints.cell(1, row));
     }
 
+    private static String text(ActiveFault active) {
+        return active.sensor() + ": " + ReadingText.format(active.fault());
+    }
+
     private void addClearAll(int row) {
-        JButton all = new JButton(Messages.get("faults.mendAll"));
+        JButton all = UiText.button("faults.mendAll");
         all.addActionListener(event -> editor.send(shownFaults.stream()
                 .map(ActiveFault::sensor)
                 .distinct()

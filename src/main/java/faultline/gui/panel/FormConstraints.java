@@ -1,6 +1,6 @@
 package faultline.gui.panel;
 
-import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import java.awt.GridBagConstraints;
 import java.awt.Insets;
 import javax.swing.JComponent;
@@ -21,7 +21,7 @@ public final class FormConstraints {
      * @param field the field
      */
     public static JLabel label(String key, JComponent field) {
-        JLabel label = new JLabel(Messages.get(key));
+        JLabel label = UiText.label(key);
         label.setLabelFor(field);
         return label;
     }
@@ -39,10 +39,10 @@ public final class FormConstraints {
         JLabel label = label(key, field);
         GridBagConstraints cell = fillRow(1, row);
         if (field instanceof NumberSpinner number) {
-            number.withName(Messages.get(key));
+            number.withName(key);
             cell.fill = GridBagConstraints.NONE;
         }
-        field.getAccessibleContext().setAccessibleName(Messages.get(key));
+        UiText.name(field, key);
         form.add(label, cell(0, row));
         form.add(field, cell);
         return label;

@@ -7,6 +7,7 @@ import java.awt.GridBagLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -63,11 +64,11 @@ final class HealthRows extends JPanel {
         removeAll();
         rows.clear();
         if (sensors.isEmpty()) {
-            add(new MutedLabel(Messages.get("health.none")), FormConstraints.fillCell(0, 0));
+            add(MutedLabel.ofKey("health.none"), FormConstraints.fillCell(0, 0));
         } else {
             String[] headings = {"sensors.sensor", "health.finding", "health.evidence", "health.since"};
             for (int i = 0; i < headings.length; i++) {
-                add(new MutedLabel(Messages.get(headings[i])), FormConstraints.cell(i + 1, 0));
+                add(MutedLabel.ofKey(headings[i]), FormConstraints.cell(i + 1, 0));
             }
             sensors.forEach(this::addRow);
         }
@@ -75,14 +76,18 @@ final class HealthRows extends JPanel {
         repaint();
     }
 
+    private static ValueLabel value(String sensor, String key, Supplier<List<String>> widest) {
+        return new ValueLabel(() -> sensor + ": " + Messages.get(key), widest);
+    }
+
     private void addRow(String id) {
-        String[] findings =
-                Stream.of(SensorFinding.values()).map(HealthRows::name).toArray(String[]::new);
         Row row = new Row(
                 new JLabel(id),
-                new ValueLabel(id + ": " + Messages.get("health.finding"), findings),
-                new ValueLabel(id + ": " + Messages.get("health.evidence"), "100 %"),
-                new ValueLabel(id + ": " + Messages.get("health.since"), "0000.00 s"));
+                value(id, "health.finding", () -> Stream.of(SensorFinding.values())
+                        .map(HealthRows::name)
+                        .toList()),
+                value(id, "health.evidence", () -> List.of("100 %")),
+                value(id, "health.since", () -> List.of("0000.00 s")));
         int y = rows.size() + 1;
         add(new SensorBadge(rows.size()), FormConstraints.centredCell(0, y));
         add(row.name, FormConstraints.fillCell(1, y));

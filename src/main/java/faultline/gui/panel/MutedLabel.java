@@ -1,5 +1,7 @@
 package faultline.gui.panel;
 
+import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.Theme;
 import java.awt.Dimension;
 import javax.swing.JLabel;
@@ -10,6 +12,11 @@ public final class MutedLabel extends JLabel {
     /** Creates a label. */
     public MutedLabel(String text) {
         super(text);
+    }
+
+    /** Creates a label with the text of a key, which follows the language. */
+    public static MutedLabel ofKey(String key) {
+        return RefreshSteps.add(new MutedLabel(""), label -> label.setText(Messages.get(key)));
     }
 
     /** Adds two pixels, because the text may be that much wider on a high-resolution screen. */

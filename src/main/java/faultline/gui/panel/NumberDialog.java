@@ -4,7 +4,6 @@ import java.awt.Component;
 import java.awt.FlowLayout;
 import java.util.OptionalDouble;
 import javax.swing.JDialog;
-import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 
@@ -12,13 +11,13 @@ import javax.swing.JPanel;
  * Asks for a number.
  *
  * @param title the title of the dialog
- * @param name the name of the number
+ * @param key the key of the name of the number
  * @param unit the unit
  * @param min the smallest value
  * @param max the largest value
  * @param step the step of the arrows
  */
-public record NumberDialog(String title, String name, String unit, double min, double max, double step) {
+public record NumberDialog(String title, String key, String unit, double min, double max, double step) {
 
     private static final int COLUMNS = 6;
 
@@ -31,13 +30,11 @@ public record NumberDialog(String title, String name, String unit, double min, d
      */
     public OptionalDouble showDialog(Component parent, double value) {
         NumberSpinner field = new NumberSpinner("0.00##", min, max, step, ignored -> {})
-                .withName(name)
+                .withName(key)
                 .withColumns(COLUMNS);
         field.setLimits(min, max, value);
         JPanel line = new JPanel(new FlowLayout(FlowLayout.LEADING));
-        JLabel label = new JLabel(name);
-        label.setLabelFor(field);
-        line.add(label);
+        line.add(FormConstraints.label(key, field));
         line.add(field);
         line.add(new MutedLabel(unit));
         // The field has the focus initially.

@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -23,7 +24,16 @@ public final class NumberSpinner extends JSpinner {
 
     private final transient DecimalFormatter formatter;
     private final SpinnerNumberModel model;
-    private String name = "";
+    /** The key of the name; empty for none. */
+    private String nameKey = "";
+
+    private String[] nameValues = {};
+    /** The key of the tool tip; empty if it repeats the name. */
+    private String tipKey = "";
+
+    /** The width in digits, 0 for any. */
+    private int columns;
+
     private boolean updating;
 
     /**
@@ -42,6 +52,7 @@ public final class NumberSpinner extends JSpinner {
         JSpinner.DefaultEditor editor = new JSpinner.DefaultEditor(this);
         setEditor(editor);
         configureTextField(editor.getTextField());
+        RefreshSteps.add(this, NumberSpinner::refresh);
         addChangeListener(event -> {
             if (!updating) {
                 onChange.accept(doubleValue());
@@ -63,27 +74,36 @@ public final class NumberSpinner extends JSpinner {
         text.addPropertyChangeListener("editValid", event -> repaint());
     }
 
-    /** Sets the accessible name, and shows the limits as a tool tip. */
-    public NumberSpinner withName(String newName) {
-        name = newName;
+    /** Sets the accessible name to the text of a key with its placeholders, and shows the limits as a tool tip. */
+    public NumberSpinner withName(String key, String... values) {
+        nameKey = key;
+        nameValues = values.clone();
         updateAccessibleText();
         return this;
     }
 
-    private void updateAccessibleText() {
-        getAccessibleContext().setAccessibleName(name);
-        textField().getAccessibleContext().setAccessibleName(name);
-        String tip = name + ": " + formatter.limitsText();
-        setToolTipText(tip);
-        textField().setToolTipText(tip);
-        nameArrows();
+    private String name() {
+        if (nameKey.isEmpty()) {
+            return "";
+        }
+        return nameValues.length == 0 ? Messages.get(nameKey) : Messages.get(nameKey, nameValues);
     }
 
-    /** Shows a text and the limits as the tool tip. */
-    void setTip(String text) {
-        String tip = text + " (" + formatter.limitsText() + ")";
+    private void updateAccessibleText() {
+        String name = name();
+        getAccessibleContext().setAccessibleName(name);
+        textField().getAccessibleContext().setAccessibleName(name);
+        String limits = formatter.limitsText();
+        String tip = tipKey.isEmpty() ? name + ": " + limits : Messages.get(tipKey) + " (" + limits + ")";
         setToolTipText(tip);
         textField().setToolTipText(tip);
+        nameArrows(name);
+    }
+
+    /** Shows the text of a key, and the limits, as the tool tip. */
+    void setTip(String key) {
+        tipKey = key;
+        updateAccessibleText();
     }
 
     /** Returns the fields in a component and its descendants. */
@@ -94,7 +114,7 @@ public final class NumberSpinner extends JSpinner {
                         : child instanceof Container inner ? findIn(inner) : Stream.empty());
     }
 
-    private void nameArrows() {
+    private void nameArrows(String name) {
         for (Component part : getComponents()) {
             if (part instanceof JButton arrow) {
                 boolean up = "Spinner.nextButton".equals(arrow.getName());
@@ -179,18 +199,31 @@ public final class NumberSpinner extends JSpinner {
 
     /** Sets the width in digits. */
     public NumberSpinner withColumns(int digits) {
+        columns = digits;
         textField().setColumns(0);
-        int width = getFontMetrics(getFont()).stringWidth("0".repeat(digits)) + 32;
-        setPreferredSize(new Dimension(width, getPreferredSize().height));
-        setMinimumSize(getPreferredSize());
+        updateWidth();
         return this;
+    }
+
+    private void updateWidth() {
+        if (columns > 0) {
+            setPreferredSize(null);
+            int width = getFontMetrics(getFont()).stringWidth("0".repeat(columns)) + 32;
+            setPreferredSize(new Dimension(width, getPreferredSize().height));
+            setMinimumSize(getPreferredSize());
+        }
+    }
+
+    private void refresh() {
+        updateAccessibleText();
+        updateWidth();
     }
 
     @Override
     public void updateUI() {
         super.updateUI();
-        if (name != null && !name.isEmpty()) {
-            nameArrows();
+        if (nameKey != null && !nameKey.isEmpty()) {
+            nameArrows(name());
         }
     }
 }

@@ -3,6 +3,7 @@ package faultline.gui.panel;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Glyph;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.theme.ThemeColours;
@@ -36,7 +37,7 @@ final class ReadingBar extends JComponent {
     private final int index;
     private final String sensor;
     private final ReadingKind readingKind;
-    private final int barWidth;
+    private int barWidth;
     private String text = "";
     private double fillShare;
     private boolean faulty;
@@ -62,12 +63,16 @@ final class ReadingBar extends JComponent {
         this.index = index;
         this.sensor = sensor;
         this.readingKind = side;
+        RefreshSteps.add(this, ReadingBar::refresh);
+    }
+
+    private void refresh() {
         setFont(UIManager.getFont("Label.font"));
         barWidth = getFontMetrics(getFont()).stringWidth("0.000") + 2 * PADDING;
         setPreferredSize(new Dimension(
-                barWidth + (side == ReadingKind.REPORTED ? GAP + WARNING_SIZE : 0), TextSize.scaled(HEIGHT)));
+                barWidth + (readingKind == ReadingKind.REPORTED ? GAP + WARNING_SIZE : 0), TextSize.scaled(HEIGHT)));
         setMinimumSize(getPreferredSize());
-        getAccessibleContext().setAccessibleName(Messages.get(side.key, sensor));
+        getAccessibleContext().setAccessibleName(Messages.get(readingKind.key, sensor));
     }
 
     void setSnapshot(SensorSnapshot snapshot) {

@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.awt.EventQueue;
@@ -47,16 +48,18 @@ public final class RobotPanel extends JPanel {
         addField(2, 1, "robot.width", width, "m");
         JCheckBox drawPath = new JCheckBox(path);
         drawPath.setIcon(null);
-        drawPath.setText(Messages.get("robot.path"));
-        drawPath.setMnemonic(0);
+        RefreshSteps.add(drawPath, box -> {
+            box.setText(Messages.get("robot.path"));
+            box.setMnemonic(0);
+        });
         GridBagConstraints constraints = FormConstraints.fillRow(2, 0);
         constraints.insets.left += COLUMN_GAP - 2;
         add(drawPath, constraints);
     }
 
     private void addField(int column, int row, String key, NumberSpinner spinner, String unit) {
-        JLabel label = new JLabel(Messages.get(key + ".label", unit));
-        spinner.withName(Messages.get(key)).withColumns(6);
+        JLabel label = RefreshSteps.add(new JLabel(), self -> self.setText(Messages.get(key + ".label", unit)));
+        spinner.withName(key).withColumns(6);
         label.setLabelFor(spinner);
         GridBagConstraints labelCell = FormConstraints.cell(column, row);
         labelCell.insets.left += column == 0 ? 0 : COLUMN_GAP;

@@ -10,6 +10,8 @@ import faultline.engine.session.SessionFrame;
 import faultline.gui.text.HealthText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.UiText;
 import faultline.robot.Velocity;
 import faultline.scenario.Scenario;
 import faultline.sensor.SensorSpec;
@@ -18,6 +20,7 @@ import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.BoxLayout;
 import javax.swing.JLabel;
@@ -35,11 +38,9 @@ public final class RunPanel extends JPanel {
     private static final double MILLIMETRES = 1000;
 
     private final JPanel numbers = new JPanel(new GridBagLayout());
-    private final ValueLabel state = addValue(
-            "run.state",
-            0,
-            0,
-            Stream.of(FollowerState.values()).map(StateText::name).toArray(String[]::new));
+    private final ValueLabel state = addValue("run.state", 0, 0, () -> Stream.of(FollowerState.values())
+            .map(StateText::name)
+            .toList());
     private final ValueLabel timeLeft = addValue("run.timeLeft", 2, 0, "00000.0 s");
     private final ValueLabel linear = addValue("run.linear", 0, 1, "-0.000 m/s");
     private final ValueLabel angular = addValue("run.angular", 2, 1, "-0000.0 °/s");
@@ -47,11 +48,9 @@ public final class RunPanel extends JPanel {
     private final ValueLabel laps = addValue("run.laps", 2, 2, "00000.00");
     private final ValueLabel straightRms = addValue("run.straightRms", 0, 3, "0000.0 mm");
     private final ValueLabel followRms = addValue("run.followRms", 2, 3, "0000.0 mm");
-    private final ValueLabel rung = addValue(
-            "run.rung",
-            0,
-            4,
-            Stream.of(Rung.values()).map(value -> rungText(value.name())).toArray(String[]::new));
+    private final ValueLabel rung = addValue("run.rung", 0, 4, () -> Stream.of(Rung.values())
+            .map(value -> rungText(value.name()))
+            .toList());
     private final ExpectationRows expectations = new ExpectationRows();
     private final HealthRows health = new HealthRows();
     private transient SessionFrame shown;
@@ -62,15 +61,20 @@ public final class RunPanel extends JPanel {
     RunPanel() {
         setLayout(new BoxLayout(this, BoxLayout.PAGE_AXIS));
         add(new TitledSection(numbers));
-        add(new TitledSection(Messages.get("expect.title"), expectations));
-        add(new TitledSection(Messages.get("health.title"), health));
+        add(new TitledSection("expect.title", expectations));
+        add(new TitledSection("health.title", health));
+        // The next update shows all texts again.
+        RefreshSteps.add(this, panel -> panel.shown = null);
     }
 
-    private ValueLabel addValue(String key, int column, int row, String... widest) {
-        ValueLabel value = new ValueLabel(Messages.get(key), widest);
-        JLabel label = new JLabel(Messages.get(key));
-        label.setLabelFor(value);
-        label.setToolTipText(Messages.get(key + ".tip"));
+    private ValueLabel addValue(String key, int column, int row, String widest) {
+        return addValue(key, column, row, () -> List.of(widest));
+    }
+
+    private ValueLabel addValue(String key, int column, int row, Supplier<List<String>> widest) {
+        ValueLabel value = new ValueLabel(() -> Messages.get(key), widest);
+        JLabel label = FormConstraints.label(key, value);
+        UiText.tip(label, key + ".tip");
         GridBagConstraints labelCell = FormConstraints.cell(column, row);
         labelCell.insets.left += column == 0 ? 0 : COLUMN_GAP;
         numbers.add(label, labelCell);

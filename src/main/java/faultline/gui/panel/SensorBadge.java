@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.gui.theme.Antialiasing;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.SensorColours;
@@ -20,12 +21,18 @@ final class SensorBadge extends JComponent {
     private static final int SIZE = 18;
 
     private final int index;
-    private final int size = TextSize.scaled(SIZE);
-    private final Font font = TextSize.scaledFont(Font.BOLD, 11);
+    private int size;
+    private Font font;
 
     /** Creates the badge of the sensor with the given index. */
     SensorBadge(int index) {
         this.index = index;
+        RefreshSteps.add(this, SensorBadge::updateSize);
+    }
+
+    private void updateSize() {
+        size = TextSize.scaled(SIZE);
+        font = TextSize.scaledFont(Font.BOLD, 11);
         setPreferredSize(new Dimension(size, size));
         setMinimumSize(getPreferredSize());
     }

@@ -1,7 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.gui.edit.UndoController;
-import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import faultline.world.Command;
@@ -30,7 +30,7 @@ public final class SensorDetailsPanel extends JPanel {
     private final transient List<Consumer<String>> listeners = new ArrayList<>();
     private final JComboBox<String> sensorChoice = new JComboBox<>();
     private final transient FaultFields<FaultKind, Fault> fault = FaultFields.forSensors();
-    private final JButton inject = new JButton(Messages.get("faults.inject"));
+    private final JButton inject = UiText.button("faults.inject");
     private final FaultList faultList;
     private List<String> ids = List.of();
 
@@ -54,14 +54,9 @@ public final class SensorDetailsPanel extends JPanel {
             mountFields.setSensor(selectedSensor().orElse(null));
             selectedSensor().ifPresent(id -> listeners.forEach(listener -> listener.accept(id)));
         });
-        inject.setToolTipText(Messages.get("faults.inject.tip"));
+        UiText.tip(inject, "faults.inject.tip");
         inject.addActionListener(event -> inject());
-        name(sensorChoice, "faults.sensor");
-    }
-
-    private static void name(JComponent control, String key) {
-        control.getAccessibleContext().setAccessibleName(Messages.get(key));
-        control.setToolTipText(Messages.get(key));
+        UiText.nameAndTip(sensorChoice, "faults.sensor");
     }
 
     private JComponent createForm() {

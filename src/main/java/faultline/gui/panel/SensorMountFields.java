@@ -4,6 +4,8 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.UiText;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
 import java.awt.GridBagConstraints;
@@ -70,10 +72,10 @@ final class SensorMountFields {
     }
 
     private static void add(JPanel grid, int column, int row, String key, NumberSpinner field, String unit) {
-        JLabel label = new JLabel(Messages.get("mount." + key) + ", " + unit);
+        JLabel label = RefreshSteps.add(new JLabel(), self -> self.setText(Messages.get("mount." + key) + ", " + unit));
         label.setLabelFor(field);
-        label.setToolTipText(Messages.get("mount." + key + ".tip"));
-        field.withName(Messages.get("mount." + key + ".tip"));
+        UiText.tip(label, "mount." + key + ".tip");
+        field.withName("mount." + key + ".tip");
         GridBagConstraints labelCell = FormConstraints.cell(column, row);
         labelCell.insets.left += column == 0 ? 0 : COLUMN_GAP;
         grid.add(label, labelCell);

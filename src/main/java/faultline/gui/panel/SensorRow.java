@@ -3,6 +3,7 @@ package faultline.gui.panel;
 import faultline.geometry.Degrees;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
@@ -46,8 +47,8 @@ final class SensorRow {
                 "0.##", MIN_CONE, MAX_CONE, 1, degrees -> configureSensor(spec().withCone(Degrees.toRadians(degrees))));
         actualReading = new ReadingBar(index, id, ReadingBar.ReadingKind.ACTUAL);
         reportedReading = new ReadingBar(index, id, ReadingBar.ReadingKind.REPORTED);
-        range.withName(Messages.get("sensor.range", id)).withColumns(5);
-        cone.withName(Messages.get("sensor.cone", id)).withColumns(4);
+        range.withName("sensor.range", id).withColumns(5);
+        cone.withName("sensor.cone", id).withColumns(4);
         configureEnabledBox();
         installSelectionListeners(() -> chosen.accept(id));
     }
@@ -87,10 +88,13 @@ final class SensorRow {
     private void configureEnabledBox() {
         enabledBox.setText(id);
         enabledBox.setOpaque(false);
-        enabledBox.setPreferredSize(new Dimension(TextSize.scaled(NAME_WIDTH), enabledBox.getPreferredSize().height));
-        enabledBox.setMinimumSize(enabledBox.getPreferredSize());
-        enabledBox.setToolTipText(Messages.get("sensor.switch", id));
-        enabledBox.getAccessibleContext().setAccessibleName(Messages.get("sensor.switch", id));
+        RefreshSteps.add(enabledBox, box -> {
+            box.setPreferredSize(null);
+            box.setPreferredSize(new Dimension(TextSize.scaled(NAME_WIDTH), box.getPreferredSize().height));
+            box.setMinimumSize(box.getPreferredSize());
+            box.setToolTipText(Messages.get("sensor.switch", id));
+            box.getAccessibleContext().setAccessibleName(Messages.get("sensor.switch", id));
+        });
         enabledBox.addActionListener(event -> editor.send(new Command.SwitchSensor(id, enabledBox.isSelected())));
     }
 

@@ -1,7 +1,6 @@
 package faultline.gui.panel;
 
 import faultline.gui.edit.UndoController;
-import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Theme;
 import faultline.world.SensorSnapshot;
@@ -106,11 +105,11 @@ public final class SensorsPanel extends JPanel {
     private void rebuild(List<SensorSnapshot> sensors) {
         removeAll();
         rows.clear();
-        add(new MutedLabel(Messages.get("sensors.sensor")), FormConstraints.fillCell(1, 0));
-        add(new MutedLabel(Messages.get("sensors.range")), FormConstraints.cell(2, 0));
-        add(new MutedLabel(Messages.get("sensors.cone")), FormConstraints.cell(3, 0));
-        add(new MutedLabel(Messages.get("sensors.true")), FormConstraints.cell(4, 0));
-        add(new MutedLabel(Messages.get("sensors.reported")), FormConstraints.cell(5, 0));
+        add(MutedLabel.ofKey("sensors.sensor"), FormConstraints.fillCell(1, 0));
+        add(MutedLabel.ofKey("sensors.range"), FormConstraints.cell(2, 0));
+        add(MutedLabel.ofKey("sensors.cone"), FormConstraints.cell(3, 0));
+        add(MutedLabel.ofKey("sensors.true"), FormConstraints.cell(4, 0));
+        add(MutedLabel.ofKey("sensors.reported"), FormConstraints.cell(5, 0));
         for (int i = 0; i < sensors.size(); i++) {
             SensorRow row = new SensorRow(i, ids.get(i), editor, this::selectByUser);
             row.addTo(this, i + 1);

@@ -1,8 +1,9 @@
 package faultline.gui.panel;
 
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.SeparatorBorder;
+import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
-import java.awt.Font;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -11,11 +12,11 @@ import javax.swing.JPanel;
 /** A section of the control panel. */
 public final class TitledSection extends JPanel {
 
-    /** Creates a section with a heading. */
-    public TitledSection(String title, JComponent content) {
+    /** Creates a section with the heading of a key. */
+    public TitledSection(String key, JComponent content) {
         this(content);
-        JLabel heading = new JLabel(title);
-        heading.setFont(heading.getFont().deriveFont(Font.BOLD));
+        JLabel heading = UiText.label(key);
+        RefreshSteps.add(heading, RefreshSteps::embolden);
         heading.setBorder(BorderFactory.createEmptyBorder(0, 0, 5, 0));
         add(heading, BorderLayout.NORTH);
     }

@@ -1,6 +1,9 @@
 package faultline.gui.panel;
 
+import faultline.gui.theme.RefreshSteps;
 import java.awt.Dimension;
+import java.util.List;
+import java.util.function.Supplier;
 import javax.swing.JLabel;
 import javax.swing.SwingConstants;
 
@@ -8,19 +11,23 @@ import javax.swing.SwingConstants;
 final class ValueLabel extends JLabel {
 
     private static final int MARGIN = 2;
+    private static final String NONE = "–";
 
-    private final String[] widest;
+    private transient List<String> widest = List.of();
 
     /**
      * Creates a label without a value.
      *
-     * @param name the accessible name
-     * @param widest the texts that must fit
+     * @param name returns the accessible name
+     * @param widest returns the texts that must fit
      */
-    ValueLabel(String name, String... widest) {
-        super("–", SwingConstants.LEADING);
-        this.widest = widest;
-        getAccessibleContext().setAccessibleName(name);
+    ValueLabel(Supplier<String> name, Supplier<List<String>> widest) {
+        super(NONE, SwingConstants.LEADING);
+        RefreshSteps.add(this, label -> {
+            label.widest = widest.get();
+            label.getAccessibleContext().setAccessibleName(name.get());
+            label.revalidate();
+        });
     }
 
     /** Shows a value; nothing is laid out or painted if it is the old one. */

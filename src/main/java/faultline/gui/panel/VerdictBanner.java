@@ -1,13 +1,15 @@
 package faultline.gui.panel;
 
+import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.Theme;
+import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.EventQueue;
-import java.awt.Font;
 import java.awt.event.MouseAdapter;
 import java.util.function.LongConsumer;
 import javax.swing.BorderFactory;
@@ -29,11 +31,13 @@ public final class VerdictBanner extends JPanel {
     private final JLabel title = new JLabel();
     private final JTextArea detail = new JTextArea();
     private final JPanel buttons = new JPanel();
-    private final JButton back = new JButton(Messages.get("verdict.back"));
+    private final JButton back = UiText.button("verdict.back");
     /** Null while there is none. */
     private transient RunVerdict verdict;
 
     private double dt;
+    /** The language of the verdict. */
+    private transient Language language = Messages.language();
 
     /**
      * Creates a banner that is not visible.
@@ -43,11 +47,10 @@ public final class VerdictBanner extends JPanel {
     public VerdictBanner(LongConsumer seek) {
         super(new BorderLayout(GAP, 0));
         JButton close = new JButton(new GlyphIcon(Glyph.REMOVE, 14, null));
-        close.getAccessibleContext().setAccessibleName(Messages.get("verdict.close"));
-        close.setToolTipText(Messages.get("verdict.close"));
+        UiText.nameAndTip(close, "verdict.close");
         close.setBorder(BorderFactory.createEmptyBorder(3, 5, 3, 5));
         close.addActionListener(event -> setVisible(false));
-        back.setToolTipText(Messages.get("verdict.back.tip"));
+        UiText.tip(back, "verdict.back.tip");
         back.addActionListener(event -> seek.accept(verdict.tickBefore(dt)));
         buttons.setOpaque(false);
         buttons.setLayout(new BoxLayout(buttons, BoxLayout.LINE_AXIS));
@@ -67,7 +70,7 @@ public final class VerdictBanner extends JPanel {
     }
 
     private void configureTexts() {
-        title.setFont(title.getFont().deriveFont(Font.BOLD));
+        RefreshSteps.add(title, RefreshSteps::embolden);
         detail.setEditable(false);
         detail.setFocusable(false);
         detail.setLineWrap(true);
@@ -83,6 +86,9 @@ public final class VerdictBanner extends JPanel {
         if (next.equals(verdict)) {
             return;
         }
+        boolean translated = verdict != null && next.event() == verdict.event() && language != Messages.language();
+        language = Messages.language();
+        boolean closed = translated && !isVisible();
         verdict = next;
         title.setText(next.title());
         title.setIcon(next.success() ? SUCCESS : FAILURE);
@@ -92,7 +98,7 @@ public final class VerdictBanner extends JPanel {
         wrapDetail();
         getAccessibleContext().setAccessibleName(next.title() + ". " + next.detail());
         updateBorder();
-        setVisible(true);
+        setVisible(!closed);
     }
 
     /** Shows no verdict. */

@@ -49,8 +49,8 @@ final class ExpectationForm extends JPanel {
         super(new GridBagLayout());
         add(FormConstraints.label("expect.form.contact", contact), FormConstraints.cell(0, 0));
         add(contact, FormConstraints.fillCell(1, 0));
-        addOptional(1, coverageBox, coverage.withName(coverageBox.getText()).withColumns(6));
-        addOptional(2, rmsBox, rms.withName(rmsBox.getText()).withColumns(6));
+        addOptional(1, coverageBox, coverage.withName("expect.form.coverage").withColumns(6));
+        addOptional(2, rmsBox, rms.withName("expect.form.rms").withColumns(6));
         addOptional(3, finalBox, finalState);
         finalState.getAccessibleContext().setAccessibleName(finalBox.getText());
         contact.getAccessibleContext().setAccessibleName(Messages.get("expect.form.contact"));

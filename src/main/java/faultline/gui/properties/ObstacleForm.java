@@ -7,7 +7,7 @@ import faultline.gui.edit.UndoController;
 import faultline.gui.panel.CachedDegrees;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
-import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.WaypointPath;
@@ -36,7 +36,7 @@ final class ObstacleForm extends JPanel {
     private final NumberSpinner heading = new NumberSpinner(
             "0.##", -MAX_TURN, MAX_TURN, 5, value -> move(new Pose(pose().x(), pose().y(), Degrees.toRadians(value))));
     private final SizeFields size = new SizeFields(shape -> change(old -> old.withShape(shape)));
-    private final JCheckBox glossy = new JCheckBox(Messages.get("obstacle.glossy"));
+    private final JCheckBox glossy = UiText.text(new JCheckBox(), "obstacle.glossy");
     private final NumberSpinner specularAngle = new NumberSpinner(
             "0.##", 0.1, RIGHT_ANGLE, 1, value -> change(old -> old.withSpecularAngle(Degrees.toRadians(value))));
     private final NumberSpinner speed = new NumberSpinner(
@@ -45,7 +45,7 @@ final class ObstacleForm extends JPanel {
             MAX_SPEED,
             0.05,
             value -> change(old -> old.withMotion(old.motion().withSpeed(value))));
-    private final JCheckBox loop = new JCheckBox(Messages.get("obstacle.loop"));
+    private final JCheckBox loop = UiText.text(new JCheckBox(), "obstacle.loop");
     private final PointsField waypoints = new PointsField("obstacle.waypoints", this::changeWaypoints);
     private final transient CachedDegrees shownHeading = new CachedDegrees();
     private final transient CachedDegrees shownSpecularAngle = new CachedDegrees();

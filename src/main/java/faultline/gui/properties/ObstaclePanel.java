@@ -3,8 +3,9 @@ package faultline.gui.properties;
 import faultline.gui.canvas.tool.CanvasTools;
 import faultline.gui.edit.UndoController;
 import faultline.gui.panel.TitledSection;
-import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
+import faultline.gui.theme.UiText;
 import faultline.world.Obstacle;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -52,7 +53,7 @@ public final class ObstaclePanel extends JPanel {
         setLayout(new BoxLayout(this, BoxLayout.PAGE_AXIS));
         list.setVisibleRowCount(VISIBLE_ROWS);
         list.setPrototypeCellValue("mmmmmmmmmmmm");
-        list.getAccessibleContext().setAccessibleName(Messages.get("obstacles.list"));
+        UiText.name(list, "obstacles.list");
         list.addListSelectionListener(event -> {
             if (!updating && !event.getValueIsAdjusting()) {
                 tools.select(list.getSelectedValuesList());
@@ -60,23 +61,25 @@ public final class ObstaclePanel extends JPanel {
         });
         tools.addSelectionListener(this::select);
         JScrollPane scroll = new JScrollPane(list);
-        Dimension size = scroll.getPreferredSize();
-        scroll.setPreferredSize(new Dimension(TextSize.scaled(LIST_WIDTH), size.height));
+        RefreshSteps.add(scroll, pane -> {
+            pane.setPreferredSize(null);
+            pane.setPreferredSize(new Dimension(TextSize.scaled(LIST_WIDTH), pane.getPreferredSize().height));
+        });
         add(new TitledSection(scroll));
-        add(new TitledSection(Messages.get("obstacles.selected"), form));
+        add(new TitledSection("obstacles.selected", form));
         addButtons();
     }
 
     private void addButtons() {
         for (ObstacleArrangement arrangement : ObstacleArrangement.values()) {
-            JButton button = new JButton(Messages.get("arrange." + arrangement.name()));
-            button.setToolTipText(Messages.get("arrange." + arrangement.name() + ".tip"));
+            JButton button = UiText.button("arrange." + arrangement.name());
+            UiText.tip(button, "arrange." + arrangement.name() + ".tip");
             button.addActionListener(event -> editor.send(arrangement.commands(tools.selected())));
             buttons.add(button);
         }
         JPanel row = new JPanel(new FlowLayout(FlowLayout.LEADING, 0, 0));
         row.add(buttons);
-        add(new TitledSection(Messages.get("arrange"), row));
+        add(new TitledSection("arrange", row));
         enableButtons(0);
     }
 

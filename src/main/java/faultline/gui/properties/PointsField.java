@@ -1,7 +1,7 @@
 package faultline.gui.properties;
 
 import faultline.geometry.Vector2;
-import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import faultline.io.DecimalText;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -29,8 +29,8 @@ final class PointsField extends JTextField {
     PointsField(String key, Predicate<List<Vector2>> onChange) {
         super(COLUMNS);
         this.onChange = onChange;
-        getAccessibleContext().setAccessibleName(Messages.get(key));
-        setToolTipText(Messages.get("obstacle.points.tip"));
+        UiText.name(this, key);
+        UiText.tip(this, "obstacle.points.tip");
         addActionListener(event -> commit());
         addFocusListener(new FocusAdapter() {
             @Override

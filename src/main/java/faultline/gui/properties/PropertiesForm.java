@@ -43,7 +43,7 @@ final class PropertiesForm extends JPanel {
         FormConstraints.addRow(fields, 6, "properties.tick", tick.withColumns(8));
         FormConstraints.addRow(fields, 7, "properties.seed", seed);
         add(new TitledSection(fields));
-        add(new TitledSection(Messages.get("expect.title"), expectation));
+        add(new TitledSection("expect.title", expectation));
     }
 
     /** Returns the first field. */

@@ -4,6 +4,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.world.ObstacleShape;
 import java.util.List;
 import java.util.function.Predicate;
@@ -39,7 +40,11 @@ final class SizeFields implements ObstacleShape.Visitor<SizeFields.Size> {
 
     SizeFields(Predicate<ObstacleShape> onChange) {
         this.onChange = onChange;
-        setLabels("rectangle");
+        RefreshSteps.add(firstLabel, label -> setLabels(kind()));
+    }
+
+    private String kind() {
+        return shape == null ? "rectangle" : shape.accept(this).kind();
     }
 
     private NumberSpinner first() {
@@ -63,13 +68,13 @@ final class SizeFields implements ObstacleShape.Visitor<SizeFields.Size> {
     }
 
     private void setLabels(String kind) {
-        String firstText = Messages.get("obstacle.size." + kind + ".first");
+        String key = "obstacle.size." + kind;
+        String firstText = Messages.get(key + ".first");
         if (!firstText.equals(firstLabel.getText())) {
-            String secondText = Messages.get("obstacle.size." + kind + ".second");
             firstLabel.setText(firstText);
-            secondLabel.setText(secondText);
-            first.withName(firstText);
-            second.withName(secondText);
+            secondLabel.setText(Messages.get(key + ".second"));
+            first.withName(key + ".first");
+            second.withName(key + ".second");
         }
     }
 

@@ -35,6 +35,11 @@ public final class Messages {
         bundle = bundle(MESSAGES_BUNDLE, chosen);
     }
 
+    /** Returns the language of the texts. */
+    public static Language language() {
+        return language;
+    }
+
     static Stream<String> keys() {
         return keys(language);
     }

@@ -23,11 +23,11 @@ public final class DialogButtons {
      * Returns a row with the only button of a dialog, which Enter and Escape press, too.
      *
      * @param dialog the dialog
-     * @param text the text of the button
+     * @param key the key of the text of the button
      * @param action the action of the button
      */
-    public static JPanel createSingleButton(JDialog dialog, String text, Runnable action) {
-        JButton button = new JButton(text);
+    public static JPanel createSingleButton(JDialog dialog, String key, Runnable action) {
+        JButton button = UiText.button(key);
         button.addActionListener(event -> action.run());
         dialog.getRootPane().setDefaultButton(button);
         onEscape(dialog, action);

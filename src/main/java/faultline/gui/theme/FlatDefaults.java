@@ -64,6 +64,8 @@ final class FlatDefaults {
         table.put("ComboBox.border", new BorderUIResource(new FieldBorder(2, 2)));
         table.put("ComboBox.selectionBackground", colours.accent());
         table.put("ComboBox.selectionForeground", colours.onAccent());
+        // Arrows in an open list only move in it; Enter chooses.
+        table.put("ComboBox.noActionOnKeyNavigation", true);
         table.put("TextField.inactiveBackground", colours.background());
         table.put("List.cellNoFocusBorder", padding(1, 6, 1, 6));
         Border focused =

@@ -22,6 +22,16 @@ public final class ScreenFit {
         }
     }
 
+    /** Changes the size of a window by a factor, but shows its whole contents if the screen has room for them. */
+    public static void resize(Window window, double factor) {
+        Dimension preferred = window.getPreferredSize();
+        Dimension wanted = new Dimension(
+                Math.max(preferred.width, (int) Math.round(factor * window.getWidth())),
+                Math.max(preferred.height, (int) Math.round(factor * window.getHeight())));
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        window.setSize(limit(wanted, screen.getSize()));
+    }
+
     static Dimension limit(Dimension size, Dimension screen) {
         return new Dimension(
                 Math.min(size.width, screen.width - DECORATION.width),

@@ -51,7 +51,7 @@ public enum TextSize {
         return Math.max(1, Math.min(current().percent / FULL_PERCENT, room));
     }
 
-    /** Installs this size for windows created afterwards, once a theme is installed. */
+    /** Installs this size for components created or refreshed afterwards, once a theme is installed. */
     public void install() {
         UIManager.put(DEFAULTS_KEY, this);
     }

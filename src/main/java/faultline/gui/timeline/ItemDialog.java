@@ -119,7 +119,7 @@ final class ItemDialog {
 
     private static NumberSpinner time(String key) {
         return new NumberSpinner("0.00##", 0, MAX_TIME, 1, ignored -> {})
-                .withName(Messages.get(key))
+                .withName(key)
                 .withColumns(COLUMNS)
                 .keepInvalidText();
     }

@@ -2,6 +2,7 @@ package faultline.gui.timeline;
 
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Antialiasing;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -43,7 +44,7 @@ public final class LaneView extends JComponent implements Scrollable {
         setFocusable(true);
         setOpaque(true);
         setToolTipText("");
-        getAccessibleContext().setAccessibleName(Messages.get("timeline"));
+        RefreshSteps.add(this, LaneView::updateTexts);
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent event) {
@@ -58,6 +59,15 @@ public final class LaneView extends JComponent implements Scrollable {
         LaneActions actions = new LaneActions(this, editor);
         new LaneMouse(this, editor, actions).install();
         new LaneKeys(this, actions).install();
+    }
+
+    private void updateTexts() {
+        getAccessibleContext().setAccessibleName(Messages.get("timeline"));
+        if (isFocusOwner()) {
+            describe();
+        }
+        revalidate();
+        repaint();
     }
 
     /** Shows the scenario's timeline in lanes. */

@@ -5,7 +5,9 @@ import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.FlatSliderUI;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.SliderMark;
+import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -44,6 +46,8 @@ public final class TimeBar extends JPanel {
     private double dt;
     private boolean updating;
     private transient List<SliderMark> marks = List.of();
+    /** Null if the run does not differ from the reference run. */
+    private transient RunEvent.Diverged shownDivergence;
 
     /**
      * Creates a time bar without a run.
@@ -56,8 +60,8 @@ public final class TimeBar extends JPanel {
         this.seekHandler = jump;
         this.previewHandler = preview;
         slider.setEnabled(false);
-        slider.setToolTipText(Messages.get("time.tip"));
-        slider.getAccessibleContext().setAccessibleName(Messages.get("time"));
+        UiText.name(slider, "time");
+        RefreshSteps.add(slider, self -> updateToolTip());
         slider.addChangeListener(event -> onSliderChanged());
         add(currentTimeLabel, BorderLayout.LINE_START);
         add(slider, BorderLayout.CENTER);
@@ -126,16 +130,20 @@ public final class TimeBar extends JPanel {
 
     /** Marks the moment at which the run first differs from the reference run, null for none. */
     public void setDivergence(RunEvent.Diverged divergence) {
-        String tip = Messages.get("time.tip");
-        if (divergence == null) {
-            slider.putClientProperty(FlatSliderUI.MARK_PROPERTY, null);
-            slider.setToolTipText(tip);
-        } else {
-            slider.putClientProperty(FlatSliderUI.MARK_PROPERTY, toSliderValue(divergence.tick()));
-            String time = timeText(divergence.time()).strip();
-            slider.setToolTipText(tip + " " + Messages.get("time.mark", time));
-        }
+        shownDivergence = divergence;
+        slider.putClientProperty(
+                FlatSliderUI.MARK_PROPERTY, divergence == null ? null : toSliderValue(divergence.tick()));
+        updateToolTip();
         slider.repaint();
+    }
+
+    private void updateToolTip() {
+        String mark = shownDivergence == null
+                ? ""
+                : " "
+                        + Messages.get(
+                                "time.mark", timeText(shownDivergence.time()).strip());
+        slider.setToolTipText(Messages.get("time.tip") + mark);
     }
 
     private void updateLabels() {

@@ -105,7 +105,7 @@ public final class TimelineEditor {
         List<TimedCommand> before = model().commands();
         if (!after.equals(before)) {
             undo.addSetupEdit(
-                    Messages.get(key, TimelineText.title(item)),
+                    () -> Messages.get(key, TimelineText.title(item)),
                     target,
                     () -> setTimeline(before),
                     () -> setTimeline(after));

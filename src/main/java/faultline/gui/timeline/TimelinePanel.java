@@ -4,6 +4,7 @@ import faultline.engine.Frame;
 import faultline.engine.recording.EventLog;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.SeparatorBorder;
 import faultline.gui.theme.TextSize;
 import faultline.robot.MotorSide;
@@ -47,7 +48,11 @@ public final class TimelinePanel extends JPanel {
         super(new BorderLayout(0, 1));
         this.editor = editor;
         bar = new TimeBar(jump, preview);
-        bar.setLeadingWidth(TextSize.scaled(LANE_NAME_WIDTH));
+        RefreshSteps.add(bar, self -> {
+            self.setLeadingWidth(TextSize.scaled(LANE_NAME_WIDTH));
+            // The next frame makes the marks again, whose tool tips have words.
+            markedState = List.of();
+        });
         lanes = new LaneView(editor);
         scroll = new JScrollPane(
                 lanes,

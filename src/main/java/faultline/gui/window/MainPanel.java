@@ -15,6 +15,7 @@ import faultline.gui.panel.ControlPanel;
 import faultline.gui.panel.RunVerdict;
 import faultline.gui.panel.VerdictBanner;
 import faultline.gui.properties.ObstaclePanel;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.TimelineEditor;
@@ -56,6 +57,8 @@ final class MainPanel extends JPanel {
     private final PositionedSplitPane panelSplit;
     private final transient FocusAreas focusAreas;
     private int dockHeight;
+    /** The text size that the dividers are placed for. */
+    private int textPercent = TextSize.current().percent();
     /** Null before the first frame. */
     private transient SessionFrame shownFrame;
 
@@ -89,7 +92,6 @@ final class MainPanel extends JPanel {
         stage.setMinimumSize(new Dimension(0, MIN_STAGE_HEIGHT));
         dockSplit = new PositionedSplitPane(JSplitPane.VERTICAL_SPLIT, stage, instruments, 1);
         setDockHeight(dockHeight);
-        dockSplit.setMinimumSize(new Dimension(TextSize.scaled(MIN_STAGE_WIDTH), 0));
         panelSplit = new PositionedSplitPane(JSplitPane.HORIZONTAL_SPLIT, dockSplit, controlPanel, 1);
         setPanelWidth(controlPanel.defaultWidth());
         add(new ToolBar(actions, speed), BorderLayout.NORTH);
@@ -104,6 +106,18 @@ final class MainPanel extends JPanel {
         canvas.addCursorListener(point -> statusBar.showCursor(point.orElse(null)));
         canvas.addCameraListener(camera -> statusBar.showScale(camera.scale()));
         canvas.setPalette(Theme.current().palette());
+        RefreshSteps.add(this, MainPanel::scaleToText);
+    }
+
+    /** Changes the sizes between the dividers with the text size. */
+    private void scaleToText() {
+        dockSplit.setMinimumSize(new Dimension(TextSize.scaled(MIN_STAGE_WIDTH), 0));
+        double growth = TextSize.current().percent() / (double) textPercent;
+        textPercent = TextSize.current().percent();
+        if (growth != 1) {
+            setPanelWidth((int) Math.round(growth * controlPanel.getWidth()));
+            setDockHeight((int) Math.round(growth * dockHeight()));
+        }
     }
 
     /** Shows a frame; the canvas is repainted only if the frame is new. */

@@ -183,9 +183,9 @@ public final class MainWindow extends JFrame {
         controllerChooser.addTo(actionRegistry);
         batchActions.addTo(actionRegistry);
         dialogs.addTo(actionRegistry);
-        PreferenceActions later = new PreferenceActions(this, preferences, actionRegistry);
+        PreferenceActions choices = new PreferenceActions(preferences, actionRegistry, this::showLanguage);
         actionRegistry.add(themeAction.action());
-        PreferencesDialog.addTo(actionRegistry, this, preferences, later, themeAction);
+        PreferencesDialog.addTo(actionRegistry, this, preferences, choices, themeAction);
     }
 
     private boolean commitPendingEdit() {
@@ -212,7 +212,7 @@ public final class MainWindow extends JFrame {
             Pose before = open.setup().start();
             undoController.runRestarted();
             undoController.addSetupEdit(
-                    Messages.get("edit.start"),
+                    () -> Messages.get("edit.start"),
                     pose,
                     () -> runController.restartAt(before),
                     () -> runController.restartAt(pose));
@@ -222,6 +222,13 @@ public final class MainWindow extends JFrame {
 
     private void updateEditActions() {
         editActions.update();
+    }
+
+    /** Shows what no component refreshes in the current language. */
+    private void showLanguage() {
+        setTitle(fileController.documentTitle());
+        editActions.update();
+        comparisonActions.updateTexts();
     }
 
     private void setTimelineShown(boolean shown) {

@@ -5,7 +5,9 @@ import faultline.gui.action.ObstacleActions;
 import faultline.gui.action.UiAction;
 import faultline.gui.canvas.tool.MenuTarget;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
@@ -99,11 +101,19 @@ final class Menus {
 
     /** Creates a menu; {@code items} are the keys of its actions, separated by spaces. */
     private JMenu createMenu(String key, String items) {
-        String name = Messages.get("menu." + key);
-        JMenu menu = new JMenu(name.replace("&", ""));
-        menu.setMnemonic(name.charAt(name.indexOf('&') + 1));
+        JMenu menu = new JMenu();
+        name(menu, key);
         addItems(menu, items);
         return menu;
+    }
+
+    /** Gives a menu the name and the mnemonic of a key. */
+    static void name(JMenu menu, String key) {
+        RefreshSteps.add(menu, self -> {
+            String name = Messages.get("menu." + key);
+            self.setText(name.replace("&", ""));
+            self.setMnemonic(Character.toUpperCase(name.charAt(name.indexOf('&') + 1)));
+        });
     }
 
     private void addItems(JMenu menu, String items) {
@@ -120,6 +130,7 @@ final class Menus {
         JMenuItem item = action.isToggle() ? new JCheckBoxMenuItem(action) : new JMenuItem(action);
         item.setIcon(null);
         // The tool tip would cover the items below, and the name is enough.
+        item.addPropertyChangeListener(JComponent.TOOL_TIP_TEXT_KEY, event -> item.setToolTipText(null));
         item.setToolTipText(null);
         return item;
     }

@@ -2,7 +2,7 @@ package faultline.gui.window;
 
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ObstacleActions;
-import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import javax.swing.Box;
 import javax.swing.JToolBar;
 
@@ -14,7 +14,7 @@ final class ObstaclePalette extends JToolBar {
     ObstaclePalette(ActionRegistry actions) {
         super(VERTICAL);
         setFloatable(false);
-        getAccessibleContext().setAccessibleName(Messages.get("palette"));
+        UiText.name(this, "palette");
         for (String key : ObstacleActions.PALETTE_KEYS) {
             add(ToolBar.createToolButton(actions.get(key)));
             add(Box.createVerticalStrut(GAP));

@@ -2,6 +2,7 @@ package faultline.gui.window;
 
 import faultline.gui.settings.RecentFiles;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
@@ -19,11 +20,9 @@ final class RecentMenu extends JMenu {
     RecentMenu(RecentFiles recent, Consumer<Path> opener) {
         this.recentFiles = recent;
         this.opener = opener;
-        String name = Messages.get("menu.recent");
-        setText(name.replace("&", ""));
-        setMnemonic(Character.toUpperCase(name.charAt(name.indexOf('&') + 1)));
+        Menus.name(this, "recent");
         addMenuListener(new MenuFiller());
-        rebuild();
+        RefreshSteps.add(this, RecentMenu::rebuild);
     }
 
     private void rebuild() {

@@ -3,6 +3,8 @@ package faultline.gui.window;
 import faultline.gui.action.Keystrokes;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.UiText;
 import java.awt.Dimension;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
@@ -26,14 +28,15 @@ final class SpeedSlider extends JSlider {
         setPreferredSize(size);
         setMaximumSize(size);
         setMinimumSize(new Dimension(MIN_WIDTH, size.height));
-        setToolTipText(Messages.get("speed.tip"));
-        getAccessibleContext().setAccessibleName(Messages.get("speed"));
+        UiText.tip(UiText.name(this, "speed"), "speed.tip");
         // Each key press selects the next speed of the scale; the model alone would need three presses around 1x.
         bindKey(KeyEvent.VK_LEFT, SpeedScale::nextSlower);
         bindKey(KeyEvent.VK_RIGHT, SpeedScale::nextFaster);
-        prepareNumberLabel();
         addChangeListener(event -> updateNumberLabel());
-        updateNumberLabel();
+        RefreshSteps.add(numberLabel, label -> {
+            fitNumberLabel();
+            updateNumberLabel();
+        });
     }
 
     private void bindKey(int key, IntUnaryOperator next) {
@@ -47,7 +50,7 @@ final class SpeedSlider extends JSlider {
         });
     }
 
-    private void prepareNumberLabel() {
+    private void fitNumberLabel() {
         Dimension size = new Dimension(
                 numberLabel.getFontMetrics(numberLabel.getFont()).stringWidth("0000.00"),
                 numberLabel.getFont().getSize() + 8);

@@ -9,10 +9,11 @@ import faultline.gui.text.Messages;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
 import faultline.gui.theme.SeparatorBorder;
-import faultline.gui.theme.TextSize;
+import faultline.gui.theme.UiText;
 import faultline.world.Snapshot;
 import java.awt.EventQueue;
 import java.util.Locale;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -29,17 +30,13 @@ final class StatusBar extends JPanel {
     /** Number of frames per character for which a note stays, so that a long one can be read to its end. */
     private static final int NOTE_FRAMES_PER_CHARACTER = 5;
 
-    private final StatusCell running = cell(
-            "status.running",
-            Stream.of("runs", "paused", "collided", "failed")
-                    .map(state -> Messages.get("status." + state))
-                    .toArray(String[]::new));
+    private final StatusCell running = cell("status.running", () -> Stream.of("runs", "paused", "collided", "failed")
+            .map(state -> Messages.get("status." + state)));
     private final StatusCell time = cell("status.time", "t 00000.000 s");
     private final StatusCell tick = cell("status.tick", "tick 00000000");
     private final StatusCell pace = cell("status.pace", "00000.00× real time");
-    private final StatusCell state = cell(
-            "status.state",
-            Stream.of(FollowerState.values()).map(StateText::name).toArray(String[]::new));
+    private final StatusCell state =
+            cell("status.state", () -> Stream.of(FollowerState.values()).map(StateText::name));
     private final StatusCell pose = cell("status.pose", "x -00.000  y -00.000  θ -000.0°");
     private final StatusCell cursor = cell("status.cursor", "cursor -00.00, -00.00");
     private final StatusCell scale = cell("status.scale", "0000 px/m");
@@ -48,17 +45,21 @@ final class StatusBar extends JPanel {
     private int shownRefusals;
 
     StatusBar() {
-        super(new StatusLayout(TextSize.scaled(GAP), StatusCell.class::isInstance));
+        super(new StatusLayout(GAP, StatusCell.class::isInstance));
         setBorder(SeparatorBorder.above(4, 14, 4));
         for (StatusCell cell : new StatusCell[] {running, time, pace, state, pose, cursor, scale, tick}) {
             add(cell);
         }
-        note.getAccessibleContext().setAccessibleName(Messages.get("status.note"));
+        UiText.name(note, "status.note");
         add(note);
     }
 
-    private static StatusCell cell(String key, String... widest) {
-        return new StatusCell(Messages.get(key), widest);
+    private static StatusCell cell(String key, String widest) {
+        return cell(key, () -> Stream.of(widest));
+    }
+
+    private static StatusCell cell(String key, Supplier<Stream<String>> texts) {
+        return new StatusCell(key, texts);
     }
 
     /** Shows the state of the run. */

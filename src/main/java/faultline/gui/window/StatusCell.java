@@ -1,7 +1,10 @@
 package faultline.gui.window;
 
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
+import faultline.gui.theme.UiText;
 import java.awt.Dimension;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
 
@@ -10,17 +13,19 @@ final class StatusCell extends JLabel {
 
     private static final int HEIGHT = 20;
 
-    StatusCell(String name, String... texts) {
-        int widest = Stream.of(texts)
-                .mapToInt(getFontMetrics(getFont())::stringWidth)
-                .max()
-                .orElse(0);
+    /** Creates a cell with the name of a key; {@code texts} returns what it may show. */
+    StatusCell(String key, Supplier<Stream<String>> texts) {
+        UiText.nameAndTip(this, key);
+        RefreshSteps.add(this, cell -> cell.fit(texts.get()));
+    }
+
+    private void fit(Stream<String> texts) {
+        int widest =
+                texts.mapToInt(getFontMetrics(getFont())::stringWidth).max().orElse(0);
         Dimension size = new Dimension(widest + 2, TextSize.scaled(HEIGHT));
         setPreferredSize(size);
         setMinimumSize(size);
         setMaximumSize(size);
-        setToolTipText(name);
-        getAccessibleContext().setAccessibleName(name);
     }
 
     void setStatusText(String text) {

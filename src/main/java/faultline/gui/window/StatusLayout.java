@@ -1,5 +1,6 @@
 package faultline.gui.window;
 
+import faultline.gui.theme.TextSize;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -16,12 +17,15 @@ import java.util.stream.Stream;
  */
 final class StatusLayout implements LayoutManager {
 
-    private final int gap;
+    private final int unscaledGap;
     private final Predicate<Component> optional;
 
-    /** Creates a layout with a gap in pixels and a predicate that selects the components that may be hidden. */
+    /**
+     * Creates a layout with a gap in pixels at the normal text size and a predicate that selects the components that
+     * may be hidden.
+     */
     StatusLayout(int gap, Predicate<Component> optional) {
-        this.gap = gap;
+        this.unscaledGap = gap;
         this.optional = optional;
     }
 
@@ -39,13 +43,17 @@ final class StatusLayout implements LayoutManager {
         for (Component component : parent.getComponents()) {
             int width = component.getPreferredSize().width;
             boolean stays = optional.negate().test(component);
-            room &= stays || x == insets.left || x + width + gap + needed <= right;
+            room &= stays || x == insets.left || x + width + gap() + needed <= right;
             component.setVisible(stays || room);
             if (component.isVisible()) {
                 component.setBounds(x, insets.top, Math.min(width, Math.max(0, right - x)), height);
-                x += width + gap;
+                x += width + gap();
             }
         }
+    }
+
+    private int gap() {
+        return TextSize.scaled(unscaledGap);
     }
 
     private static Stream<Component> components(Container parent) {
@@ -56,7 +64,7 @@ final class StatusLayout implements LayoutManager {
     public Dimension preferredLayoutSize(Container parent) {
         Insets insets = parent.getInsets();
         int width = components(parent)
-                .mapToInt(component -> component.getPreferredSize().width + gap)
+                .mapToInt(component -> component.getPreferredSize().width + gap())
                 .sum();
         int height = components(parent)
                 .mapToInt(component -> component.getPreferredSize().height)

@@ -4,8 +4,11 @@ import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.UiAction;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.ButtonPainter;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
+import faultline.gui.theme.UiText;
 import java.awt.Dimension;
+import java.util.List;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.BoundedRangeModel;
@@ -14,6 +17,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JToggleButton;
 import javax.swing.JToolBar;
+import javax.swing.UIManager;
 
 /**
  * The tool bar with the most frequent actions. Its buttons do not take the focus, so that Space still runs and pauses
@@ -34,7 +38,7 @@ final class ToolBar extends JToolBar {
         addGroup("undo", "redo");
         add(createRunButton());
         addGroup("stepBack", "step", "restart", "record");
-        JLabel label = new JLabel(Messages.get("speed"));
+        JLabel label = UiText.label("speed");
         SpeedSlider slider = new SpeedSlider(speed);
         label.setLabelFor(slider);
         add(label);
@@ -67,8 +71,10 @@ final class ToolBar extends JToolBar {
     private static AbstractButton configureButton(UiAction action, AbstractButton button) {
         button.setHideActionText(true);
         button.setAction(action);
-        button.getAccessibleContext().setAccessibleName(action.name());
-        setFixedSize(button, 0, buttonSize());
+        RefreshSteps.add(button, self -> {
+            self.getAccessibleContext().setAccessibleName(action.name());
+            setFixedSize(self, 0, buttonSize());
+        });
         return button;
     }
 
@@ -78,12 +84,23 @@ final class ToolBar extends JToolBar {
         JButton button = new PushButton();
         button.putClientProperty(ButtonPainter.PRIMARY, true);
         button.updateUI();
-        action.rename("pause");
         button.setAction(action);
-        int width = button.getPreferredSize().width;
-        action.rename("run");
-        setFixedSize(button, RUN_PADDING, Math.max(width, button.getPreferredSize().width));
+        RefreshSteps.add(button, self -> setFixedSize(self, RUN_PADDING, runButtonWidth(self)));
         return button;
+    }
+
+    /** Returns the width of the Run/Pause button for the longer name. */
+    private static int runButtonWidth(AbstractButton button) {
+        String shown = button.getText();
+        button.setPreferredSize(null);
+        button.setBorder(UIManager.getBorder("Button.border"));
+        int width = 0;
+        for (String key : List.of("action.run", "action.pause")) {
+            button.setText(Messages.get(key).replace("&", ""));
+            width = Math.max(width, button.getPreferredSize().width);
+        }
+        button.setText(shown);
+        return width;
     }
 
     /** Returns the size of a button. Icons do not grow with the text, so half the growth is enough. */

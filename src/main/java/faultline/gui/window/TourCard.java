@@ -1,12 +1,13 @@
 package faultline.gui.window;
 
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.Theme;
+import faultline.gui.theme.UiText;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Container;
 import java.awt.FlowLayout;
-import java.awt.Font;
 import java.awt.Rectangle;
 import java.awt.event.MouseAdapter;
 import java.util.List;
@@ -42,9 +43,9 @@ final class TourCard extends JPanel {
     private final transient Consumer<JComponent> marker;
     private final JLabel title = new JLabel();
     private final JTextArea text = new JTextArea();
-    private final JButton back = new JButton(Messages.get("tour.back"));
-    private final JButton next = new JButton(Messages.get("tour.next"));
-    private final JButton close = new JButton(Messages.get("dialog.close"));
+    private final JButton back = UiText.button("tour.back");
+    private final JButton next = UiText.button("tour.next");
+    private final JButton close = UiText.button("dialog.close");
     private int shown;
 
     /**
@@ -61,7 +62,7 @@ final class TourCard extends JPanel {
         back.addActionListener(event -> show(shown - 1));
         next.addActionListener(event -> show(shown + 1));
         registerKeyboardAction(event -> close(), KeyStroke.getKeyStroke("ESCAPE"), WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
-        title.setFont(title.getFont().deriveFont(Font.BOLD));
+        RefreshSteps.add(title, RefreshSteps::embolden);
         text.setEditable(false);
         text.setFocusable(false);
         text.setLineWrap(true);
@@ -76,6 +77,11 @@ final class TourCard extends JPanel {
         // Clicks must not reach the canvas below.
         addMouseListener(new MouseAdapter() {});
         setVisible(false);
+        RefreshSteps.add(this, card -> {
+            if (card.isVisible()) {
+                card.updateTexts();
+            }
+        });
     }
 
     /** Shows the first step and gives the focus to the button for the next one. */
@@ -93,19 +99,23 @@ final class TourCard extends JPanel {
 
     private void show(int step) {
         shown = step;
-        Step now = steps.get(step);
+        updateTexts();
+        back.setEnabled(step > 0);
+        next.setEnabled(step < steps.size() - 1);
+        (next.isEnabled() ? next : close).requestFocusInWindow();
+        reveal(steps.get(step).target());
+        marker.accept(steps.get(step).target());
+        getParent().revalidate();
+    }
+
+    private void updateTexts() {
+        Step now = steps.get(shown);
         String name = Messages.get("tour." + now.key());
-        title.setText(Messages.get("tour.title", Integer.toString(step + 1), Integer.toString(steps.size()), name));
+        title.setText(Messages.get("tour.title", Integer.toString(shown + 1), Integer.toString(steps.size()), name));
         text.setText(Messages.get("tour." + now.key() + ".text"));
         text.setSize(Math.max(MIN_WIDTH, getParent().getWidth() - 4 * GAP), Short.MAX_VALUE);
         getAccessibleContext().setAccessibleName(title.getText());
         getAccessibleContext().setAccessibleDescription(text.getText());
-        back.setEnabled(step > 0);
-        next.setEnabled(step < steps.size() - 1);
-        (next.isEnabled() ? next : close).requestFocusInWindow();
-        reveal(now.target());
-        marker.accept(now.target());
-        getParent().revalidate();
     }
 
     /** Selects the tabs that contain a control and scrolls to it. */

@@ -23,7 +23,7 @@ class ResultTableTest {
 
     @BeforeEach
     void create() {
-        table = callOnEdt(() -> new ResultTable("Runs", List.of("outcome", "coverage"), opened::add));
+        table = callOnEdt(() -> new ResultTable("batch.tab.runs", List.of("outcome", "coverage"), opened::add));
         add("lost", "0.9");
         add("collided", "0.125");
         add("carried_on", "");

@@ -145,7 +145,7 @@ class SetupChangeTest {
     }
 
     private void edit(List<TimedCommand> from, List<TimedCommand> to) {
-        runOnEdt(() -> edits.addSetupEdit("Move", "one", () -> send(from), () -> send(to)));
+        runOnEdt(() -> edits.addSetupEdit(() -> "Move", "one", () -> send(from), () -> send(to)));
         setTimeline(to);
     }
 

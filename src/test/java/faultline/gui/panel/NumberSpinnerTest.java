@@ -22,7 +22,7 @@ class NumberSpinnerTest {
     void make() {
         spinner = callOnEdt(() -> {
             Theme.LIGHT.install();
-            return new NumberSpinner("0.00##", 0.01, 100, 0.05, reported::add).withName("Range");
+            return new NumberSpinner("0.00##", 0.01, 100, 0.05, reported::add).withName("robot.speed");
         });
     }
 

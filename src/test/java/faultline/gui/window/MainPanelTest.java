@@ -134,7 +134,7 @@ class MainPanelTest {
             new Dialogs(null).addTo(actions);
             Stream.of("instruments", "timeline").forEach(key -> actions.add(UiAction.toggle(key, true, shown -> {})));
             OTHER_ACTIONS.forEach(key -> actions.add(UiAction.of(key, () -> {})));
-            new PreferenceActions(null, WindowPreferences.nonPersistent(), actions);
+            new PreferenceActions(WindowPreferences.nonPersistent(), actions, () -> {});
             mainPanel = createMainPanel(run, edits, speed, bench);
             new ComparisonActions(new ComparisonController(bench, run.navigator()), mainPanel::setReferenceRun)
                     .addTo(actions, Optional::empty);

@@ -9,6 +9,10 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.DurationStatistics;
 import faultline.gui.EdtChecker;
 import faultline.gui.EventThreadMeter;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.text.SwingMessages;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -47,8 +51,13 @@ class ResponsivenessRobotTest {
     private Path folder;
 
     @AfterEach
-    void restoreLightTheme() {
-        runOnEdt(Theme.LIGHT::install);
+    void restoreDefaults() {
+        runOnEdt(() -> {
+            Messages.setLanguage(Language.ENGLISH);
+            SwingMessages.install();
+            TextSize.NORMAL.install();
+            Theme.LIGHT.install();
+        });
     }
 
     @Test
@@ -74,6 +83,31 @@ class ResponsivenessRobotTest {
                     meter.drain().stream()
                             .filter(stretch -> stretch.cpu() > MAX_BUSY_MILLIS)
                             .toList());
+        }
+    }
+
+    @Test
+    void changesOfLanguageAndTextSizeTakeShortEvents() throws IOException, ScenarioException {
+        try (WindowDriver driver = CrowdedHall.open(folder)) {
+            driver.runFast(frame -> frame.snapshot().time() > 10);
+            try (EventThreadMeter meter = EventThreadMeter.start()) {
+                for (String choice :
+                        List.of("languagePolish", "textSizeLargest", "dark", "languageEnglish", "textSizeNormal")) {
+                    driver.choose(choice);
+                    driver.robot().waitForPaint();
+                    driver.robot().waitForPaint();
+                }
+                List<EventThreadMeter.BusyPeriod> periods = meter.drain();
+                System.out.println("busy with languages and text sizes: "
+                        + DurationStatistics.of(periods.stream()
+                                .map(EventThreadMeter.BusyPeriod::cpu)
+                                .toList()));
+                assertEquals(
+                        List.of(),
+                        periods.stream()
+                                .filter(stretch -> stretch.cpu() > MAX_BUSY_MILLIS)
+                                .toList());
+            }
         }
     }
 

@@ -1,0 +1,54 @@
+package faultline.gui.theme;
+
+import faultline.gui.text.Messages;
+import javax.swing.AbstractButton;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTabbedPane;
+
+/** Texts of components that follow the language; see {@link RefreshSteps}. */
+public final class UiText {
+
+    private UiText() {}
+
+    /** Creates a label with the text of a key. */
+    public static JLabel label(String key) {
+        return RefreshSteps.add(new JLabel(), label -> label.setText(Messages.get(key)));
+    }
+
+    /** Creates a button with the text of a key. */
+    public static JButton button(String key) {
+        return text(new JButton(), key);
+    }
+
+    /** Gives a button or check box the text of a key; returns it. */
+    public static <B extends AbstractButton> B text(B button, String key) {
+        return RefreshSteps.add(button, self -> self.setText(Messages.get(key)));
+    }
+
+    /** Gives a component the accessible name of a key; returns it. */
+    public static <C extends JComponent> C name(C component, String key) {
+        return RefreshSteps.add(component, self -> self.getAccessibleContext().setAccessibleName(Messages.get(key)));
+    }
+
+    /** Gives a component the tool tip of a key; returns it. */
+    public static <C extends JComponent> C tip(C component, String key) {
+        return RefreshSteps.add(component, self -> self.setToolTipText(Messages.get(key)));
+    }
+
+    /** Gives a component the same text of a key as accessible name and tool tip; returns it. */
+    public static <C extends JComponent> C nameAndTip(C component, String key) {
+        return tip(name(component, key), key);
+    }
+
+    /** Adds a tab with the name of a key and the tool tip of {@code KEY.tip}. */
+    public static void addTab(JTabbedPane tabs, String key, JComponent content) {
+        tabs.addTab("", content);
+        RefreshSteps.add(content, self -> {
+            int index = tabs.indexOfComponent(self);
+            tabs.setTitleAt(index, Messages.get(key));
+            tabs.setToolTipTextAt(index, Messages.get(key + ".tip"));
+        });
+    }
+}
