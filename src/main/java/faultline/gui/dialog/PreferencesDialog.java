@@ -32,7 +32,7 @@ import javax.swing.JPanel;
 public final class PreferencesDialog extends JDialog {
 
     private static final List<String> TOGGLES =
-            List.of("timeline", "instruments", "pathStates", "pathFaults", "snapGrid", "snapAngle");
+            List.of("timeline", "instruments", "controlPanel", "pathStates", "pathFaults", "snapGrid", "snapAngle");
 
     private final JPanel form = new JPanel(new GridBagLayout());
     private int row;

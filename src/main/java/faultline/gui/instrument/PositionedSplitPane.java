@@ -17,6 +17,7 @@ public final class PositionedSplitPane extends JSplitPane {
 
     private int placedSize;
     private boolean placing;
+    private boolean moved;
 
     /**
      * Creates a split pane without a border and with continuous layout.
@@ -49,6 +50,7 @@ public final class PositionedSplitPane extends JSplitPane {
     public void place(IntUnaryOperator location) {
         place = location;
         placedSize = 0;
+        moved = false;
         runPlacing(this::placeIfSized);
         revalidate();
     }
@@ -58,6 +60,12 @@ public final class PositionedSplitPane extends JSplitPane {
         double share = getResizeWeight();
         place = size -> location + (int) Math.round(share * (size - room));
         placedSize = room;
+        moved = true;
+    }
+
+    /** Returns whether the user has moved the divider since it was placed. */
+    public boolean isMoved() {
+        return moved;
     }
 
     /** Lays out first, because a pane that has not been laid out moves the divider once more. */

@@ -32,6 +32,7 @@ public final class ControlPanel extends JPanel {
 
     private static final int WHEEL_STEP = 16;
     private static final int WIDTH = 458;
+    private static final int MIN_WIDTH = 240;
 
     private final RobotPanel robot;
     private final SensorsPanel sensors;
@@ -90,10 +91,10 @@ public final class ControlPanel extends JPanel {
         UiText.addTab(tabs, key, scroll);
     }
 
-    /** Returns the width at the normal text size; larger text scrolls if the window has no room for it. */
+    /** Returns a width at which the sections scroll sideways. */
     @Override
     public Dimension getMinimumSize() {
-        return new Dimension(WIDTH, super.getMinimumSize().height);
+        return new Dimension(MIN_WIDTH, super.getMinimumSize().height);
     }
 
     @Override

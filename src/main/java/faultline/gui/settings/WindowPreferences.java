@@ -37,6 +37,7 @@ public final class WindowPreferences {
     private static final String CHART = "chart";
     private static final String DOCK_HIDDEN = "dock.hidden";
     private static final String TIMELINE = "timeline";
+    private static final String PANEL = "panel";
     private static final String PATH_STYLE = "path.style";
 
     private final PreferenceStore store;
@@ -179,13 +180,26 @@ public final class WindowPreferences {
         return readPixels(CHART);
     }
 
-    /** Returns whether the instruments are visible. */
-    public boolean isDockShown() {
-        return !Boolean.parseBoolean(store.get(DOCK_HIDDEN));
+    /** Returns whether the user has shown or hidden the instruments; empty if they have done neither. */
+    public Optional<Boolean> dockShown() {
+        String hidden = store.get(DOCK_HIDDEN);
+        return hidden.isEmpty() ? Optional.empty() : Optional.of(!Boolean.parseBoolean(hidden));
     }
 
-    public void setDock(boolean shown, int height, int chartWidth) {
+    public void setDockShown(boolean shown) {
         store.put(DOCK_HIDDEN, Boolean.toString(!shown));
+    }
+
+    /** Returns whether the control panel is visible, true by default. */
+    public boolean isPanelShown() {
+        return !store.get(PANEL).equals(HIDDEN);
+    }
+
+    public void setPanelShown(boolean shown) {
+        store.put(PANEL, shown ? "" : HIDDEN);
+    }
+
+    public void setDock(int height, int chartWidth) {
         storePixels(DOCK, height);
         storePixels(CHART, chartWidth);
     }

@@ -10,6 +10,7 @@ import faultline.gui.theme.TextSize;
 import faultline.robot.MotorSide;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.Insets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -23,10 +24,8 @@ import javax.swing.ScrollPaneConstants;
 /** The time line: the slider of the run, and below it the lanes, whose times are aligned with the slider. */
 public final class TimelinePanel extends JPanel {
 
-    /** The largest share of the window's height that the lanes take. */
-    private static final double MAX_WINDOW_SHARE = 0.2;
-    /** The largest share of the height of canvas and time line that the lanes take. */
-    private static final double MAX_STAGE_SHARE = 0.3;
+    /** The share of the window's height that the lanes take where there is little room. */
+    private static final double MIN_WINDOW_SHARE = 0.14;
 
     private static final int LANE_NAME_WIDTH = 80;
 
@@ -123,20 +122,32 @@ public final class TimelinePanel extends JPanel {
         return result;
     }
 
-    /** Limits the height of the lanes: it must not change when the instruments are hidden and the canvas grows. */
+    /** Returns the height of the time line in a window where there is little room, pixels. */
+    public int minHeight(int windowHeight) {
+        return sliderHeight() + (scroll.isVisible() ? (int) (MIN_WINDOW_SHARE * windowHeight) : 0);
+    }
+
+    /** Limits the height of the lanes: the canvas above them keeps at least half of the window. */
     @Override
     public Dimension getPreferredSize() {
         Dimension size = super.getPreferredSize();
-        int excess = scroll.isVisible() && getParent() != null
-                ? Math.max(0, lanes.getPreferredScrollableViewportSize().height - maxLanesHeight())
-                : 0;
+        int excess = getParent() == null ? 0 : lanesExcess(maxLanesHeight());
         return new Dimension(size.width, size.height - excess);
     }
 
+    /** Returns how much higher the lanes would like to be than a height, pixels. */
+    private int lanesExcess(int height) {
+        return scroll.isVisible() ? Math.max(0, lanes.getPreferredScrollableViewportSize().height - height) : 0;
+    }
+
     private int maxLanesHeight() {
-        int window =
-                getRootPane() == null ? getParent().getHeight() : getRootPane().getHeight();
-        return (int) Math.min(
-                MAX_WINDOW_SHARE * window, MAX_STAGE_SHARE * getParent().getHeight());
+        int stage = getParent().getHeight();
+        int window = getRootPane() == null ? stage : getRootPane().getHeight();
+        return Math.max((int) (MIN_WINDOW_SHARE * window), stage - sliderHeight() - (window + 1) / 2);
+    }
+
+    private int sliderHeight() {
+        Insets insets = getInsets();
+        return bar.getPreferredSize().height + insets.top + insets.bottom + 1;
     }
 }

@@ -43,8 +43,8 @@ final class MainPanel extends JPanel {
     private static final int MIN_STAGE_WIDTH = 300;
     /** Minimum height of the canvas with its time bar, pixels. */
     private static final int MIN_STAGE_HEIGHT = 220;
-    /** The largest share of the height that the instruments take initially. */
-    private static final double MAX_DOCK_SHARE = 0.45;
+    /** Minimum height of the instruments, pixels. */
+    private static final int MIN_DOCK_HEIGHT = 120;
 
     private final SimulationCanvas canvas;
     private final ControlPanel controlPanel;
@@ -57,6 +57,7 @@ final class MainPanel extends JPanel {
     private final PositionedSplitPane panelSplit;
     private final transient FocusAreas focusAreas;
     private int dockHeight;
+    private int panelWidth;
     /** The text size that the dividers are placed for. */
     private int textPercent = TextSize.current().percent();
     /** Null before the first frame. */
@@ -115,7 +116,7 @@ final class MainPanel extends JPanel {
         double growth = TextSize.current().percent() / (double) textPercent;
         textPercent = TextSize.current().percent();
         if (growth != 1) {
-            setPanelWidth((int) Math.round(growth * controlPanel.getWidth()));
+            setPanelWidth((int) Math.round(growth * panelWidth()));
             setDockHeight((int) Math.round(growth * dockHeight()));
         }
     }
@@ -192,24 +193,47 @@ final class MainPanel extends JPanel {
         return instruments;
     }
 
-    /** Sets the width of the control panel in pixels, as far as canvas and instruments leave room for it. */
+    /** Returns the width of the control panel that the user has chosen, pixels. */
+    int panelWidth() {
+        return controlPanel.isVisible() && panelSplit.isMoved() ? controlPanel.getWidth() : panelWidth;
+    }
+
+    /** Sets the width of the control panel in pixels; the canvas keeps at least half of the window. */
     void setPanelWidth(int width) {
-        panelSplit.place(size -> size - Math.min(width, size - TextSize.scaled(MIN_STAGE_WIDTH)));
+        panelWidth = width;
+        panelSplit.place(size ->
+                size - Math.min(width, size - Math.max(TextSize.scaled(MIN_STAGE_WIDTH), (getWidth() + 1) / 2)));
     }
 
-    /** Returns the height of the instruments, or their last height if they are hidden, pixels. */
+    /** Shows or hides the control panel. */
+    void setPanelShown(boolean shown) {
+        panelWidth = panelWidth();
+        controlPanel.setVisible(shown);
+        setPanelWidth(panelWidth);
+    }
+
+    /** Returns the height of the instruments that the user has chosen, pixels. */
     int dockHeight() {
-        return instruments.isVisible() && instruments.getHeight() > 0 ? instruments.getHeight() : dockHeight;
+        return instruments.isVisible() && dockSplit.isMoved() ? instruments.getHeight() : dockHeight;
     }
 
-    /** Sets the height of the instruments, pixels. */
+    /** Sets the height of the instruments, pixels; the canvas keeps at least half of the window. */
     void setDockHeight(int height) {
         dockHeight = height;
-        dockSplit.place(size -> size - Math.min(height, (int) (MAX_DOCK_SHARE * size)));
+        dockSplit.place(size -> size - Math.min(height, Math.max(MIN_DOCK_HEIGHT, size - minStageHeight())));
+    }
+
+    /** Returns the height of the canvas as half of the window, and the time line below it, pixels. */
+    private int minStageHeight() {
+        int window = getRootPane() == null ? getHeight() : getRootPane().getHeight();
+        return (window + 1) / 2 + timeline.minHeight(window);
     }
 
     /** Shows or hides the instruments. */
     void setDockShown(boolean shown) {
+        if (shown == instruments.isVisible()) {
+            return;
+        }
         dockHeight = dockHeight();
         instruments.setVisible(shown);
         setDockHeight(dockHeight);

@@ -42,9 +42,13 @@ import faultline.gui.gallery.Gallery;
 import faultline.gui.properties.ScenarioActions;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.TextSize;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
@@ -63,6 +67,8 @@ import javax.swing.WindowConstants;
 public final class MainWindow extends JFrame {
 
     private static final int SIMULATION_MENU = 3;
+    /** The height of a window that shows the instruments by default, pixels at the normal text size. */
+    private static final int MIN_HEIGHT_WITH_DOCK = 700;
 
     private final transient Workspace workspace = new Workspace();
     private final transient RunController runController = new RunController(workspace);
@@ -95,6 +101,8 @@ public final class MainWindow extends JFrame {
     private final transient ReplayNotifier replayNotifier =
             new ReplayNotifier(runController.navigator(), this::showNote);
     private final transient PollTimer pollTimer = new PollTimer(this::poll);
+    /** Whether the user has shown or hidden the instruments in this window. */
+    private boolean dockChosen;
     /** The status at the last poll; null before the first. */
     private transient Session.Status polledStatus;
 
@@ -127,6 +135,14 @@ public final class MainWindow extends JFrame {
         setTitle(fileController.documentTitle());
         windowBounds = new WindowBounds(this, mainPanel, preferences);
         windowBounds.restore();
+        RefreshSteps.add(getRootPane(), root -> showDockByDefault());
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                showDockByDefault();
+            }
+        });
+        mainPanel.setPanelShown(preferences.isPanelShown());
         mainPanel.timeline().setLanesShown(preferences.isTimelineShown());
         installCloseHandler();
         installCanvasListeners();
@@ -171,8 +187,10 @@ public final class MainWindow extends JFrame {
         ViewActions.addTo(actionRegistry, canvas);
         ViewActions.addPathColours(actionRegistry, canvas, preferences);
         ViewActions.bindTo(getRootPane(), actionRegistry);
-        actionRegistry.add(UiAction.toggle("instruments", preferences.isDockShown(), on -> mainPanel.setDockShown(on))
+        actionRegistry.add(UiAction.toggle("instruments", true, this::setDockShown)
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_I)));
+        actionRegistry.add(UiAction.toggle("controlPanel", preferences.isPanelShown(), this::setPanelShown)
+                .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F9)));
         actionRegistry.add(UiAction.toggle("timeline", preferences.isTimelineShown(), this::setTimelineShown)
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_T)));
         actionRegistry.add(UiAction.of("nextArea", () -> mainPanel.focusArea(1))
@@ -229,6 +247,26 @@ public final class MainWindow extends JFrame {
         setTitle(fileController.documentTitle());
         editActions.update();
         comparisonActions.updateTexts();
+    }
+
+    /** Shows the instruments as the user has chosen, otherwise in a window that is high enough. */
+    private void showDockByDefault() {
+        if (!dockChosen) {
+            boolean shown = preferences.dockShown().orElse(getHeight() >= TextSize.scaled(MIN_HEIGHT_WITH_DOCK));
+            mainPanel.setDockShown(shown);
+            actionRegistry.get("instruments").setOn(shown);
+        }
+    }
+
+    private void setDockShown(boolean shown) {
+        dockChosen = true;
+        mainPanel.setDockShown(shown);
+        preferences.setDockShown(shown);
+    }
+
+    private void setPanelShown(boolean shown) {
+        mainPanel.setPanelShown(shown);
+        preferences.setPanelShown(shown);
     }
 
     private void setTimelineShown(boolean shown) {
@@ -315,6 +353,8 @@ public final class MainWindow extends JFrame {
     private void startTour() {
         setTimelineShown(true);
         actionRegistry.get("timeline").setOn(true);
+        setPanelShown(true);
+        actionRegistry.get("controlPanel").setOn(true);
         tour.start();
     }
 

@@ -8,6 +8,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.text.Messages;
 import faultline.gui.text.RefusalText;
 import faultline.gui.text.StateText;
+import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.SeparatorBorder;
 import faultline.gui.theme.UiText;
 import faultline.world.Snapshot;
@@ -42,6 +43,9 @@ final class StatusBar extends JPanel {
     private final StatusCell scale = cell("status.scale", "0000 px/m");
     private final JLabel note = new JLabel();
     private int noteFramesLeft;
+    /** Null while the cursor is outside the canvas. */
+    private transient Vector2 cursorPoint;
+
     private int shownRefusals;
 
     StatusBar() {
@@ -50,6 +54,7 @@ final class StatusBar extends JPanel {
         for (StatusCell cell : new StatusCell[] {running, time, pace, state, pose, cursor, scale, tick}) {
             add(cell);
         }
+        RefreshSteps.add(cursor, cell -> showCursor(cursorPoint));
         UiText.name(note, "status.note");
         add(note);
     }
@@ -119,6 +124,7 @@ final class StatusBar extends JPanel {
 
     /** Shows the cursor position in the world, null if the cursor is outside. */
     void showCursor(Vector2 at) {
+        cursorPoint = at;
         cursor.setStatusText(
                 at == null ? "" : Messages.get("status.at", format("%.2f", at.x()), format("%.2f", at.y())));
     }

@@ -34,6 +34,7 @@ final class ToolBar extends JToolBar {
     ToolBar(ActionRegistry actions, BoundedRangeModel speed) {
         this.actions = actions;
         setFloatable(false);
+        setLayout(new ToolBarLayout());
         addGroup("open", "save");
         addGroup("undo", "redo");
         add(createRunButton());

@@ -57,7 +57,6 @@ final class WindowBounds {
         preferences
                 .chartWidth()
                 .ifPresent(width -> mainPanel.instruments().split().place(size -> width));
-        mainPanel.setDockShown(preferences.isDockShown());
     }
 
     /**
@@ -107,10 +106,8 @@ final class WindowBounds {
         if (confirmedBounds != null) {
             preferences.setBounds(confirmedBounds);
         }
-        preferences.setPanelWidth(mainPanel.controlPanel().getWidth());
+        preferences.setPanelWidth(mainPanel.panelWidth());
         preferences.setDock(
-                mainPanel.instruments().isVisible(),
-                mainPanel.dockHeight(),
-                mainPanel.instruments().split().getDividerLocation());
+                mainPanel.dockHeight(), mainPanel.instruments().split().getDividerLocation());
     }
 }

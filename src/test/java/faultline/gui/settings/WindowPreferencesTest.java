@@ -31,7 +31,7 @@ class WindowPreferencesTest {
     @Test
     void lengthsGrowWithTheTextSize() {
         preferences.setPanelWidth(440);
-        preferences.setDock(true, 200, 300);
+        preferences.setDock(200, 300);
         TextSize.LARGEST.install();
         try {
             assertEquals(Optional.of(660), preferences.panelWidth());

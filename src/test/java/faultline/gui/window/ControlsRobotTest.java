@@ -14,12 +14,10 @@ import faultline.gui.theme.Theme;
 import faultline.paint.scene.Layer;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
-import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JDialog;
@@ -29,8 +27,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 
 /** The control panel and the keys in a real window, by mouse and keyboard only. */
 @ExtendWith(EdtChecker.class)
@@ -60,7 +56,7 @@ class ControlsRobotTest {
         ControlPanel panel = callOnEdt(() -> ComponentFinder.findAll(driver.window(), ControlPanel.class)
                 .findFirst()
                 .orElseThrow());
-        driver.robot().waitFor("the panel has its width", () -> panel.getWidth() == panel.getMinimumSize().width);
+        driver.robot().waitFor("the panel has its width", () -> panel.getWidth() == panel.defaultWidth());
     }
 
     @Test
@@ -204,18 +200,6 @@ class ControlsRobotTest {
         assertEquals(
                 Theme.DARK.colours().background().getRGB(),
                 callOnEdt(() -> driver.window().getContentPane().getBackground().getRGB()));
-    }
-
-    @ParameterizedTest
-    @CsvSource({"languagePolish, languageEnglish", "textSizeLarge, textSizeNormal"})
-    void aPreferenceForTheNextStartIsAnnouncedAtOnce(String later, String now) {
-        driver.chooseLater(later);
-        assertTrue(WindowDriver.text(driver.dialog("Restart required")).contains("Takes effect at the next start."));
-        driver.clickButton("Restart required", "OK");
-        driver.chooseLater(now);
-        assertEquals(0, callOnEdt(() -> Stream.of(driver.window().getOwnedWindows())
-                .filter(Window::isShowing)
-                .count()));
     }
 
     private void focusCanvas() {

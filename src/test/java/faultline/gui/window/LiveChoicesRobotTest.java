@@ -69,6 +69,7 @@ class LiveChoicesRobotTest {
         WindowPreferences preferences = WindowPreferences.nonPersistent();
         WindowDriver driver = WindowDriver.open(Theme.LIGHT, SCENARIO, preferences);
         runOnEdt(() -> driver.window().setSize(1280, 860));
+        driver.robot().moveTo(callOnEdt(() -> driver.window().getJMenuBar()), 600, 5);
         driver.robot().waitForPaint();
         return driver;
     }

@@ -132,7 +132,8 @@ class MainPanelTest {
             actions.add(UiAction.toggle("dark", false, on -> {}));
             new RunActions(run, speed).addTo(actions);
             new Dialogs(null).addTo(actions);
-            Stream.of("instruments", "timeline").forEach(key -> actions.add(UiAction.toggle(key, true, shown -> {})));
+            Stream.of("instruments", "timeline", "controlPanel")
+                    .forEach(key -> actions.add(UiAction.toggle(key, true, shown -> {})));
             OTHER_ACTIONS.forEach(key -> actions.add(UiAction.of(key, () -> {})));
             new PreferenceActions(WindowPreferences.nonPersistent(), actions, () -> {});
             mainPanel = createMainPanel(run, edits, speed, bench);

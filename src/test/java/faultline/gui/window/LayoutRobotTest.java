@@ -1,0 +1,89 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
+import faultline.gui.theme.Theme;
+import faultline.gui.timeline.LaneView;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Rectangle;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** On small screens and with large text, the canvas keeps half of the window, and everything can be reached. */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
+class LayoutRobotTest {
+
+    /** Heights of the smallest rows of lanes and of their ruler, at the normal text size. */
+    private static final int ROW = 12;
+
+    private static final int RULER = 14;
+
+    @AfterEach
+    void restoreDefaults() {
+        install(Language.ENGLISH, TextSize.NORMAL);
+    }
+
+    private static void install(Language language, TextSize size) {
+        runOnEdt(() -> {
+            Messages.setLanguage(language);
+            size.install();
+            Theme.LIGHT.install();
+        });
+    }
+
+    private static Stream<Arguments> screens() {
+        return Stream.of(new Dimension(800, 600), new Dimension(1366, 768))
+                .flatMap(screen -> Stream.of(TextSize.NORMAL, TextSize.LARGEST)
+                        .flatMap(size -> Stream.of(Language.values())
+                                .map(language -> Arguments.of(screen.width, screen.height, size, language))));
+    }
+
+    @ParameterizedTest
+    @MethodSource("screens")
+    void theCanvasKeepsHalfOfTheWindow(int width, int height, TextSize size, Language language) {
+        install(language, size);
+        try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/yard.xml"))) {
+            runOnEdt(() -> {
+                driver.window().setMinimumSize(new Dimension(200, 200));
+                driver.window().setSize(width, height);
+            });
+            driver.robot()
+                    .waitFor("the window has its size", () -> driver.window().getWidth() == width);
+            driver.robot().waitForPaint();
+            Component root = driver.window().getRootPane();
+            Dimension canvas = callOnEdt(() -> driver.canvas().getSize());
+            assertTrue(2 * canvas.width >= root.getWidth(), canvas + " in " + root.getSize());
+            assertTrue(2 * canvas.height >= root.getHeight(), canvas + " in " + root.getSize());
+            Rectangle lanes = callOnEdt(() -> ComponentFinder.findAll(driver.window(), LaneView.class)
+                    .findFirst()
+                    .orElseThrow()
+                    .getVisibleRect());
+            int rows = height < 768 ? 2 : 5;
+            assertTrue(lanes.height >= TextSize.scaled(RULER + rows * ROW), "lanes " + lanes);
+            List<AbstractButton> hidden = callOnEdt(() -> ComponentFinder.findAll(driver.window(), ToolBar.class)
+                    .flatMap(bar -> ComponentFinder.findAll(bar, AbstractButton.class))
+                    .filter(button -> !button.getVisibleRect().getSize().equals(button.getSize()))
+                    .toList());
+            assertTrue(hidden.isEmpty(), hidden.toString());
+        }
+    }
+}
