@@ -1,6 +1,5 @@
 package faultline.gui.panel;
 
-import faultline.gui.theme.UiText;
 import faultline.control.ControllerSpec;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.Threshold;
@@ -8,6 +7,7 @@ import faultline.control.Thresholds;
 import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.UiText;
 import faultline.robot.RobotSpec;
 import java.awt.GridBagLayout;
 import java.util.EnumMap;
