@@ -135,15 +135,7 @@ public final class MainWindow extends JFrame {
         setTitle(fileController.documentTitle());
         windowBounds = new WindowBounds(this, mainPanel, preferences);
         windowBounds.restore();
-        RefreshSteps.add(getRootPane(), root -> showDockByDefault());
-        addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                showDockByDefault();
-            }
-        });
-        mainPanel.setPanelShown(preferences.isPanelShown());
-        mainPanel.timeline().setLanesShown(preferences.isTimelineShown());
+        showChosenParts();
         installCloseHandler();
         installCanvasListeners();
         new SpaceKeyDispatcher(this, runController::toggleRunning).install(this);
@@ -159,6 +151,19 @@ public final class MainWindow extends JFrame {
                 fileController::onFileChangedOnDisk,
                 exception -> showNote(Dialogs.unreadableFileText(exception)),
                 file -> showNote(Messages.get("deleted", String.valueOf(file.getFileName()))));
+    }
+
+    /** Shows the parts of the window that the user has chosen. */
+    private void showChosenParts() {
+        mainPanel.setPanelShown(preferences.isPanelShown());
+        mainPanel.timeline().setLanesShown(preferences.isTimelineShown());
+        RefreshSteps.add(getRootPane(), root -> showDockByDefault());
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                showDockByDefault();
+            }
+        });
     }
 
     private void installEditNotifier() {

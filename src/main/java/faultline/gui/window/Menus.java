@@ -52,7 +52,8 @@ final class Menus {
         JMenu view = createMenu(
                 "view",
                 "fit zoomIn zoomOut follow measure - path pathStates pathFaults"
-                        + " cones hits routes labels grid scaleBar - timeline instruments controlPanel nextArea previousArea dark");
+                        + " cones hits routes labels grid scaleBar"
+                        + " - timeline instruments controlPanel nextArea previousArea dark");
         view.add(createMenu("language", "languageEnglish languagePolish"));
         view.add(createMenu("textSize", "textSizeNormal textSizeLarge textSizeLargest"));
         return view;

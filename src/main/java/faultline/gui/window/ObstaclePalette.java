@@ -3,13 +3,10 @@ package faultline.gui.window;
 import faultline.gui.action.ActionRegistry;
 import faultline.gui.action.ObstacleActions;
 import faultline.gui.theme.UiText;
-import javax.swing.Box;
 import javax.swing.JToolBar;
 
-/** A column of buttons, one for each shape that can be placed on the canvas. */
+/** A column of buttons, one for each shape that can be placed on the canvas, low enough for a small screen. */
 final class ObstaclePalette extends JToolBar {
-
-    private static final int GAP = 2;
 
     ObstaclePalette(ActionRegistry actions) {
         super(VERTICAL);
@@ -17,7 +14,6 @@ final class ObstaclePalette extends JToolBar {
         UiText.name(this, "palette");
         for (String key : ObstacleActions.PALETTE_KEYS) {
             add(ToolBar.createToolButton(actions.get(key)));
-            add(Box.createVerticalStrut(GAP));
         }
     }
 }
