@@ -83,8 +83,21 @@ public final class ControlPanel extends JPanel {
         }
         JPanel top = new JPanel(new BorderLayout());
         top.add(column, BorderLayout.NORTH);
-        JScrollPane scroll = new JScrollPane(
-                top, ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
+        JScrollPane scroll =
+                new JScrollPane(
+                        top,
+                        ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
+                        ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED) {
+                    /** Returns a size no higher than that of the first tab; longer tabs scroll. */
+                    @Override
+                    public Dimension getPreferredSize() {
+                        Dimension size = super.getPreferredSize();
+                        Component first = tabs.getComponentAt(0);
+                        return first == this
+                                ? size
+                                : new Dimension(size.width, Math.min(size.height, first.getPreferredSize().height));
+                    }
+                };
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.getVerticalScrollBar().setUnitIncrement(WHEEL_STEP);
         scroll.getHorizontalScrollBar().setUnitIncrement(WHEEL_STEP);
