@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.EnumSource;
  */
 class FollowerStatesTest {
 
-    private static final int ROOMS = Integer.getInteger("faultline.rooms", 20);
+    private static final int ROOMS = Integer.getInteger("faultline.rooms", 10);
     private static final long FIRST = Long.getLong("faultline.rooms.seed", 640_000);
     private static final double SECONDS = 90;
 
