@@ -38,6 +38,7 @@ final class HistogramView extends JPanel {
     private final JLabel summary = new JLabel(" ");
     private final Canvas canvas = new Canvas();
     private final transient Function<Quantity, double[]> values;
+    private boolean outdated;
 
     /** A number of a run. */
     enum Quantity {
@@ -69,7 +70,12 @@ final class HistogramView extends JPanel {
         this.values = values;
         setBorder(BorderFactory.createEmptyBorder(8, 8, 0, 8));
         UiText.name(choice, "batch.quantity");
-        RefreshSteps.add(canvas, self -> showChosen());
+        RefreshSteps.add(canvas, self -> update());
+        addHierarchyListener(event -> {
+            if (outdated && isShowing()) {
+                showChosen();
+            }
+        });
         JPanel heading = new JPanel(new FlowLayout(FlowLayout.LEADING, 8, 0));
         heading.add(FormConstraints.label("batch.quantity", choice));
         heading.add(choice);
@@ -78,8 +84,16 @@ final class HistogramView extends JPanel {
         add(canvas, BorderLayout.CENTER);
     }
 
-    /** Shows the values as they are now. */
-    void showChosen() {
+    /** Shows the values as they are now, or once the view shows. */
+    void update() {
+        outdated = true;
+        if (isShowing()) {
+            showChosen();
+        }
+    }
+
+    private void showChosen() {
+        outdated = false;
         Quantity quantity = choice.value();
         double[] found = Arrays.stream(values.apply(quantity))
                 .map(value -> value * quantity.scale)

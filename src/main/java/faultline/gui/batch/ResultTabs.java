@@ -47,7 +47,7 @@ final class ResultTabs {
         addTab("batch.tab.cells", new JScrollPane(cellTable));
         addTab("batch.tab.runs", new JScrollPane(runTable));
         addTab("batch.tab.histogram", histogram);
-        histogram.showChosen();
+        histogram.update();
     }
 
     private void addTab(String key, JComponent view) {
@@ -87,14 +87,14 @@ final class ResultTabs {
             cells = newCells;
             cellTable.setRows(cells.stream().map(results::cellRow).toList());
             filterRuns();
-            histogram.showChosen();
+            histogram.update();
         }
     }
 
     private void cellSelected(ListSelectionEvent event) {
         if (!event.getValueIsAdjusting()) {
             filterRuns();
-            histogram.showChosen();
+            histogram.update();
         }
     }
 

@@ -62,8 +62,9 @@ record GuidePage(HTMLEditorKit kit, Document document) {
         // Otherwise one CSS pixel would be 1.3 screen pixels.
         pane.putClientProperty(JEditorPane.W3C_LENGTH_UNITS, true);
         pane.setEditable(false);
-        UiText.name(pane, "guide.title");
         showIn(pane);
+        // The editor kit brings its own accessible context.
+        UiText.name(pane, "guide.title");
         return pane;
     }
 
