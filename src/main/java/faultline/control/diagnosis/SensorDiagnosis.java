@@ -6,6 +6,8 @@ import faultline.control.SensorHealth;
 import faultline.control.diagnosis.EvidenceGrid.Rows;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -48,6 +50,9 @@ public final class SensorDiagnosis {
     private final MotionClock clock = new MotionClock();
     private RobotSpec robot;
     private InspectedSensor[] sensors = {};
+    /** The sensors in the order in which they are inspected. */
+    private List<InspectedSensor> inspectionOrder = List.of();
+
     private WallLine wallLine;
     private EvidenceGrid grid;
     private ClaimTest claimTest;
@@ -109,7 +114,8 @@ public final class SensorDiagnosis {
     }
 
     private void inspectNext() {
-        inspect(sensors[next], lastReadings[next]);
+        InspectedSensor sensor = inspectionOrder.get(next);
+        inspect(sensor, lastReadings[sensor.index()]);
         next = (next + 1) % sensors.length;
         if (next == 0 && (alert || reckoning.way() - bodyMarkedWay > MARKING)) {
             bodyMarkedWay = reckoning.way();
@@ -135,8 +141,19 @@ public final class SensorDiagnosis {
                 sensors[i] = new InspectedSensor(i, cone);
             }
         }
+        inspectionOrder = inOrder(sensors);
         wallLine = new WallLine(sensors);
         verdicts = same ? verdicts : new Verdicts(sensors);
+    }
+
+    /** Returns sensors in order of bearing from the front by way of the wall, so that both sides work alike. */
+    private static List<InspectedSensor> inOrder(InspectedSensor[] sensors) {
+        return Arrays.stream(sensors)
+                .sorted(Comparator.comparingDouble(sensor -> {
+                    double bearing = sensor.cone().bearing();
+                    return bearing < 0 ? bearing + 2 * StrictMath.PI : bearing;
+                }))
+                .toList();
     }
 
     private void testSignals() {

@@ -14,6 +14,8 @@ final class Heading {
     private static final double MARGIN = 0.025;
 
     private final LocalMap map;
+    private double unknownX;
+    private double unknownY;
 
     Heading(LocalMap map) {
         this.map = map;
@@ -69,10 +71,22 @@ final class Heading {
                 double px = at.x() + ahead * cos - side * half * sin;
                 double py = at.y() + ahead * sin + side * half * cos;
                 if (!map.isKnown(px, py)) {
+                    unknownX = px;
+                    unknownY = py;
                     return way - SPACING;
                 }
             }
         }
         return limit;
+    }
+
+    /** Returns the place that ended the last strip that was not known to be free up to the limit, metres. */
+    double unknownX() {
+        return unknownX;
+    }
+
+    /** Returns the same across, metres. */
+    double unknownY() {
+        return unknownY;
     }
 }

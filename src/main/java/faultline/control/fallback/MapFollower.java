@@ -20,6 +20,9 @@ public final class MapFollower {
     /** The time between two plans, in seconds. */
     private static final double PLANNING = 0.08;
 
+    /** The same while it scans, in seconds: a scan ends as soon as enough has been seen. */
+    private static final double SCAN_PLANNING = 0.04;
+
     /** How far ahead along the wall it looks, metres. */
     private static final double LOOK_AHEAD = 0.2;
 
@@ -50,7 +53,21 @@ public final class MapFollower {
     private static final double FULL_SPEED = 1.3;
 
     private static final double STEERING = 2.5;
+
+    /**
+     * The rate of a turn on the spot to a direction that is known to be free, as a multiple of the robot's turn rate:
+     * nothing need be seen meanwhile.
+     */
+    private static final double RETURN_RATE = 2;
+
     private static final double QUARTER = StrictMath.PI / 2;
+
+    /** The maximum number of scans in a row. */
+    private static final int MAX_SCANS = 4;
+
+    /** Places that are this near to each other are the same, metres. */
+    private static final double SAME_PLACE = 0.05;
+
     private static final double OVERSHOOT = StrictMath.toRadians(30);
 
     private final SensorDiagnosis diagnosis;
@@ -68,6 +85,9 @@ public final class MapFollower {
     private boolean scanning;
     private double scanTo;
     private double scanned;
+    private int scans;
+    private double scanX;
+    private double scanY;
     private double v;
     private double omega;
 
@@ -111,7 +131,7 @@ public final class MapFollower {
         untilPlan -= dt;
         sinceWall += Math.abs(at().rolled());
         if (untilPlan <= 0) {
-            untilPlan = PLANNING;
+            untilPlan = scanning ? SCAN_PLANNING : PLANNING;
             map.refresh(diagnosis, robot.sensors().size(), MEMORY, robot.boundingRadius() + NEAR);
             plan();
         }
@@ -186,28 +206,30 @@ public final class MapFollower {
     private void checkKnown() {
         double known = knownAhead();
         double needed = scanning ? WORTHWHILE : 0.06;
-        if (known >= needed) {
+        if (known < needed && !scanning) {
+            startScan();
+        } else if (known >= needed) {
+            scans = scanning ? scans : 0;
             scanning = false;
-        } else if (!scanning) {
-            startScan(known);
         }
     }
 
-    private void startScan(double known) {
-        double far = known + robot.boundingRadius() + 0.1;
-        double px = at().x() + far * StrictMath.cos(direction);
-        double py = at().y() + far * StrictMath.sin(direction);
+    /** Turns until the trusted sensor that needs to turn least has seen the nearest unknown place of the path. */
+    private void startScan() {
         double best = Double.NaN;
         for (int i = 0; i < robot.sensors().size(); i++) {
             if (diagnosis.isTrusted(i)) {
-                double turn = turnFor(diagnosis.cone(i), px, py);
+                double turn = turnFor(diagnosis.cone(i), heading.unknownX(), heading.unknownY());
                 if (Double.isNaN(best) || Math.abs(turn) < Math.abs(best)) {
                     best = turn;
                 }
             }
         }
         scanning = true;
+        scans++;
         scanned = 0;
+        scanX = heading.unknownX();
+        scanY = heading.unknownY();
         scanTo = Double.isNaN(best) ? 0 : best + Math.copySign(OVERSHOOT, best);
     }
 
@@ -218,30 +240,48 @@ public final class MapFollower {
     }
 
     private void act() {
-        double rate = Math.min(robot.turnRate(), 2 * robot.motor().maxSpeed() / robot.track());
         if (scanning) {
             scanned += at().turned();
             if (Math.abs(scanned) >= Math.abs(scanTo)) {
-                // Everything visible has been seen: what is still unknown counts as a surface.
-                giveUp();
-                scanning = false;
+                endScan();
             }
             v = 0;
-            omega = Math.copySign(rate, scanTo);
+            omega = Math.copySign(turnRate(1), scanTo);
             return;
         }
         double off = Angles.difference(at().heading(), direction);
+        if (Math.abs(off) > ASIDE) {
+            v = 0;
+            omega = Math.copySign(turnRate(RETURN_RATE), off);
+            return;
+        }
+        double rate = turnRate(1);
+        v = robot.speed() * Math.max(0.3, Math.min(1, FULL_SPEED - Math.abs(off) / ASIDE));
         omega = Math.max(-rate, Math.min(rate, STEERING * off));
-        v = Math.abs(off) > ASIDE ? 0 : robot.speed() * Math.max(0.3, Math.min(1, FULL_SPEED - Math.abs(off) / ASIDE));
     }
 
-    private void giveUp() {
+    /** Returns a multiple of the robot's turn rate, as far as its motors allow, radians per second. */
+    private double turnRate(double multiple) {
+        return Math.min(multiple * robot.turnRate(), 2 * robot.motor().maxSpeed() / robot.track());
+    }
+
+    /** Ends a scan, or continues it if it has shown what it was for but another place is still unknown. */
+    private void endScan() {
+        scanning = false;
         double known = knownAhead();
         if (known >= 0.06) {
             return;
         }
+        double dx = heading.unknownX() - scanX;
+        double dy = heading.unknownY() - scanY;
+        if (scans < MAX_SCANS && dx * dx + dy * dy > SAME_PLACE * SAME_PLACE) {
+            startScan();
+            return;
+        }
+        // Everything visible has been seen: what is still unknown counts as a surface.
         double far = known + radius();
         diagnosis.doubt(at().x() + far * StrictMath.cos(direction), at().y() + far * StrictMath.sin(direction));
+        diagnosis.doubt(heading.unknownX(), heading.unknownY());
     }
 
     /** {@return whether the robot has made no progress since it took over, or for a long time} */
