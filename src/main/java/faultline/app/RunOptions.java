@@ -70,6 +70,7 @@ record RunOptions(
             "--jar",
             "--patience");
     private static final List<String> FLAG_NAMES = List.of("--truth", "--json");
+    private static final BigDecimal MIN_PACE = new BigDecimal("0.001");
     private static final BigDecimal MAX_PACE = new BigDecimal("1000000");
     private static final BigDecimal MAX_DURATION = new BigDecimal("10000000");
 
@@ -167,9 +168,9 @@ record RunOptions(
             return Double.POSITIVE_INFINITY;
         }
         return DecimalText.parse(text.get())
-                .filter(value -> value.signum() > 0 && value.compareTo(MAX_PACE) <= 0)
+                .filter(value -> value.compareTo(MIN_PACE) >= 0 && value.compareTo(MAX_PACE) <= 0)
                 .orElseThrow(() -> new UsageException("--pace is " + MessageText.quoted(text.get())
-                        + "; expected a multiple of real time above 0, up to " + MAX_PACE))
+                        + "; expected a multiple of real time from " + MIN_PACE + " to " + MAX_PACE))
                 .doubleValue();
     }
 

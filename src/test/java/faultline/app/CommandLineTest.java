@@ -189,7 +189,8 @@ class CommandLineTest {
             check --all a.xml               | there is no option "--all" here; expected none
             run a.xml --sed 1               | there is no option "--sed" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json; did you mean "--seed"?
             run a.xml -x                    | there is no option "-x" here; expected --until, --seed, --threads, --trace, --trace-format, --image, --journal, --film, --pace, --controller, --jar, --patience, --truth, --json
-            run a.xml --pace 0              | --pace is "0"; expected a multiple of real time above 0, up to 1000000
+            run a.xml --pace 0              | --pace is "0"; expected a multiple of real time from 0.001 to 1000000
+            run a.xml --pace 1e-320         | --pace is "1e-320"; expected a multiple of real time from 0.001 to 1000000
             run a.xml --jar pom.xml         | --jar is "pom.xml", which is no jar
             run a.xml --jar none.jar        | --jar is "none.jar", and there is no such file
             run a.xml --jar .               | --jar is ".", which is no jar

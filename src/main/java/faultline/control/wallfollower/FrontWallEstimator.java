@@ -29,15 +29,15 @@ final class FrontWallEstimator {
      *
      * @param distance metres
      * @param rolled how far it rolls on, metres
-     * @param sight the sensors
+     * @param views the sensors
      * @param mostLeft how far the wall may be slanted with its foot to the left, radians
      * @param mostRight how far it may be slanted with its foot to the right, radians
      * @return whether it will be; false if the front sensor sees nothing
      */
-    static boolean isWithin(double distance, double rolled, SensorViews sight, double mostLeft, double mostRight) {
-        return sight.front().detects()
-                && (isWithin(distance, rolled, sight.front(), sight.frontLeft(), mostLeft)
-                        || isWithin(distance, rolled, sight.front(), sight.frontRight(), -mostRight));
+    static boolean isWithin(double distance, double rolled, SensorViews views, double mostLeft, double mostRight) {
+        return views.front().detects()
+                && (isWithin(distance, rolled, views.front(), views.frontLeft(), mostLeft)
+                        || isWithin(distance, rolled, views.front(), views.frontRight(), -mostRight));
     }
 
     /** Checks the nearest wall that the front reading allows first, which decides in most cases. */

@@ -91,12 +91,12 @@ final class ChartTooltip {
                 ? x + POINTER_DISTANCE
                 : x - POINTER_DISTANCE - width;
         double left = Math.max(beside, area().x());
-        Shape plate =
+        Shape background =
                 new RoundRectangle2D.Double(left, area().y() + 4, width, lines.size() * ROW_HEIGHT + PADDING, 6, 6);
         g.setColor(theme.palette().canvas());
-        g.fill(plate);
+        g.fill(background);
         g.setColor(theme.colours().border());
-        g.draw(plate);
+        g.draw(background);
         g.setColor(theme.palette().text());
         for (int i = 0; i < lines.size(); i++) {
             g.drawString(lines.get(i), (float) (left + PADDING), (float) (area().y() + 4 + (i + 1) * ROW_HEIGHT - 1));

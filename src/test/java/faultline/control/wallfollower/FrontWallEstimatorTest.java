@@ -39,9 +39,9 @@ class FrontWallEstimatorTest {
     }
 
     /** The least distance, to a tenth of a millimetre, that the wall will be within. */
-    private static double distanceAfter(double rolled, SensorViews sight, double mostLeft, double mostRight) {
+    private static double distanceAfter(double rolled, SensorViews views, double mostLeft, double mostRight) {
         double least = 0;
-        while (least < 3 && !FrontWallEstimator.isWithin(least, rolled, sight, mostLeft, mostRight)) {
+        while (least < 3 && !FrontWallEstimator.isWithin(least, rolled, views, mostLeft, mostRight)) {
             least += 0.0001;
         }
         return least;

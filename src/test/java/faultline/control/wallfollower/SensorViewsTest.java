@@ -27,34 +27,34 @@ class SensorViewsTest {
 
     @Test
     void everyDirectionHasItsSensor() {
-        SensorViews sight = SensorViews.of(Observations.observation(0, ALL_DIRECTIONS), WallSide.LEFT);
-        assertEquals(List.of(0.3, 0.1, 0.2, 0.4, 0.5), readings(sight));
+        SensorViews views = SensorViews.of(Observations.observation(0, ALL_DIRECTIONS), WallSide.LEFT);
+        assertEquals(List.of(0.3, 0.1, 0.2, 0.4, 0.5), readings(views));
     }
 
     @Test
     void withTheWallOnTheRightLeftAndRightChangePlaces() {
-        SensorViews sight = SensorViews.of(Observations.observation(0, ALL_DIRECTIONS), WallSide.RIGHT);
-        assertEquals(List.of(0.5, 0.1, 0.4, 0.2, 0.3), readings(sight));
-        assertEquals(new Vector2(0, 0.1), sight.left().mountPosition(), "in the mirror it sits on the left");
-        assertEquals(Math.PI / 2, sight.left().bearing(), 1e-12, "in the mirror it looks to the left");
+        SensorViews views = SensorViews.of(Observations.observation(0, ALL_DIRECTIONS), WallSide.RIGHT);
+        assertEquals(List.of(0.5, 0.1, 0.4, 0.2, 0.3), readings(views));
+        assertEquals(new Vector2(0, 0.1), views.left().mountPosition(), "in the mirror it sits on the left");
+        assertEquals(Math.PI / 2, views.left().bearing(), 1e-12, "in the mirror it looks to the left");
     }
 
-    private static List<Double> readings(SensorViews sight) {
+    private static List<Double> readings(SensorViews views) {
         return List.of(
-                sight.left().reading(),
-                sight.front().reading(),
-                sight.frontLeft().reading(),
-                sight.frontRight().reading(),
-                sight.right().reading());
+                views.left().reading(),
+                views.front().reading(),
+                views.frontLeft().reading(),
+                views.frontRight().reading(),
+                views.right().reading());
     }
 
     @Test
     void aSensorIsFoundByItsBearingWithAnyName() {
         RobotSpec robot = robot(sensor("left", 0), sensor("elephant", 90));
-        SensorViews sight =
+        SensorViews views =
                 SensorViews.of(Observations.observation(0, robot, Map.of("left", 0.1, "elephant", 0.2)), WallSide.LEFT);
-        assertEquals(0.1, sight.front().reading());
-        assertEquals(0.2, sight.left().reading());
+        assertEquals(0.1, views.front().reading());
+        assertEquals(0.2, views.left().reading());
     }
 
     @Test
@@ -89,16 +89,16 @@ class SensorViewsTest {
 
     @Test
     void withoutSensorsNothingIsPresent() {
-        SensorViews sight = SensorViews.of(Observations.observation(0, robot(), Map.of()), WallSide.LEFT);
+        SensorViews views = SensorViews.of(Observations.observation(0, robot(), Map.of()), WallSide.LEFT);
         assertEquals(
                 new SensorViews(SensorView.NONE, SensorView.NONE, SensorView.NONE, SensorView.NONE, SensorView.NONE),
-                sight);
+                views);
     }
 
     @Test
     void anotherFrontSensorChangesNothingElse() {
-        SensorViews sight = SensorViews.of(Observations.observation(0, ALL_DIRECTIONS), WallSide.LEFT)
+        SensorViews views = SensorViews.of(Observations.observation(0, ALL_DIRECTIONS), WallSide.LEFT)
                 .withFront(SensorView.NONE);
-        assertEquals(List.of(0.3, Reading.NOTHING, 0.2, 0.4, 0.5), readings(sight));
+        assertEquals(List.of(0.3, Reading.NOTHING, 0.2, 0.4, 0.5), readings(views));
     }
 }

@@ -76,7 +76,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** The contents of the window without a display. */
 class MainPanelTest {
 
-    /** The number of frames that the canvas may take to paint everything on a slow machine. */
     /** The actions in menus that the window itself provides. */
     private static final List<String> OTHER_ACTIONS = List.of(
             "nextArea",
@@ -90,6 +89,7 @@ class MainPanelTest {
             "preferences",
             "tour");
 
+    /** The number of frames that the canvas may take to paint everything on a slow machine. */
     private static final int MAX_FRAMES = 20;
 
     private static final Session.Status PAUSED = new Session.Status(false, 1, 0, 0, null, null);
@@ -108,12 +108,12 @@ class MainPanelTest {
             Theme.LIGHT.install();
             DefaultBoundedRangeModel speed =
                     new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
-            Workspace bench = new Workspace();
-            bench.addListener(new NoOpWorkspaceListener());
-            RunController run = new RunController(bench);
+            Workspace workspace = new Workspace();
+            workspace.addListener(new NoOpWorkspaceListener());
+            RunController run = new RunController(workspace);
             UndoController edits = new UndoController(run::send, () -> {});
             canvas = new SimulationCanvas(edits);
-            FileController files = new FileController(canvas, bench, () -> false);
+            FileController files = new FileController(canvas, workspace, () -> false);
             files.addTo(actions, () -> {});
             new EditActions(edits).addTo(actions);
             new ObstacleActions(
@@ -123,8 +123,8 @@ class MainPanelTest {
                             now -> OptionalDouble.empty(),
                             WindowPreferences.nonPersistent())
                     .addTo(actions);
-            new SensorActions(bench, edits).addTo(actions);
-            new ExportController(canvas, bench, canvas, files::chooseExportFile, file -> {})
+            new SensorActions(workspace, edits).addTo(actions);
+            new ExportController(canvas, workspace, canvas, files::chooseExportFile, file -> {})
                     .actions()
                     .forEach(actions::add);
             ViewActions.addTo(actions, canvas);
@@ -136,8 +136,8 @@ class MainPanelTest {
                     .forEach(key -> actions.add(UiAction.toggle(key, true, shown -> {})));
             OTHER_ACTIONS.forEach(key -> actions.add(UiAction.of(key, () -> {})));
             new PreferenceActions(WindowPreferences.nonPersistent(), actions, () -> {});
-            mainPanel = createMainPanel(run, edits, speed, bench);
-            new ComparisonActions(new ComparisonController(bench, run.navigator()), mainPanel::setReferenceRun)
+            mainPanel = createMainPanel(run, edits, speed, workspace);
+            new ComparisonActions(new ComparisonController(workspace, run.navigator()), mainPanel::setReferenceRun)
                     .addTo(actions, Optional::empty);
             menus = Menus.createMenuBar(actions);
             mainPanel.setFrame(new SessionFrame(SampleFrames.fullFrame(), Recording.EMPTY), PAUSED);

@@ -21,54 +21,54 @@ class DragOperationTest {
     private static final Obstacle BOX =
             new Obstacle("box", new ObstacleShape.Rectangle(1, 1), new Pose(2, 1, Degrees.toRadians(170)));
 
-    private static Obstacle only(DragPreview wish) {
-        assertEquals(1, wish.obstacles().size());
-        return wish.obstacles().get(0);
+    private static Obstacle only(DragPreview preview) {
+        assertEquals(1, preview.obstacles().size());
+        return preview.obstacles().get(0);
     }
 
     @Test
     void aMoveKeepsTheGripUnderTheMouseAndTheHeading() {
-        DragPreview wish = new DragOperation.Move(BOX, List.of(BOX), new Vector2(2.25, 1.25))
+        DragPreview preview = new DragOperation.Move(BOX, List.of(BOX), new Vector2(2.25, 1.25))
                 .preview(new Vector2(3.25, 0.75), SnapSettings.NONE);
         Pose wanted = new Pose(3, 0.5, BOX.pose().heading());
-        assertEquals(wanted, only(wish).pose());
-        assertEquals(List.of(new Command.MoveObstacle("box", wanted)), wish.commands());
-        assertEquals("x 3.000 m   y 0.500 m", wish.valueText());
+        assertEquals(wanted, only(preview).pose());
+        assertEquals(List.of(new Command.MoveObstacle("box", wanted)), preview.commands());
+        assertEquals("x 3.000 m   y 0.500 m", preview.valueText());
     }
 
     @Test
     void whatIsSelectedMovesTogetherAndOnlyTheGrabbedObstacleSnaps() {
         Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1.03, 1, 0));
-        DragPreview wish = new DragOperation.Move(BOX, List.of(pole, BOX), new Vector2(2, 1))
+        DragPreview preview = new DragOperation.Move(BOX, List.of(pole, BOX), new Vector2(2, 1))
                 .preview(new Vector2(2.11, 1.02), new SnapSettings(0.1, 0));
-        assertEquals(0, wish.obstacles().get(0).pose().position().distanceTo(new Vector2(1.13, 1)), 1e-12);
-        assertEquals(new Vector2(2.1, 1), wish.obstacles().get(1).pose().position());
+        assertEquals(0, preview.obstacles().get(0).pose().position().distanceTo(new Vector2(1.13, 1)), 1e-12);
+        assertEquals(new Vector2(2.1, 1), preview.obstacles().get(1).pose().position());
     }
 
     @Test
     void aTurnFollowsTheMouseRoundTheMiddleAndIsNamedWithinHalfATurn() {
-        DragPreview wish =
+        DragPreview preview =
                 new DragOperation.Rotate(List.of(BOX), new Vector2(3, 1)).preview(new Vector2(2, 4), SnapSettings.NONE);
-        assertEquals(Degrees.toRadians(260), only(wish).pose().heading(), 1e-12);
-        assertEquals("heading -100.0\u00b0", wish.valueText());
+        assertEquals(Degrees.toRadians(260), only(preview).pose().heading(), 1e-12);
+        assertEquals("heading -100.0\u00b0", preview.valueText());
     }
 
     @Test
     void aTurnSnapsToWholeSteps() {
-        DragPreview wish = new DragOperation.Rotate(List.of(BOX), new Vector2(3, 1))
+        DragPreview preview = new DragOperation.Rotate(List.of(BOX), new Vector2(3, 1))
                 .preview(new Vector2(2, 4), new SnapSettings(0, Degrees.toRadians(45)));
-        assertEquals(Degrees.toRadians(270), only(wish).pose().heading(), 1e-8);
+        assertEquals(Degrees.toRadians(270), only(preview).pose().heading(), 1e-8);
     }
 
     @Test
     void severalTurnAboutTheirCommonMiddle() {
         Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(4, 1, 0));
         DragOperation turn = new DragOperation.Rotate(List.of(BOX, pole), new Vector2(4, 1));
-        DragPreview wish = turn.preview(new Vector2(3.05, 2), new SnapSettings(0, Degrees.toRadians(15)));
-        assertEquals(0, wish.obstacles().get(0).pose().position().distanceTo(new Vector2(3, 0)), 1e-8);
-        assertEquals(0, wish.obstacles().get(1).pose().position().distanceTo(new Vector2(3, 2)), 1e-8);
-        assertEquals(Degrees.toRadians(260), wish.obstacles().get(0).pose().heading(), 1e-8);
-        assertEquals("rotated by 90.0\u00b0", wish.valueText());
+        DragPreview preview = turn.preview(new Vector2(3.05, 2), new SnapSettings(0, Degrees.toRadians(15)));
+        assertEquals(0, preview.obstacles().get(0).pose().position().distanceTo(new Vector2(3, 0)), 1e-8);
+        assertEquals(0, preview.obstacles().get(1).pose().position().distanceTo(new Vector2(3, 2)), 1e-8);
+        assertEquals(Degrees.toRadians(260), preview.obstacles().get(0).pose().heading(), 1e-8);
+        assertEquals("rotated by 90.0\u00b0", preview.valueText());
         assertEquals(
                 List.of(new Command.MoveObstacle("box", BOX.pose()), new Command.MoveObstacle("pole", pole.pose())),
                 turn.restoreCommands());
@@ -78,10 +78,10 @@ class DragOperationTest {
     void aSideOfARectangleIsDraggedWhileTheOppositeOneStays() {
         Obstacle box = BOX.withPose(new Pose(2, 1, 0));
         // Handle 7 is the midpoint of the right side.
-        DragPreview wish = new DragOperation.Resize(box, 7).preview(new Vector2(3.5, 9), SnapSettings.NONE);
-        assertEquals(new ObstacleShape.Rectangle(2, 1), only(wish).shape());
-        assertEquals(new Pose(2.5, 1, 0), only(wish).pose());
-        assertEquals("width 2.000 m   height 1.000 m", wish.valueText());
+        DragPreview preview = new DragOperation.Resize(box, 7).preview(new Vector2(3.5, 9), SnapSettings.NONE);
+        assertEquals(new ObstacleShape.Rectangle(2, 1), only(preview).shape());
+        assertEquals(new Pose(2.5, 1, 0), only(preview).pose());
+        assertEquals("width 2.000 m   height 1.000 m", preview.valueText());
         assertEquals(List.of(new Command.PlaceObstacle(box)), new DragOperation.Resize(box, 7).restoreCommands());
     }
 
