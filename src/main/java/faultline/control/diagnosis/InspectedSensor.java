@@ -100,11 +100,6 @@ final class InspectedSensor {
         inspections++;
     }
 
-    /** Returns whether its claim may be marked: every second inspection is enough as long as nothing is suspicious. */
-    boolean isMarkingTurn() {
-        return (inspections & 1) == 0;
-    }
-
     /** Returns the rows that the next mark of every second row takes. */
     Rows nextRows() {
         rows = rows == Rows.EVEN ? Rows.ODD : Rows.EVEN;

@@ -174,10 +174,7 @@ public final class SensorDiagnosis {
             if (sees) {
                 test(sensor, 0, clock.moment() - MEMORY);
             }
-            sensor.countInspection();
-            if (alert || sensor.isMarkingTurn()) {
-                mark(sensor, sees, reading);
-            }
+            mark(sensor, sees, reading);
             retest(sensor);
             if (sees && ApproachTest.applies(sensor.cone())) {
                 testApproach(sensor);
@@ -205,6 +202,7 @@ public final class SensorDiagnosis {
 
     /** Marks the last claim in the map: at once if that takes little time, otherwise after some motion. */
     private void mark(InspectedSensor sensor, boolean sees, double reading) {
+        sensor.countInspection();
         boolean due = alert || sensor.movedSinceMark(reckoning) > MARKING;
         double radius = (sees ? reading : sensor.cone().range()) - FREE_MARGIN;
         boolean small = radius < NEAR;
