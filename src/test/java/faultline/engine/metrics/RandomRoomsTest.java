@@ -1,6 +1,7 @@
 package faultline.engine.metrics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.TimingRule;
@@ -10,11 +11,14 @@ import faultline.geometry.Degrees;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.LongFunction;
 import java.util.function.UnaryOperator;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,6 +30,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 class RandomRoomsTest {
 
     private static final RobotSpec ROBOT = RobotSpec.DEFAULT;
+
+    /** The rooms in which the diagnosis took a sensor for faulty, though all are healthy. */
+    private static final Set<PolygonRoom> FALSE_ALARMS = new HashSet<>();
 
     private static Stream<PolygonRoom> rooms() {
         RandomRooms fair = RandomRooms.FEASIBLE;
@@ -49,18 +56,21 @@ class RandomRoomsTest {
         assertEquals(List.of(), WallFollowingRun.simulate(room, sixStatesAlone).violations(), room::toString);
     }
 
-    /** A false alarm costs a second search in two of these rooms, and nothing else. */
     @ParameterizedTest(name = "{index}")
     @MethodSource("rooms")
     void aRoomIsFollowedWithDiagnosisToo(PolygonRoom room) {
-        List<String> violations =
-                WallFollowingRun.simulate(room, Conditions.DEFAULT).violations();
-        assertEquals(
-                List.of(),
-                violations.stream()
-                        .filter(violation -> !violation.endsWith("searches"))
-                        .toList(),
-                room::toString);
+        WallFollowingRun run = WallFollowingRun.simulate(room, Conditions.DEFAULT);
+        List<String> violations = run.violations();
+        if (run.leftFirstRung()) {
+            FALSE_ALARMS.add(room);
+            violations = run.violationsWithFalseAlarm();
+        }
+        assertEquals(List.of(), violations, room::toString);
+    }
+
+    @AfterAll
+    static void falseAlarmsAreRare() {
+        assertTrue(FALSE_ALARMS.size() <= 2, () -> "false alarms in " + FALSE_ALARMS.size() + " of 64 rooms");
     }
 
     private record Variant(String name, Conditions conditions) {

@@ -6,6 +6,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.engine.TickObserver;
+import faultline.engine.recording.RunEvent;
 import faultline.robot.RobotSpec;
 import java.util.ArrayList;
 import java.util.List;
@@ -67,13 +68,27 @@ record WallFollowingRun(RunResult result, int searchCount, OptionalDouble lapTim
 
     /** What breaks the rules of following, a sentence each. */
     List<String> violations() {
+        return violations(1, MAX_RMS_ERROR);
+    }
+
+    /** What breaks the rules of a run in which the diagnosis took a sensor for faulty: both limits are doubled. */
+    List<String> violationsWithFalseAlarm() {
+        return violations(2, 2 * MAX_RMS_ERROR);
+    }
+
+    /** Whether the controller used fewer sensors than there are for a while. */
+    boolean leftFirstRung() {
+        return result.diagnosisEvents().stream().anyMatch(RunEvent.RungChanged.class::isInstance);
+    }
+
+    private List<String> violations(int maxSearches, double maxRmsError) {
         List<String> problems = safetyViolations();
         addViolation(
                 problems,
-                result.distanceRms().orElse(0) > MAX_RMS_ERROR,
+                result.distanceRms().orElse(0) > maxRmsError,
                 "distance error of %.1f mm RMS",
                 1000 * result.distanceRms().orElse(0));
-        addViolation(problems, searchCount > 1, "%.0f searches", searchCount);
+        addViolation(problems, searchCount > maxSearches, "%.0f searches", searchCount);
         addViolation(problems, lapTime.isEmpty(), "no lap in %.0f s", result.simulatedSeconds());
         addViolation(problems, lapTime.orElse(0) > maxLapTime, "a lap of %.1f s", lapTime.orElse(0));
         return problems;

@@ -27,20 +27,20 @@ class ViewportTest {
     void theFirstWorldIsFitted() {
         assertEquals(3, camera().x());
         assertEquals(2, camera().y());
-        assertEquals(760 / 6.0, camera().scale());
+        assertEquals(752 / 6.0, camera().scale());
     }
 
     @Test
     void aFittedWorldStaysFittedWhenTheCanvasIsResized() {
         viewport.resize(440, 600);
-        assertEquals(400 / 6.0, camera().scale());
+        assertEquals(392 / 6.0, camera().scale());
     }
 
     @Test
     void aZoomedViewKeepsItsScaleWhenTheCanvasIsResized() {
         viewport.zoom(2);
         viewport.resize(440, 600);
-        assertEquals(2 * 760 / 6.0, camera().scale());
+        assertEquals(2 * 752 / 6.0, camera().scale());
     }
 
     @Test
@@ -69,7 +69,7 @@ class ViewportTest {
                 List.of(),
                 List.of(),
                 List.of()));
-        assertEquals(760 / 12.0, camera().scale());
+        assertEquals(752 / 12.0, camera().scale());
     }
 
     @Test
