@@ -1,6 +1,7 @@
 package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -14,6 +15,7 @@ import faultline.gui.timeline.LaneView;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
+import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
@@ -96,7 +98,13 @@ class ControllerMarksRobotTest {
         }
     }
 
+    /** Scrolls the lane of the controller, which is the last one, into view. */
+    private void showLane() {
+        runOnEdt(() -> lanes.scrollRectToVisible(new Rectangle(0, lanes.getHeight() - 1, 1, 1)));
+    }
+
     private void doubleClick(double time) {
+        showLane();
         driver.robot().click(lanes, x(time), laneY, InputEvent.BUTTON1_DOWN_MASK);
         driver.robot().click(lanes, x(time), laneY, InputEvent.BUTTON1_DOWN_MASK);
     }
@@ -111,6 +119,7 @@ class ControllerMarksRobotTest {
         assertEquals(1, added.size());
         assertEquals(50, added.get(0).time(), 1.5);
         assertEquals(0.1, lostMargin(added.get(0)));
+        showLane();
         driver.robot().drag(lanes, x(50), laneY, x(90), laneY, InputEvent.BUTTON1_DOWN_MASK);
         driver.waitForTitle("office.xml*");
         List<TimedCommand> dragged = saved();
