@@ -44,22 +44,24 @@ public enum Threshold {
     /** What a threshold measures, with the bounds of its values. */
     public enum Quantity {
         /** A length in metres. */
-        MARGIN(0, 100),
+        MARGIN(0, 100, "m"),
         /** A length in metres, which may be negative. */
-        SIGNED_MARGIN(-100, 100),
+        SIGNED_MARGIN(-100, 100, "m"),
         /** A share. */
-        SHARE(0.001, 1),
+        SHARE(0.001, 1, ""),
         /** Degrees per second. */
-        TURN_RATE(0.001, 3600),
+        TURN_RATE(0.001, 3600, "deg/s"),
         /** Degrees. */
-        ANGLE(0, 3600);
+        ANGLE(0, 3600, "deg");
 
         private final double min;
         private final double max;
+        private final String unit;
 
-        Quantity(double min, double max) {
+        Quantity(double min, double max, String unit) {
             this.min = min;
             this.max = max;
+            this.unit = unit;
         }
 
         /** {@return the smallest value} */
@@ -70,6 +72,11 @@ public enum Threshold {
         /** {@return the greatest value} */
         public double max() {
             return max;
+        }
+
+        /** {@return the unit, empty for a share} */
+        public String unit() {
+            return unit;
         }
     }
 

@@ -1,5 +1,6 @@
 package faultline.campaign.plan;
 
+import faultline.control.Threshold;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -7,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * The place of an attribute in a scenario file: {@code robot/sensor[front]/@cone}, {@code controller/@distance},
@@ -24,7 +26,7 @@ record AttributePath(List<Step> steps, String attribute) {
     private static final Pattern STEP = Pattern.compile("([a-zA-Z]+)(?:\\[([^\\[\\]]+)])?");
     private static final Pattern ATTRIBUTE = Pattern.compile("@([a-zA-Z]+)");
 
-    /** The units of attributes, by the suffix that a column's name gets. */
+    /** The units of attributes but thresholds, by the suffix that a column's name gets. */
     private static final Map<String, String> UNITS = Map.ofEntries(
             Map.entry("width", "m"),
             Map.entry("height", "m"),
@@ -47,13 +49,6 @@ record AttributePath(List<Step> steps, String attribute) {
             Map.entry("duration", "s"),
             Map.entry("tick", "s"),
             Map.entry("period", "s"),
-            Map.entry("aheadMargin", "m"),
-            Map.entry("turnClearance", "m"),
-            Map.entry("lostMargin", "m"),
-            Map.entry("steerThrough", "m"),
-            Map.entry("settledRate", "deg/s"),
-            Map.entry("giveUpAngle", "deg"),
-            Map.entry("sameWallAngle", "deg"),
             Map.entry("timeConstant", "s"),
             Map.entry("at", "s"),
             Map.entry("until", "s"),
@@ -94,7 +89,11 @@ record AttributePath(List<Step> steps, String attribute) {
 
     /** Returns the unit of the attribute's values, empty if it has none. */
     String unit() {
-        return UNITS.getOrDefault(attribute, "");
+        return Stream.of(Threshold.values())
+                .filter(threshold -> threshold.fileName().equals(attribute))
+                .map(threshold -> threshold.quantity().unit())
+                .findFirst()
+                .orElse(UNITS.getOrDefault(attribute, ""));
     }
 
     /** Returns the name of its column, such as {@code front_cone_deg}. */

@@ -95,20 +95,23 @@ public final class CampaignReport {
     }
 
     private String undecided() {
-        long count = data.rows().stream()
-                .filter(row -> row.text("outcome").equals(Outcome.UNDECIDED.word()))
-                .count();
+        long count = count(Outcome.UNDECIDED.word());
         return count == 0
                 ? ""
                 : Html.paragraph(
-                        "Undecided runs (" + count + ") were too short to tell and are in no share. Runs as short"
-                                + " that touched something are, so shares are lower than with longer runs.");
+                        "Undecided runs (" + count + ") ended before their verdict was known, and no share counts"
+                                + " them. Shares count short runs with a contact, so they are lower than those of"
+                                + " longer runs.");
+    }
+
+    private long count(String outcome) {
+        return data.rows().stream()
+                .filter(row -> row.text("outcome").equals(outcome))
+                .count();
     }
 
     private void addOutcome(String word, List<List<String>> rows) {
-        long count = data.rows().stream()
-                .filter(row -> row.text("outcome").equals(word))
-                .count();
+        long count = count(word);
         if (count > 0) {
             rows.add(List.of(
                     word.replace('_', ' '),

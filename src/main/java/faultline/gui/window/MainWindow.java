@@ -42,13 +42,9 @@ import faultline.gui.gallery.Gallery;
 import faultline.gui.properties.ScenarioActions;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Messages;
-import faultline.gui.theme.RefreshSteps;
-import faultline.gui.theme.TextSize;
 import faultline.gui.timeline.TimelineEditor;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
@@ -67,8 +63,6 @@ import javax.swing.WindowConstants;
 public final class MainWindow extends JFrame {
 
     private static final int SIMULATION_MENU = 3;
-    /** The height of a window that shows the instruments by default, pixels at the normal text size. */
-    private static final int MIN_HEIGHT_WITH_DOCK = 700;
 
     private final transient Workspace workspace = new Workspace();
     private final transient RunController runController = new RunController(workspace);
@@ -92,6 +86,7 @@ public final class MainWindow extends JFrame {
     private final transient RunActions runActions;
     private final transient WindowPreferences preferences;
     private final transient ThemeAction themeAction;
+    private final transient WindowParts parts;
     private final MainPanel mainPanel;
     private final transient WindowBounds windowBounds;
     private final TourCard tour;
@@ -101,8 +96,6 @@ public final class MainWindow extends JFrame {
     private final transient ReplayNotifier replayNotifier =
             new ReplayNotifier(runController.navigator(), this::showNote);
     private final transient PollTimer pollTimer = new PollTimer(this::poll);
-    /** Whether the user has shown or hidden the instruments in this window. */
-    private boolean dockChosen;
     /** The status at the last poll; null before the first. */
     private transient Session.Status polledStatus;
 
@@ -114,6 +107,7 @@ public final class MainWindow extends JFrame {
         BoundedRangeModel speed =
                 new DefaultBoundedRangeModel(SpeedScale.REAL_TIME_POSITION, 0, 0, SpeedScale.UNLIMITED);
         runActions = new RunActions(runController, speed);
+        parts = new WindowParts(preferences);
         addActions();
         mainPanel = new MainPanel(
                 canvas,
@@ -135,7 +129,7 @@ public final class MainWindow extends JFrame {
         setTitle(fileController.documentTitle());
         windowBounds = new WindowBounds(this, mainPanel, preferences);
         windowBounds.restore();
-        showChosenParts();
+        parts.install(this, mainPanel);
         installCloseHandler();
         installCanvasListeners();
         new SpaceKeyDispatcher(this, runController::toggleRunning).install(this);
@@ -151,19 +145,6 @@ public final class MainWindow extends JFrame {
                 fileController::onFileChangedOnDisk,
                 exception -> showNote(Dialogs.unreadableFileText(exception)),
                 file -> showNote(Messages.get("deleted", String.valueOf(file.getFileName()))));
-    }
-
-    /** Shows the parts of the window that the user has chosen. */
-    private void showChosenParts() {
-        mainPanel.setPanelShown(preferences.isPanelShown());
-        mainPanel.timeline().setLanesShown(preferences.isTimelineShown());
-        RefreshSteps.add(getRootPane(), root -> showDockByDefault());
-        addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                showDockByDefault();
-            }
-        });
     }
 
     private void installEditNotifier() {
@@ -192,12 +173,7 @@ public final class MainWindow extends JFrame {
         ViewActions.addTo(actionRegistry, canvas);
         ViewActions.addPathColours(actionRegistry, canvas, preferences);
         ViewActions.bindTo(getRootPane(), actionRegistry);
-        actionRegistry.add(UiAction.toggle("instruments", true, this::setDockShown)
-                .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_I)));
-        actionRegistry.add(UiAction.toggle("controlPanel", preferences.isPanelShown(), this::setPanelShown)
-                .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F9)));
-        actionRegistry.add(UiAction.toggle("timeline", preferences.isTimelineShown(), this::setTimelineShown)
-                .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_T)));
+        parts.addTo(actionRegistry);
         actionRegistry.add(UiAction.of("nextArea", () -> mainPanel.focusArea(1))
                 .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F6)));
         actionRegistry.add(UiAction.of("previousArea", () -> mainPanel.focusArea(-1))
@@ -252,31 +228,6 @@ public final class MainWindow extends JFrame {
         setTitle(fileController.documentTitle());
         editActions.update();
         comparisonActions.updateTexts();
-    }
-
-    /** Shows the instruments as the user has chosen, otherwise in a window that is high enough. */
-    private void showDockByDefault() {
-        if (!dockChosen) {
-            boolean shown = preferences.dockShown().orElse(getHeight() >= TextSize.scaled(MIN_HEIGHT_WITH_DOCK));
-            mainPanel.setDockShown(shown);
-            actionRegistry.get("instruments").setOn(shown);
-        }
-    }
-
-    private void setDockShown(boolean shown) {
-        dockChosen = true;
-        mainPanel.setDockShown(shown);
-        preferences.setDockShown(shown);
-    }
-
-    private void setPanelShown(boolean shown) {
-        mainPanel.setPanelShown(shown);
-        preferences.setPanelShown(shown);
-    }
-
-    private void setTimelineShown(boolean shown) {
-        mainPanel.timeline().setLanesShown(shown);
-        preferences.setTimelineShown(shown);
     }
 
     private void installCloseHandler() {
@@ -356,10 +307,7 @@ public final class MainWindow extends JFrame {
     }
 
     private void startTour() {
-        setTimelineShown(true);
-        actionRegistry.get("timeline").setOn(true);
-        setPanelShown(true);
-        actionRegistry.get("controlPanel").setOn(true);
+        parts.showForTour();
         tour.start();
     }
 

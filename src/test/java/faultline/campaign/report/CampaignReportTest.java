@@ -74,7 +74,7 @@ class CampaignReportTest {
     void runsThatAreTooShortToTellAreInNoShare() throws Exception {
         String html =
                 report("<set attribute=\"@duration\" value=\"2\"/><set attribute=\"robot/@speed\" value=\"0.2 0.3\"/>");
-        assertTrue(html.contains("<p>Undecided runs (8) were too short to tell"), "2 s are no lap");
+        assertTrue(html.contains("<p>Undecided runs (8) ended before their verdict was known"), "2 s are no lap");
         assertTrue(html.contains("one in twenty is in bold by chance"));
     }
 

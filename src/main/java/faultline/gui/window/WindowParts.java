@@ -1,0 +1,90 @@
+package faultline.gui.window;
+
+import faultline.gui.action.ActionRegistry;
+import faultline.gui.action.Keystrokes;
+import faultline.gui.action.UiAction;
+import faultline.gui.settings.WindowPreferences;
+import faultline.gui.theme.RefreshSteps;
+import faultline.gui.theme.TextSize;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.KeyEvent;
+import javax.swing.JFrame;
+
+/** The parts of the window that the user shows and hides: the instruments, the control panel and the time line. */
+final class WindowParts {
+
+    /** The height of a window that shows the instruments by default, pixels at the normal text size. */
+    private static final int MIN_HEIGHT_WITH_DOCK = 700;
+
+    private final WindowPreferences preferences;
+    private final UiAction instruments = UiAction.toggle("instruments", true, this::setDockShown)
+            .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_I));
+    private final UiAction controlPanel;
+    private final UiAction timeline;
+    private MainPanel mainPanel;
+    /** Whether the user has shown or hidden the instruments in this window. */
+    private boolean dockChosen;
+
+    /** Creates the actions that show and hide the parts. */
+    WindowParts(WindowPreferences preferences) {
+        this.preferences = preferences;
+        controlPanel = UiAction.toggle("controlPanel", preferences.isPanelShown(), this::setPanelShown)
+                .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_F9));
+        timeline = UiAction.toggle("timeline", preferences.isTimelineShown(), this::setTimelineShown)
+                .withAccelerator(Keystrokes.unmodified(KeyEvent.VK_T));
+    }
+
+    void addTo(ActionRegistry actions) {
+        actions.add(instruments);
+        actions.add(controlPanel);
+        actions.add(timeline);
+    }
+
+    /** Shows the parts of the contents of a window that the user has chosen. */
+    void install(JFrame window, MainPanel contents) {
+        mainPanel = contents;
+        mainPanel.setPanelShown(preferences.isPanelShown());
+        mainPanel.timeline().setLanesShown(preferences.isTimelineShown());
+        RefreshSteps.add(window.getRootPane(), root -> showDockByDefault(window));
+        window.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                showDockByDefault(window);
+            }
+        });
+    }
+
+    /** Shows the instruments as the user has chosen, otherwise in a window that is high enough. */
+    private void showDockByDefault(JFrame window) {
+        if (!dockChosen) {
+            boolean shown = preferences.dockShown().orElse(window.getHeight() >= TextSize.scaled(MIN_HEIGHT_WITH_DOCK));
+            mainPanel.setDockShown(shown);
+            instruments.setOn(shown);
+        }
+    }
+
+    /** Shows the time line and the control panel. */
+    void showForTour() {
+        setTimelineShown(true);
+        timeline.setOn(true);
+        setPanelShown(true);
+        controlPanel.setOn(true);
+    }
+
+    private void setDockShown(boolean shown) {
+        dockChosen = true;
+        mainPanel.setDockShown(shown);
+        preferences.setDockShown(shown);
+    }
+
+    private void setPanelShown(boolean shown) {
+        mainPanel.setPanelShown(shown);
+        preferences.setPanelShown(shown);
+    }
+
+    private void setTimelineShown(boolean shown) {
+        mainPanel.timeline().setLanesShown(shown);
+        preferences.setTimelineShown(shown);
+    }
+}
