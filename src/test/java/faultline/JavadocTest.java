@@ -41,24 +41,22 @@ class JavadocTest {
 
     @Test
     void aWrongReferenceIsFound(@TempDir Path folder) throws IOException {
-        Path sources = Files.createDirectories(folder.resolve("sample"));
-        Files.writeString(sources.resolve("package-info.java"), "/** Sample. */\npackage sample;\n");
-        Files.writeString(
-                sources.resolve("Sample.java"),
-                "package sample;\n\n/** Like {@link Exemplar}. */\npublic interface Sample {}\n");
-        String problems = problems(folder, List.of("sample"));
+        String problems = problemsOf(folder, "/** Like {@link Exemplar}. */\npublic interface Sample {}\n");
         assertTrue(problems.contains("Sample.java:3: error: reference not found"), problems);
     }
 
     @Test
     void aMissingCommentIsFound(@TempDir Path folder) throws IOException {
+        String problems =
+                problemsOf(folder, "/** Sample. */\npublic interface Sample {\n    double value(double x);\n}\n");
+        assertTrue(problems.contains("Sample.java:5: warning: no comment"), problems);
+    }
+
+    private static String problemsOf(Path folder, String type) throws IOException {
         Path sources = Files.createDirectories(folder.resolve("sample"));
         Files.writeString(sources.resolve("package-info.java"), "/** Sample. */\npackage sample;\n");
-        Files.writeString(
-                sources.resolve("Sample.java"),
-                "package sample;\n\n/** Sample. */\npublic interface Sample {\n    double value(double x);\n}\n");
-        String problems = problems(folder, List.of("sample"));
-        assertTrue(problems.contains("Sample.java:5: warning: no comment"), problems);
+        Files.writeString(sources.resolve("Sample.java"), "package sample;\n\n" + type);
+        return problems(folder, List.of("sample"));
     }
 
     /** Returns the packages that are not excluded from the Javadoc jar. */

@@ -1,7 +1,5 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.callOnEdt;
-import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,19 +9,15 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
-import faultline.gui.timeline.LaneView;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.world.Command;
-import java.awt.Rectangle;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JDialog;
-import javax.swing.JSlider;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -39,7 +33,6 @@ import org.junit.jupiter.api.io.TempDir;
         disabledReason = "drives a real window, which needs a display")
 class ControllerMarksRobotTest {
 
-    private static final double DURATION = 180;
     private static final String DIALOG = "Controller change";
 
     @TempDir
@@ -47,32 +40,18 @@ class ControllerMarksRobotTest {
 
     private Path file;
     private WindowDriver driver;
-    private LaneView lanes;
-    private double laneY;
+    private LanesDriver lanes;
 
     @BeforeEach
     void open() throws IOException {
         file = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("office.xml"));
         driver = WindowDriver.open(Theme.LIGHT, file);
-        lanes = ComponentFinder.findAll(driver.window(), LaneView.class)
-                .findFirst()
-                .orElseThrow();
-        driver.robot().waitFor("the lanes", () -> lanes.isShowing());
-        // The ruler is 14 pixels high; each lane is 12 to 17 pixels high. The last lane is the eleventh.
-        laneY = 14 + 10.5 * callOnEdt(() -> Math.min(17, Math.max(12, (lanes.getHeight() - 14) / 11)));
+        lanes = new LanesDriver(driver, 10);
     }
 
     @AfterEach
     void close() {
         driver.close();
-    }
-
-    private double x(double time) {
-        JSlider slider = ComponentFinder.find(driver.window(), JSlider.class, "Time line");
-        return callOnEdt(() -> slider.getLocationOnScreen().x
-                - lanes.getLocationOnScreen().x
-                + 7
-                + time / DURATION * (slider.getWidth() - 15));
     }
 
     private List<TimedCommand> saved() throws ScenarioException {
@@ -98,20 +77,9 @@ class ControllerMarksRobotTest {
         }
     }
 
-    /** Scrolls the lane of the controller, which is the last one, into view. */
-    private void showLane() {
-        runOnEdt(() -> lanes.scrollRectToVisible(new Rectangle(0, lanes.getHeight() - 1, 1, 1)));
-    }
-
-    private void doubleClick(double time) {
-        showLane();
-        driver.robot().click(lanes, x(time), laneY, InputEvent.BUTTON1_DOWN_MASK);
-        driver.robot().click(lanes, x(time), laneY, InputEvent.BUTTON1_DOWN_MASK);
-    }
-
     @Test
     void aChangeIsAddedDraggedAndEditedWithTheMouse() throws ScenarioException {
-        doubleClick(50);
+        lanes.click(50, 2);
         enter("Wall lost, m", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_1);
         driver.clickButton(DIALOG, "OK");
         driver.waitForTitle("office.xml*");
@@ -119,13 +87,12 @@ class ControllerMarksRobotTest {
         assertEquals(1, added.size());
         assertEquals(50, added.get(0).time(), 1.5);
         assertEquals(0.1, lostMargin(added.get(0)));
-        showLane();
-        driver.robot().drag(lanes, x(50), laneY, x(90), laneY, InputEvent.BUTTON1_DOWN_MASK);
+        lanes.drag(50, 90);
         driver.waitForTitle("office.xml*");
         List<TimedCommand> dragged = saved();
         assertEquals(90, dragged.get(0).time(), 2.5);
         assertEquals(added.get(0).command(), dragged.get(0).command());
-        doubleClick(dragged.get(0).time());
+        lanes.click(dragged.get(0).time(), 2);
         enter("Wall lost, m", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_2);
         driver.clickButton(DIALOG, "OK");
         driver.waitForTitle("office.xml*");
@@ -140,7 +107,7 @@ class ControllerMarksRobotTest {
         driver.robot().waitFor("the canvas has the focus", () -> driver.canvas().isFocusOwner());
         driver.type(KeyEvent.VK_F6);
         driver.type(KeyEvent.VK_F6);
-        driver.robot().waitFor("the lanes have the focus", lanes::isFocusOwner);
+        driver.robot().waitFor("the lanes have the focus", lanes.view()::isFocusOwner);
         for (int lane = 1; lane < 11; lane++) {
             driver.type(KeyEvent.VK_DOWN);
         }

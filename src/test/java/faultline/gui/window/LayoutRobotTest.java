@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.text.Language;
-import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.LaneView;
@@ -39,15 +38,7 @@ class LayoutRobotTest {
 
     @AfterEach
     void restoreDefaults() {
-        install(Language.ENGLISH, TextSize.NORMAL);
-    }
-
-    private static void install(Language language, TextSize size) {
-        runOnEdt(() -> {
-            Messages.setLanguage(language);
-            size.install();
-            Theme.LIGHT.install();
-        });
+        WindowDriver.installChoices(Language.ENGLISH, TextSize.NORMAL);
     }
 
     private static Stream<Arguments> screens() {
@@ -60,7 +51,7 @@ class LayoutRobotTest {
     @ParameterizedTest
     @MethodSource("screens")
     void theCanvasKeepsHalfOfTheWindow(int width, int height, TextSize size, Language language) {
-        install(language, size);
+        WindowDriver.installChoices(language, size);
         try (WindowDriver driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/yard.xml"))) {
             runOnEdt(() -> {
                 driver.window().setMinimumSize(new Dimension(200, 200));

@@ -9,8 +9,6 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.settings.WindowPreferences;
 import faultline.gui.text.Language;
-import faultline.gui.text.Messages;
-import faultline.gui.text.SwingMessages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
@@ -52,20 +50,11 @@ class LiveChoicesRobotTest {
 
     @AfterEach
     void restoreDefaults() {
-        install(Language.ENGLISH, TextSize.NORMAL);
-    }
-
-    private static void install(Language language, TextSize size) {
-        runOnEdt(() -> {
-            Messages.setLanguage(language);
-            SwingMessages.install();
-            size.install();
-            Theme.LIGHT.install();
-        });
+        WindowDriver.installChoices(Language.ENGLISH, TextSize.NORMAL);
     }
 
     private static WindowDriver open(Language language, TextSize size) {
-        install(language, size);
+        WindowDriver.installChoices(language, size);
         WindowPreferences preferences = WindowPreferences.nonPersistent();
         WindowDriver driver = WindowDriver.open(Theme.LIGHT, SCENARIO, preferences);
         runOnEdt(() -> driver.window().setSize(1280, 860));

@@ -1,6 +1,5 @@
 package faultline.gui.window;
 
-import static faultline.gui.GuiRobot.callOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -8,13 +7,11 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.theme.Theme;
-import faultline.gui.timeline.LaneView;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import faultline.sensor.Fault;
 import faultline.world.Command;
 import java.awt.Window;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -22,7 +19,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import javax.swing.JLabel;
-import javax.swing.JSlider;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -37,7 +33,6 @@ import org.junit.jupiter.api.io.TempDir;
         disabledReason = "drives a real window, which needs a display")
 class TimelineRobotTest {
 
-    private static final double DURATION = 180;
     private static final String NEW_FAULT = "left: stuck 0.40 m";
     private static final Command INJECT = new Command.InjectFault("left", new Fault.Stuck(0.4));
     private static final Command CLEAR = new Command.ClearFault("left", new Fault.Stuck(0.4));
@@ -47,36 +42,18 @@ class TimelineRobotTest {
 
     private Path file;
     private WindowDriver driver;
-    private LaneView lanes;
-    private double laneY;
+    private LanesDriver lanes;
 
     @BeforeEach
     void open() throws IOException {
         file = Files.copy(Path.of("scenarios/office.xml"), folder.resolve("office.xml"));
         driver = WindowDriver.open(Theme.LIGHT, file);
-        lanes = ComponentFinder.findAll(driver.window(), LaneView.class)
-                .findFirst()
-                .orElseThrow();
-        driver.robot().waitFor("the lanes", () -> lanes.getAccessibleContext() != null && lanes.isShowing());
-        // The ruler is 14 pixels high; each lane is 12 to 17 pixels high.
-        laneY = 14 + 2.5 * callOnEdt(() -> Math.min(17, Math.max(12, (lanes.getHeight() - 14) / 11)));
+        lanes = new LanesDriver(driver, 2);
     }
 
     @AfterEach
     void close() {
         driver.close();
-    }
-
-    private double x(double time) {
-        JSlider slider = ComponentFinder.find(driver.window(), JSlider.class, "Time line");
-        return callOnEdt(() -> slider.getLocationOnScreen().x
-                - lanes.getLocationOnScreen().x
-                + 7
-                + time / DURATION * (slider.getWidth() - 15));
-    }
-
-    private void drag(double from, double to) {
-        driver.robot().drag(lanes, x(from), laneY, x(to), laneY, InputEvent.BUTTON1_DOWN_MASK);
     }
 
     private List<TimedCommand> saved() throws ScenarioException {
@@ -95,14 +72,14 @@ class TimelineRobotTest {
 
     @Test
     void aFaultDrawnInALaneIsSavedAndItsEndsCanBeDragged() throws ScenarioException {
-        drag(20, 40);
+        lanes.drag(20, 40);
         driver.clickButton(NEW_FAULT, "OK");
         driver.waitForTitle("office.xml*");
         assertTimeline(saved(), 20, 40, 1.5);
-        drag(40, 90);
+        lanes.drag(40, 90);
         driver.waitForTitle("office.xml*");
         assertTimeline(saved(), 20, 90, 1.5);
-        drag(60, 100);
+        lanes.drag(60, 100);
         driver.waitForTitle("office.xml*");
         assertTimeline(saved(), 60, 130, 2.5);
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
@@ -147,7 +124,7 @@ class TimelineRobotTest {
         driver.robot().waitFor("the canvas has the focus", () -> driver.canvas().isFocusOwner());
         driver.type(KeyEvent.VK_F6);
         driver.type(KeyEvent.VK_F6);
-        driver.robot().waitFor("the lanes have the focus", lanes::isFocusOwner);
+        driver.robot().waitFor("the lanes have the focus", lanes.view()::isFocusOwner);
         driver.type(KeyEvent.VK_DOWN);
         driver.type(KeyEvent.VK_DOWN);
         driver.type(KeyEvent.VK_ENTER);

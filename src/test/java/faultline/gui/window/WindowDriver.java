@@ -10,6 +10,10 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.GuiRobot;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.settings.WindowPreferences;
+import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
+import faultline.gui.text.SwingMessages;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.Palette;
 import java.awt.Component;
@@ -67,6 +71,16 @@ final class WindowDriver implements AutoCloseable {
         driver.robot.waitFor(
                 "the first frame shows", () -> driver.canvas().frame().isPresent());
         return driver;
+    }
+
+    /** Sets the language and the text size of windows that are opened from now on, in the light theme. */
+    static void installChoices(Language language, TextSize size) {
+        runOnEdt(() -> {
+            Messages.setLanguage(language);
+            SwingMessages.install();
+            size.install();
+            Theme.LIGHT.install();
+        });
     }
 
     GuiRobot robot() {
