@@ -7,8 +7,11 @@ import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.SliderMark;
 import faultline.gui.theme.SliderMark.Form;
+import faultline.world.Command;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * The marks on the time slider: collisions, corners, changed settings, the starts of faults, and the end of the
@@ -19,6 +22,9 @@ final class RunMarks {
     private final List<SliderMark> marks = new ArrayList<>();
     private final SessionFrame frame;
     private final double dt;
+
+    /** A command and the tick at which it is executed. */
+    private record Execution(Command command, long tick) {}
 
     private RunMarks(SessionFrame frame, double dt) {
         this.frame = frame;
@@ -36,9 +42,12 @@ final class RunMarks {
     static List<SliderMark> of(SessionFrame frame, List<TimelineItem> items, long end, double dt) {
         RunMarks result = new RunMarks(frame, dt);
         EventLog log = frame.recording().events();
+        Set<Execution> planned = result.plannedChanges(items);
         for (long i = log.firstIndex(); i < log.endIndex(); i++) {
             if (log.get(i) instanceof RunEvent.StateChanged change && change.to() == FollowerState.TURN
-                    || log.get(i) instanceof RunEvent.CommandExecuted done && result.isOwnMark(done, items)) {
+                    || log.get(i) instanceof RunEvent.CommandExecuted done
+                            && CommandText.isSettingChange(done.command())
+                            && !planned.contains(new Execution(done.command(), done.tick()))) {
                 result.addEvent(log.get(i));
             }
         }
@@ -61,12 +70,12 @@ final class RunMarks {
         return List.copyOf(result.marks);
     }
 
-    /** Returns whether a command has changed settings from outside, and is not marked as an item. */
-    private boolean isOwnMark(RunEvent.CommandExecuted done, List<TimelineItem> items) {
-        return CommandText.isSettingChange(done.command())
-                && items.stream()
-                        .noneMatch(item ->
-                                item.command().equals(done.command()) && Math.round(item.start() / dt) == done.tick());
+    /** Returns the changes of settings that are marked as items. */
+    private Set<Execution> plannedChanges(List<TimelineItem> items) {
+        return items.stream()
+                .filter(item -> CommandText.isSettingChange(item.command()))
+                .map(item -> new Execution(item.command(), Math.round(item.start() / dt)))
+                .collect(Collectors.toSet());
     }
 
     private void addEvent(RunEvent event) {
