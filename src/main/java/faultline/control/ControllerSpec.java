@@ -54,53 +54,8 @@ public sealed interface ControllerSpec {
             implements BuiltIn {
 
         /** The follower that is used where a file gives no values. */
-        public static final WallFollowing DEFAULT =
-                new WallFollowing(0.25, WallSide.LEFT, 0, TimingRule.EQUAL_READINGS, true);
-
-        /**
-         * Creates settings with diagnosis and automatic gains.
-         *
-         * @param distance the wanted reading of the sensor that faces the wall, in metres, positive
-         * @param side the side of the robot on which the wall is
-         * @param period the time between two decisions, in seconds; 0 for every tick
-         * @param timingRule the timing rule
-         */
-        public WallFollowing(double distance, WallSide side, double period, TimingRule timingRule) {
-            this(distance, side, period, timingRule, true);
-        }
-
-        /**
-         * Creates settings with automatic gains.
-         *
-         * @param distance the wanted reading of the sensor that faces the wall, in metres, positive
-         * @param side the side of the robot on which the wall is
-         * @param period the time between two decisions, in seconds; 0 for every tick
-         * @param timingRule the timing rule
-         * @param diagnosis whether the follower watches its sensors
-         */
-        public WallFollowing(double distance, WallSide side, double period, TimingRule timingRule, boolean diagnosis) {
-            this(distance, side, period, timingRule, diagnosis, GainRule.AUTOMATIC);
-        }
-
-        /**
-         * Creates settings with the default thresholds.
-         *
-         * @param distance the wanted reading of the sensor that faces the wall, in metres, positive
-         * @param side the side of the robot on which the wall is
-         * @param period the time between two decisions, in seconds; 0 for every tick
-         * @param timingRule the timing rule
-         * @param diagnosis whether the follower watches its sensors
-         * @param gainRule the choice of the gains
-         */
-        public WallFollowing(
-                double distance,
-                WallSide side,
-                double period,
-                TimingRule timingRule,
-                boolean diagnosis,
-                GainRule gainRule) {
-            this(distance, side, period, timingRule, diagnosis, gainRule, Thresholds.DEFAULT);
-        }
+        public static final WallFollowing DEFAULT = new WallFollowing(
+                0.25, WallSide.LEFT, 0, TimingRule.EQUAL_READINGS, true, GainRule.AUTOMATIC, Thresholds.DEFAULT);
 
         /**
          * {@return the same settings with another distance, metres}

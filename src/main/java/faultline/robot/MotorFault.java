@@ -17,7 +17,9 @@ public sealed interface MotorFault permits MotorFault.Weak, MotorFault.Dead, Mot
     MotorFaultKind kind();
 
     /** {@return the number of this fault in the kind's unit; 0 if the kind has none} */
-    double value();
+    default double value() {
+        return 0;
+    }
 
     /**
      * A share of the voltage has an effect, so the wheels turn slower: file kind {@code weak}.
@@ -46,11 +48,6 @@ public sealed interface MotorFault permits MotorFault.Weak, MotorFault.Dead, Mot
         @Override
         public MotorFaultKind kind() {
             return MotorFaultKind.DEAD;
-        }
-
-        @Override
-        public double value() {
-            return 0;
         }
     }
 

@@ -34,10 +34,14 @@ public sealed interface Fault
     double apply(double reading, FaultContext context);
 
     /** {@return the kind of this fault} */
-    FaultKind kind();
+    default FaultKind kind() {
+        return FaultKind.of(this);
+    }
 
     /** {@return the number of this fault, in the unit of its kind; 0 if the kind has none} */
-    double value();
+    default double value() {
+        return 0;
+    }
 
     /** {@return the mean length of this fault's periods, seconds; 0 for a kind without a length} */
     default double length() {
@@ -64,16 +68,6 @@ public sealed interface Fault
         public double apply(double reading, FaultContext context) {
             return Reading.OFF;
         }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.OFF;
-        }
-
-        @Override
-        public double value() {
-            return 0;
-        }
     }
 
     /**
@@ -85,11 +79,6 @@ public sealed interface Fault
         @Override
         public double apply(double reading, FaultContext context) {
             return value <= context.range() ? value : Reading.NOTHING;
-        }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.STUCK;
         }
     }
 
@@ -105,11 +94,6 @@ public sealed interface Fault
             double biased = Math.max(0, reading + value);
             return biased <= context.range() ? biased : Reading.NOTHING;
         }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.BIAS;
-        }
     }
 
     /**
@@ -121,11 +105,6 @@ public sealed interface Fault
         @Override
         public double apply(double reading, FaultContext context) {
             return context.random().nextDouble() < value ? Reading.NOTHING : reading;
-        }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.DROPOUT;
         }
     }
 }

@@ -1,6 +1,9 @@
 package faultline.sensor;
 
+import java.util.Arrays;
 import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
 
 /**
  * The kinds of fault with the names that scenario files use, each with the bounds of its number. A new kind needs one
@@ -80,6 +83,10 @@ public enum FaultKind {
     /** The longest mean length of a burst, seconds. */
     public static final double MAX_LENGTH = 1000;
 
+    private static final Map<Class<?>, FaultKind> BY_TYPE = Arrays.stream(values())
+            .collect(
+                    Collectors.toMap(kind -> kind.createFault(kind.defaultValue).getClass(), kind -> kind));
+
     private interface Factory {
         Fault create(double value, double length);
     }
@@ -98,6 +105,10 @@ public enum FaultKind {
         this.maxValue = most;
         this.defaultValue = initial;
         this.factory = factory;
+    }
+
+    static FaultKind of(Fault fault) {
+        return BY_TYPE.get(fault.getClass());
     }
 
     /** {@return the name in scenario files, in lower case} */

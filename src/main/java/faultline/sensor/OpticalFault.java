@@ -17,11 +17,6 @@ public final class OpticalFault {
         public double apply(double reading, FaultContext context) {
             return reading > value ? Reading.NOTHING : reading;
         }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.SHORT_RANGE;
-        }
     }
 
     /**
@@ -38,11 +33,6 @@ public final class OpticalFault {
         @Override
         public SensorSpec optics(SensorSpec spec) {
             return spec.withCone(StrictMath.toRadians(value));
-        }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.CONE;
         }
     }
 
@@ -61,11 +51,6 @@ public final class OpticalFault {
         public double specularAngle() {
             return StrictMath.toRadians(value);
         }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.SPECULAR_LOSS;
-        }
     }
 
     /**
@@ -82,11 +67,6 @@ public final class OpticalFault {
         @Override
         public SensorSpec optics(SensorSpec spec) {
             return spec.withBearing(Angles.normalize(spec.bearing() + StrictMath.toRadians(value)));
-        }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.MISALIGNED;
         }
     }
 }

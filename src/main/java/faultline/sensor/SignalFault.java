@@ -17,16 +17,6 @@ public final class SignalFault {
         public double apply(double reading, FaultContext context) {
             return context.heldReading();
         }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.STUCK_AT_LAST;
-        }
-
-        @Override
-        public double value() {
-            return 0;
-        }
     }
 
     /**
@@ -38,11 +28,6 @@ public final class SignalFault {
         @Override
         public double apply(double reading, FaultContext context) {
             return limited(value * reading, context.range());
-        }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.SCALE;
         }
     }
 
@@ -56,11 +41,6 @@ public final class SignalFault {
         public double apply(double reading, FaultContext context) {
             return limited(reading + value * context.age(), context.range());
         }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.DRIFT;
-        }
     }
 
     /**
@@ -72,11 +52,6 @@ public final class SignalFault {
         @Override
         public double apply(double reading, FaultContext context) {
             return limited(reading + value * context.random().nextGaussian(), context.range());
-        }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.NOISE;
         }
     }
 
@@ -91,11 +66,6 @@ public final class SignalFault {
             return reading == Reading.NOTHING
                     ? reading
                     : limited(value * Math.floor(reading / value + 0.5), context.range());
-        }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.QUANTISED;
         }
     }
 
@@ -123,11 +93,6 @@ public final class SignalFault {
         public double apply(double reading, FaultContext context) {
             return context.inBurst(value, length) ? Reading.NOTHING : reading;
         }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.BURSTS;
-        }
     }
 
     /**
@@ -139,11 +104,6 @@ public final class SignalFault {
         @Override
         public double apply(double reading, FaultContext context) {
             return context.delayed(reading, value);
-        }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.DELAYED;
         }
     }
 
@@ -159,11 +119,6 @@ public final class SignalFault {
             double distance = context.range() * context.random().nextDouble();
             return chance < value ? Math.min(reading, distance) : reading;
         }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.GHOST;
-        }
     }
 
     /**
@@ -176,11 +131,6 @@ public final class SignalFault {
         public double apply(double reading, FaultContext context) {
             boolean mixed = context.random().nextDouble() < value;
             return mixed ? limited(Math.min(reading, context.neighbourReading()), context.range()) : reading;
-        }
-
-        @Override
-        public FaultKind kind() {
-            return FaultKind.CROSS_TALK;
         }
     }
 }

@@ -92,8 +92,8 @@ record SurvivalTrial(long room, List<DrawnFault> faults, List<Integer> sensors, 
                     new Command.InjectFault(
                             SENSORS.get(sensors.get(i)), faults.get(i).draw(random))));
         }
-        ControllerSpec controller = new ControllerSpec.WallFollowing(
-                0.25, conditions.side, 0, TimingRule.EQUAL_READINGS, conditions.diagnosis);
+        ControllerSpec controller =
+                ControllerSpec.WallFollowing.DEFAULT.withSide(conditions.side).withDiagnosis(conditions.diagnosis);
         return SimulationSetup.of(place.world(), place.start())
                 .withRobot(robot)
                 .withController(controller)

@@ -12,16 +12,16 @@ class ControllerSpecTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, -0.1, Double.NaN, Double.POSITIVE_INFINITY})
     void theDistanceMustBePositive(double distance) {
-        Exception problem = assertThrows(
-                IllegalArgumentException.class, () -> new WallFollowing(distance, WallSide.LEFT, 0, TimingRule.RANGE));
+        Exception problem =
+                assertThrows(IllegalArgumentException.class, () -> WallFollowing.DEFAULT.withDistance(distance));
         assertTrue(problem.getMessage().contains("distance must be positive: " + distance), problem.getMessage());
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {-0.01, Double.NaN, Double.POSITIVE_INFINITY})
     void thePeriodMustNotBeNegative(double period) {
-        Exception problem = assertThrows(
-                IllegalArgumentException.class, () -> new WallFollowing(0.25, WallSide.LEFT, period, TimingRule.RANGE));
+        Exception problem =
+                assertThrows(IllegalArgumentException.class, () -> WallFollowing.DEFAULT.withPeriod(period));
         assertTrue(problem.getMessage().contains("period must not be negative: " + period), problem.getMessage());
     }
 

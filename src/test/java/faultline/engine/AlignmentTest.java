@@ -112,7 +112,12 @@ class AlignmentTest {
             // The six states alone: cones of up to 60 degrees are beyond what the diagnosis was made for.
             return SimulationSetup.of(new WorldSpec(30, 30, true, 0, List.of()), new Pose(15, 28, Math.PI / 2 + angle))
                     .withRobot(robot)
-                    .withController(new ControllerSpec.WallFollowing(distance, side, period, timingRule, false))
+                    .withController(ControllerSpec.WallFollowing.DEFAULT
+                            .withDistance(distance)
+                            .withSide(side)
+                            .withPeriod(period)
+                            .withTimingRule(timingRule)
+                            .withDiagnosis(false))
                     .withTick(DT)
                     .withDuration(MAX_SECONDS);
         }

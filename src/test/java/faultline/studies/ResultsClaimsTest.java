@@ -71,7 +71,11 @@ class ResultsClaimsTest {
                 Math.PI / 2 + Degrees.toRadians(between(-75, 75)));
         double period = random.nextInt(1, 11) * AlignmentTrial.BASE.dt();
         SimulationSetup there = AlignmentTrial.BASE
-                .withController(new WallFollowing(distance, WallFollowing.DEFAULT.side(), period, timing, false))
+                .withController(WallFollowing.DEFAULT
+                        .withDistance(distance)
+                        .withPeriod(period)
+                        .withTimingRule(timing)
+                        .withDiagnosis(false))
                 .withStart(start);
         return new AlignmentTrial(there.withRobot(robot()), 1);
     }

@@ -2,6 +2,7 @@ package faultline.campaign.report;
 
 import faultline.campaign.plan.CampaignPlan;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -77,10 +78,6 @@ public record CampaignCell(
     }
 
     private static double mean(List<RunRow> rows, String column) {
-        return rows.stream()
-                .flatMap(row -> row.number(column).stream().boxed())
-                .mapToDouble(Double::doubleValue)
-                .average()
-                .orElse(Double.NaN);
+        return Arrays.stream(RunData.values(rows, column)).average().orElse(Double.NaN);
     }
 }

@@ -10,7 +10,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalDouble;
 
 /**
  * The cells of a campaign as CSV: one row for each combination of levels, with rows for all faults, all sensors and
@@ -145,12 +144,7 @@ final class CellTable {
             }
         }
         cells.add(count(rows, "broken"));
-        double[] delays = rows.stream()
-                .map(row -> row.number("detection_delay_s"))
-                .filter(OptionalDouble::isPresent)
-                .mapToDouble(OptionalDouble::getAsDouble)
-                .sorted()
-                .toArray();
+        double[] delays = FaultSections.delays(rows);
         cells.add(Integer.toString(delays.length));
         cells.add(delays.length == 0 ? "" : fixed(FaultSections.quantile(delays, 0.5)));
         cells.add(delays.length == 0 ? "" : fixed(FaultSections.quantile(delays, 0.9)));

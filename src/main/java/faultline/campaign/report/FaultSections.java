@@ -4,13 +4,17 @@ import faultline.campaign.plan.CampaignPlan.FactorSummary;
 import faultline.campaign.plan.FactorKind;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiConsumer;
+import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /** The sections on faults: the survival matrix, and how soon faults are detected. */
 final class FaultSections {
@@ -55,29 +59,33 @@ final class FaultSections {
     }
 
     private static String matrix(FactorSummary faults, List<RunRow> all) {
-        Map<String, List<RunRow>> byPart = RunData.group(all, row -> RunData.failingPart(row, faults));
-        List<RunRow> healthy = byPart.getOrDefault("", List.of());
-        byPart.remove("");
-        List<RunRow> faulty = all.stream()
-                .filter(row -> !RunData.failingPart(row, faults).isEmpty())
-                .toList();
-        List<List<String>> rows = new ArrayList<>();
-        RunData.group(faulty, row -> row.text(RunData.faultColumn(faults)))
-                .forEach((name, group) -> rows.add(line(Html.escape(name), faults, byPart.keySet(), group)));
-        rows.add(line("all faults", faults, byPart.keySet(), faulty));
-        List<String> header = new ArrayList<>(List.of("fault"));
-        byPart.keySet().forEach(part -> header.add(Html.escape(part)));
-        header.add("all");
+        Map<Boolean, List<RunRow>> byFault = all.stream()
+                .collect(Collectors.partitioningBy(
+                        row -> !RunData.failingPart(row, faults).isEmpty()));
+        List<RunRow> healthy = byFault.get(false);
         return (healthy.isEmpty() ? "" : "<p>Healthy: " + Html.survival(Survival.of(healthy)) + ".</p>\n")
-                + Html.table("matrix", header, rows);
+                + table(faults, byFault.get(true), rows -> Html.survivalCell(Survival.of(rows)));
     }
 
-    private static List<String> line(String name, FactorSummary faults, Set<String> parts, List<RunRow> rows) {
-        Map<String, List<RunRow>> cells = RunData.group(rows, row -> RunData.failingPart(row, faults));
-        List<String> line = new ArrayList<>(List.of(name));
-        parts.forEach(part -> line.add(Html.survivalCell(Survival.of(cells.getOrDefault(part, List.of())))));
-        line.add(Html.survivalCell(Survival.of(rows)));
-        return line;
+    /** Returns a table with a row for each fault and for all of them, and a column for each part that fails. */
+    private static String table(FactorSummary faults, List<RunRow> faulty, Function<List<RunRow>, String> cell) {
+        Function<RunRow, String> part = row -> RunData.failingPart(row, faults);
+        Set<String> parts = RunData.group(faulty, part).keySet();
+        Map<String, List<RunRow>> lines = RunData.group(faulty, row -> row.text(RunData.faultColumn(faults)));
+        List<List<String>> rows = new ArrayList<>();
+        BiConsumer<String, List<RunRow>> addLine = (name, group) -> {
+            Map<String, List<RunRow>> cells = RunData.group(group, part);
+            List<String> line = new ArrayList<>(List.of(name));
+            parts.forEach(each -> line.add(cell.apply(cells.getOrDefault(each, List.of()))));
+            line.add(cell.apply(group));
+            rows.add(line);
+        };
+        lines.forEach((name, group) -> addLine.accept(Html.escape(name), group));
+        addLine.accept("all faults", faulty);
+        List<String> header = new ArrayList<>(List.of("fault"));
+        parts.forEach(each -> header.add(Html.escape(each)));
+        header.add("all");
+        return Html.table("matrix", header, rows);
     }
 
     /** Returns the delays of detection by fault and part, empty if the runs have none. */
@@ -90,28 +98,11 @@ final class FaultSections {
                 .filter(row -> !row.text("final_rung").isEmpty())
                 .filter(row -> !RunData.failingPart(row, faults.get()).isEmpty())
                 .toList();
-        Set<String> parts = RunData.group(diagnosed, row -> RunData.failingPart(row, faults.get()))
-                .keySet();
-        List<List<String>> rows = new ArrayList<>();
-        RunData.group(diagnosed, row -> row.text(RunData.faultColumn(faults.get())))
-                .forEach((fault, group) -> rows.add(delayLine(Html.escape(fault), faults.get(), parts, group)));
-        rows.add(delayLine("all faults", faults.get(), parts, diagnosed));
-        List<String> header = new ArrayList<>(List.of("fault"));
-        parts.forEach(part -> header.add(Html.escape(part)));
-        header.add("all");
         return Html.section(
                 "Detection delays",
                 Html.paragraph(DELAYS_EXPLAINED)
-                        + Html.table("matrix", header, rows)
+                        + table(faults.get(), diagnosed, FaultSections::delayCell)
                         + Svg.histogram("detection delay (s)", delays(diagnosed), 24));
-    }
-
-    private static List<String> delayLine(String name, FactorSummary faults, Set<String> parts, List<RunRow> rows) {
-        Map<String, List<RunRow>> cells = RunData.group(rows, row -> RunData.failingPart(row, faults));
-        List<String> line = new ArrayList<>(List.of(name));
-        parts.forEach(part -> line.add(delayCell(cells.getOrDefault(part, List.of()))));
-        line.add(delayCell(rows));
-        return line;
     }
 
     private static String delayCell(List<RunRow> rows) {
@@ -127,13 +118,9 @@ final class FaultSections {
         return Html.format(value < 10 ? "%.2f" : "%.0f", value);
     }
 
-    private static double[] delays(List<RunRow> rows) {
-        return rows.stream()
-                .map(row -> row.number(DELAY))
-                .filter(java.util.OptionalDouble::isPresent)
-                .mapToDouble(java.util.OptionalDouble::getAsDouble)
-                .sorted()
-                .toArray();
+    /** Returns the delays of detection in some runs, ascending. */
+    static double[] delays(List<RunRow> rows) {
+        return Arrays.stream(RunData.values(rows, DELAY)).sorted().toArray();
     }
 
     /** Returns the least of some sorted numbers that no more than the rest of a share exceed. */
@@ -188,8 +175,7 @@ final class FaultSections {
         List<List<String>> rows = sufficient.stream()
                 .filter(set -> sufficient.stream()
                         .noneMatch(other -> !other.equals(set) && sensors(set).containsAll(sensors(other))))
-                .sorted(java.util.Comparator.comparing(
-                                (String set) -> sensors(set).size())
+                .sorted(Comparator.comparing((String set) -> sensors(set).size())
                         .thenComparing(set -> -sets.get(set).share())
                         .thenComparing(set -> set))
                 .map(set -> List.of(
@@ -209,8 +195,7 @@ final class FaultSections {
             int wanted = size;
             List<String> some = sets.keySet().stream()
                     .filter(set -> sensors(set).size() == wanted)
-                    .sorted(java.util.Comparator.comparing(
-                                    (String set) -> -sets.get(set).share())
+                    .sorted(Comparator.comparing((String set) -> -sets.get(set).share())
                             .thenComparing(set -> set))
                     .toList();
             if (!some.isEmpty()) {

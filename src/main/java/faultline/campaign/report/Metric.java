@@ -57,11 +57,7 @@ enum Metric {
 
     /** Returns the values of those runs that have one. */
     double[] values(List<ControllerRuns.Run> runs) {
-        return runs.stream()
-                .map(this::of)
-                .filter(OptionalDouble::isPresent)
-                .mapToDouble(OptionalDouble::getAsDouble)
-                .toArray();
+        return runs.stream().flatMapToDouble(run -> of(run).stream()).toArray();
     }
 
     /** Returns the 95 % interval of the mean of some values; that of a share if the values are 0 and 1. */

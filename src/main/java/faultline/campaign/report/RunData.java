@@ -135,6 +135,11 @@ final class RunData {
                 .toList();
     }
 
+    /** Returns the numbers that a column has in some rows. */
+    static double[] values(Collection<RunRow> rows, String column) {
+        return rows.stream().flatMapToDouble(row -> row.number(column).stream()).toArray();
+    }
+
     /** Groups rows by a key, in the order of their first appearance. */
     static <K> Map<K, List<RunRow>> group(Collection<RunRow> rows, Function<RunRow, K> key) {
         Map<K, List<RunRow>> groups = new LinkedHashMap<>();

@@ -8,7 +8,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /** The sections on what varies: levels side by side, and shares over drawn numbers. */
 final class VariantSections {
@@ -140,18 +139,10 @@ final class VariantSections {
     }
 
     private static String mean(List<RunRow> rows, String metric) {
-        double[] values = values(rows, metric);
+        double[] values = RunData.values(rows, metric);
         return values.length == 0
                 ? "&ndash;"
                 : Html.number(Arrays.stream(values).average().orElse(0)) + " <small>n " + values.length + "</small>";
-    }
-
-    private static double[] values(List<RunRow> rows, String column) {
-        return rows.stream()
-                .map(row -> row.number(column))
-                .filter(OptionalDouble::isPresent)
-                .mapToDouble(OptionalDouble::getAsDouble)
-                .toArray();
     }
 
     /** Returns charts of the share carried on over each number that is drawn or has many levels. */
@@ -187,7 +178,7 @@ final class VariantSections {
                 .filter(row ->
                         row.number(column.name()).isPresent() && row.carriedOn().isPresent())
                 .toList();
-        double[] values = values(rows, column.name());
+        double[] values = RunData.values(rows, column.name());
         double low = Arrays.stream(values).min().orElse(0);
         double high = Arrays.stream(values).max().orElse(1);
         List<Svg.Point> points = new ArrayList<>();
@@ -216,7 +207,7 @@ final class VariantSections {
         StringBuilder charts = new StringBuilder();
         for (String metric :
                 List.of("coverage", "wall_share", "laps", "distance_rms_m", "follow_rms_m", "simulated_s")) {
-            double[] values = values(data.rows(), metric);
+            double[] values = RunData.values(data.rows(), metric);
             if (values.length > 0) {
                 charts.append(Svg.histogram(metric, values, 24));
             }

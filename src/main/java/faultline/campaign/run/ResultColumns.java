@@ -11,20 +11,19 @@ import faultline.scenario.RunSummary;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
 
 /** The columns of {@code runs.csv}: the run, what varies, and what the run came to. */
 public final class ResultColumns {
 
     private static final int FAILURE_LENGTH = 200;
 
-    /** Makes a cell of what was measured in a run. */
-    private interface CellMaker {
-        String cell(RunResult result, CarryOnMetrics carry, DiagnosisMetrics diagnosis);
-    }
+    /** What was measured in a run. */
+    private record Measures(RunResult result, CarryOnMetrics carry, DiagnosisMetrics diagnosis) {}
 
     /** A column with the way in which its cell is made. */
-    private record Result(Column column, CellMaker cell) {
-        Result(String name, String unit, String meaning, CellMaker cell) {
+    private record Result(Column column, Function<Measures, String> cell) {
+        Result(String name, String unit, String meaning, Function<Measures, String> cell) {
             this(new Column(name, unit, meaning), cell);
         }
     }
@@ -33,94 +32,89 @@ public final class ResultColumns {
             new Result(
                     "outcome",
                     "",
-                    "carried_on, collided, stopped (at rest without contact), lost, "
-                            + "undecided (the run was too short), or"
-                            + " broken",
-                    (result, carry, diagnosis) -> Outcome.of(result, carry).word()),
+                    "carried_on, collided, stopped (at rest without contact), lost, undecided (the run was too short),"
+                            + " or broken",
+                    run -> Outcome.of(run.result(), run.carry()).word()),
             new Result(
                     "carried_on",
                     "",
-                    "1 if there was no contact and 0.80 of the wall was passed within "
-                            + "0.15 m of the wanted path in the time"
+                    "1 if there was no contact and 0.80 of the wall was passed within 0.15 m of the wanted path in the time"
                             + " of two laps after the fault, 0 if not, empty if undecided",
-                    (result, carry, diagnosis) -> carriedOn(result, carry)),
+                    run -> carriedOn(run.result(), run.carry())),
             new Result(
                     "collided",
                     "",
                     "1 if the robot touched something, 0 if not",
-                    (result, carry, diagnosis) -> result.collision().isPresent() ? "1" : "0"),
-            new Result(
-                    "collision_time_s",
-                    "s",
-                    "time of the first contact",
-                    (result, carry, diagnosis) -> result.collision()
-                            .map(contact -> fixed(contact.time(), 3))
-                            .orElse("")),
-            new Result("collided_with", "", "what it touched", (result, carry, diagnosis) -> result.collision()
+                    run -> run.result().collision().isPresent() ? "1" : "0"),
+            new Result("collision_time_s", "s", "time of the first contact", run -> run.result()
+                    .collision()
+                    .map(contact -> fixed(contact.time(), 3))
+                    .orElse("")),
+            new Result("collided_with", "", "what it touched", run -> run.result()
+                    .collision()
                     .map(contact -> contact.obstacle())
                     .orElse("")),
             new Result(
                     "wall_share",
                     "",
                     "share of the wall that was passed within 0.15 m of the wanted path since the clock started",
-                    (result, carry, diagnosis) -> fixed(carry.share().orElse(Double.NaN), 4)),
+                    run -> fixed(run.carry().share().orElse(Double.NaN), 4)),
             new Result(
                     "laps",
                     "",
                     "how often the wall was passed since the clock started, on average over its length",
-                    (result, carry, diagnosis) -> fixed(carry.laps().orElse(Double.NaN), 3)),
+                    run -> fixed(run.carry().laps().orElse(Double.NaN), 3)),
             new Result(
                     "clock_start_s",
                     "s",
                     "start of the clock: the last fault to begin, or the first meeting with a wall if that is later",
-                    (result, carry, diagnosis) -> fixed(carry.clockStart().orElse(Double.NaN), 3)),
+                    run -> fixed(run.carry().clockStart().orElse(Double.NaN), 3)),
             new Result(
                     "coverage",
                     "",
                     "share of the wall that was followed within 0.05 m in the whole run",
-                    (result, carry, diagnosis) -> fixed(result.coverage().orElse(Double.NaN), 4)),
+                    run -> fixed(run.result().coverage().orElse(Double.NaN), 4)),
             new Result(
                     "distance_rms_m",
                     "m",
                     "distance error on straight walls, root mean square",
-                    (result, carry, diagnosis) -> fixed(result.distanceRms().orElse(Double.NaN), 6)),
+                    run -> fixed(run.result().distanceRms().orElse(Double.NaN), 6)),
             new Result(
                     "follow_rms_m",
                     "m",
                     "distance error in all of FOLLOW, root mean square",
-                    (result, carry, diagnosis) -> fixed(result.followRmsOrNaN(), 6)),
-            new Result(
-                    "final_state", "", "last state of the controller", (result, carry, diagnosis) -> result.finalState()
-                            .name()),
+                    run -> fixed(run.result().followRmsOrNaN(), 6)),
+            new Result("final_state", "", "last state of the controller", run -> run.result()
+                    .finalState()
+                    .name()),
             new Result(
                     "final_rung",
                     "",
                     "last strategy of the controller, empty without a diagnosis",
-                    (result, carry, diagnosis) -> diagnosis.rung()),
+                    run -> run.diagnosis().rung()),
             new Result(
                     "detection_delay_s",
                     "s",
                     "time from the first fault until the diagnosis does not trust its sensor, empty if it always does",
-                    (result, carry, diagnosis) ->
-                            fixed(diagnosis.detectionDelay().orElse(Double.NaN), 3)),
+                    run -> fixed(run.diagnosis().detectionDelay().orElse(Double.NaN), 3)),
             new Result(
                     "false_alarms",
                     "",
                     "sensors without a fault that the diagnosis did not trust at some time, empty without a diagnosis",
-                    (result, carry, diagnosis) -> diagnosis.falseAlarms().isPresent()
-                            ? Integer.toString(diagnosis.falseAlarms().getAsInt())
+                    run -> run.diagnosis().falseAlarms().isPresent()
+                            ? Integer.toString(run.diagnosis().falseAlarms().getAsInt())
                             : ""),
             new Result(
                     "simulated_s",
                     "s",
                     "how long the run lasted",
-                    (result, carry, diagnosis) -> fixed(result.simulatedSeconds(), 9)),
+                    run -> fixed(run.result().simulatedSeconds(), 9)),
             new Result(
                     "trajectory_hash",
                     "",
                     "hash over all ticks, the same for every run of the same scenario",
-                    (result, carry, diagnosis) -> RunSummary.formatHash(result)),
-            new Result("failure", "", "why the run broke, empty if it did not", (result, carry, diagnosis) -> ""));
+                    run -> RunSummary.formatHash(run.result())),
+            new Result("failure", "", "why the run broke, empty if it did not", run -> ""));
 
     private ResultColumns() {}
 
@@ -156,7 +150,8 @@ public final class ResultColumns {
     /** Returns the row of a run. */
     static String row(PlannedRun run, RunResult result, CarryOnMetrics carry, DiagnosisMetrics diagnosis) {
         List<String> cells = leadingCells(run);
-        RESULTS.forEach(column -> cells.add(column.cell.cell(result, carry, diagnosis)));
+        Measures measures = new Measures(result, carry, diagnosis);
+        RESULTS.forEach(column -> cells.add(column.cell.apply(measures)));
         return Csv.row(cells);
     }
 

@@ -31,7 +31,7 @@ class MirroredFollowerTest {
     private final FaultTolerantFollower right = new FaultTolerantFollower(following(WallSide.RIGHT));
 
     private static WallFollowing following(WallSide side) {
-        return new WallFollowing(0.25, side, 0, TimingRule.EQUAL_READINGS);
+        return WallFollowing.DEFAULT.withSide(side);
     }
 
     private Decision decideTwice(Observation seen) {

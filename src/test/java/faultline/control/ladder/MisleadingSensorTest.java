@@ -32,7 +32,7 @@ class MisleadingSensorTest {
                         new WorldSpec(4.3, 3.7, true, 3, List.of()),
                         RobotSpec.DEFAULT,
                         new Pose(1.1, 0.9, 0.2),
-                        new ControllerSpec.WallFollowing(0.25, side, 0, TimingRule.EQUAL_READINGS),
+                        ControllerSpec.WallFollowing.DEFAULT.withSide(side),
                         timeline,
                         0.01,
                         1,

@@ -37,14 +37,7 @@ class StopTest {
     private static SimulationSetup setup(
             WorldSpec world, Pose start, RobotSpec robot, WallSide side, List<TimedCommand> timeline) {
         return new SimulationSetup(
-                world,
-                robot,
-                start,
-                new ControllerSpec.WallFollowing(0.25, side, 0, TimingRule.EQUAL_READINGS),
-                timeline,
-                0.01,
-                1,
-                300);
+                world, robot, start, ControllerSpec.WallFollowing.DEFAULT.withSide(side), timeline, 0.01, 1, 300);
     }
 
     private static Simulation run(SimulationSetup setup, double time) {

@@ -32,7 +32,7 @@ class AlignmentManoeuvreTest {
                 Degrees.toRadians(TURN_RATE),
                 new MotorSpec(timeConstant, 0.1, 6),
                 RobotSpec.DEFAULT.sensors());
-        WallFollowing follower = new WallFollowing(0.25, WallSide.LEFT, 0, timing);
+        WallFollowing follower = WallFollowing.DEFAULT.withTimingRule(timing);
         return new StraightWallFixture(robot, follower, 1.2, headingDegrees).runUntil(FollowerState.FOLLOW);
     }
 
@@ -78,7 +78,7 @@ class AlignmentManoeuvreTest {
     void aWallMetSidewaysIsBackedOffFromAndThenTimedAsAnyOther(TimingRule timing) {
         RobotSpec robot = Observations.LAG_FREE_ROBOT;
         StraightWallFixture beside = new StraightWallFixture(
-                        robot, new WallFollowing(0.25, WallSide.LEFT, 0, timing), 0.4, 5)
+                        robot, WallFollowing.DEFAULT.withTimingRule(timing), 0.4, 5)
                 .runUntil(FollowerState.FOLLOW);
         assertEquals(0, beside.headingDegrees(), 1.3);
         assertEquals(0.35, beside.distance(), 0.06);

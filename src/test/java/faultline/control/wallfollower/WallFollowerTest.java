@@ -205,7 +205,7 @@ class WallFollowerTest {
 
     @Test
     void withTheWallOnTheRightItIsItsOwnMirrorImage() {
-        WallFollower right = new WallFollower(new WallFollowing(0.25, WallSide.RIGHT, 0, TimingRule.EQUAL_READINGS));
+        WallFollower right = new WallFollower(WallFollowing.DEFAULT.withSide(WallSide.RIGHT));
         SplittableRandom random = new SplittableRandom(9);
         for (int i = 0; i < 5000; i++) {
             Observation seen = Observations.observation(i, randomReadings(random));

@@ -149,10 +149,7 @@ class HardRoomsTest {
     void obtuseCornersAreTimedByDecisionsThatAreFarBetween() {
         assertEquals(
                 List.of(),
-                WallFollowingRun.simulate(
-                                OBTUSE,
-                                Conditions.DEFAULT.with(
-                                        new WallFollowing(0.25, WallSide.LEFT, 0.05, TimingRule.EQUAL_READINGS)))
+                WallFollowingRun.simulate(OBTUSE, Conditions.DEFAULT.with(WallFollowing.DEFAULT.withPeriod(0.05)))
                         .violations());
     }
 }

@@ -83,9 +83,7 @@ class RandomRoomsTest {
     private static Stream<Variant> variants() {
         Conditions base = Conditions.DEFAULT;
         return Stream.of(
-                new Variant(
-                        "wall on the right",
-                        base.with(new WallFollowing(0.25, WallSide.RIGHT, 0, TimingRule.EQUAL_READINGS))),
+                new Variant("wall on the right", base.with(WallFollowing.DEFAULT.withSide(WallSide.RIGHT))),
                 new Variant("control period of 20 ms", base.with(withPeriod(0.02))),
                 new Variant("control period of 50 ms", base.with(withPeriod(0.05))),
                 new Variant("ticks of 5 ms", base.withTick(0.005)),
@@ -110,7 +108,7 @@ class RandomRoomsTest {
     }
 
     private static WallFollowing withPeriod(double seconds) {
-        return new WallFollowing(0.25, WallSide.LEFT, seconds, TimingRule.EQUAL_READINGS);
+        return WallFollowing.DEFAULT.withPeriod(seconds);
     }
 
     private static RobotSpec robotDriven(double speed, double turnRate, MotorSpec motor) {

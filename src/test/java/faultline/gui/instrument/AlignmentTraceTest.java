@@ -52,8 +52,7 @@ class AlignmentTraceTest {
     @ParameterizedTest
     @EnumSource(WallSide.class)
     void theAchievedHeadingIsThatOfTheHandOverAndCloseToThePredictedOne(WallSide hand) {
-        SimulationSetup setup =
-                SampleRuns.setup(new ControllerSpec.WallFollowing(0.25, hand, 0, TimingRule.EQUAL_READINGS));
+        SimulationSetup setup = SampleRuns.setup(ControllerSpec.WallFollowing.DEFAULT.withSide(hand));
         SessionFrame frame = SampleRuns.frame(setup, 2000);
         AlignmentTrace spin = AlignmentTrace.latest(frame).orElseThrow();
         double handOver = SampleRuns.frame(setup, arrival(frame, FollowerState.ALIGN) + 1)

@@ -44,7 +44,8 @@ class TurnTimingTextTest {
         SimulationSetup setup = SimulationSetup.of(
                         new WorldSpec(8.6, 3.4, false, 5, List.of(wall)),
                         new Pose(4.1, 1.3, Math.toRadians(headingDegrees)))
-                .withController(new ControllerSpec.WallFollowing(0.25, side, 0, rule))
+                .withController(
+                        ControllerSpec.WallFollowing.DEFAULT.withSide(side).withTimingRule(rule))
                 .withDuration(20);
         return SampleRuns.frame(setup, 1100);
     }

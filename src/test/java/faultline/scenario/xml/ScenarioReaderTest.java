@@ -170,7 +170,11 @@ class ScenarioReaderTest {
     void everyTypeOfControllerIsRead() throws ScenarioException {
         String plain = "<controller type=\"wall-follower\" distance=\"0.25\"/>";
         assertEquals(
-                new ControllerSpec.WallFollowing(0.3, WallSide.RIGHT, 0.02, TimingRule.RANGE),
+                ControllerSpec.WallFollowing.DEFAULT
+                        .withDistance(0.3)
+                        .withSide(WallSide.RIGHT)
+                        .withPeriod(0.02)
+                        .withTimingRule(TimingRule.RANGE),
                 controller(SampleScenario.withReplacement(
                         plain, "<controller distance=\"0.3\" hand=\"right\" period=\"0.02\" timing=\"range\"/>")));
         assertEquals(
