@@ -61,7 +61,14 @@ class SurvivalTest {
 
     /** Sets of sensors of which none looks ahead; names are those for a wall on the left. */
     @ParameterizedTest
-    @CsvSource({"left,4", "rear-left front-right,5", "left rear-left,4"})
+    @CsvSource({
+        "left,4",
+        "rear-left front-right,5",
+        "left rear-left,4",
+        "rear-left,6",
+        "rear-left rear,8",
+        "rear-left right,8"
+    })
     void withoutASensorThatLooksAheadItGetsRoundInTime(String on, int least) {
         int carriedOn = 0;
         for (long room = 93_001; room < 93_009; room++) {

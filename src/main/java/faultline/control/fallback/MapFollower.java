@@ -76,6 +76,7 @@ public final class MapFollower {
     private final Heading heading = new Heading(map);
     private final ProgressMonitor progress = new ProgressMonitor();
     private RobotSpec robot;
+    private Gear gear = Gear.FORWARDS;
     private boolean stuck;
     private FollowerState state = FollowerState.FOLLOW;
     private double wall;
@@ -108,8 +109,9 @@ public final class MapFollower {
      * @param atWall whether the robot is at the wall already
      */
     public void begin(boolean atWall) {
-        wall = at().heading() + QUARTER;
-        direction = at().heading();
+        gear = Gear.of(diagnosis);
+        direction = atWall ? at().heading() : gear.leading(at().heading());
+        wall = direction + QUARTER;
         sinceWall = atWall ? LOST / 2 : LOST + 1;
         untilPlan = 0;
         scanning = false;
@@ -132,6 +134,7 @@ public final class MapFollower {
         sinceWall += Math.abs(at().rolled());
         if (untilPlan <= 0) {
             untilPlan = scanning ? SCAN_PLANNING : PLANNING;
+            gear = Gear.of(diagnosis);
             map.refresh(diagnosis, robot.sensors().size(), MEMORY, robot.boundingRadius() + NEAR);
             plan();
         }
@@ -249,14 +252,14 @@ public final class MapFollower {
             omega = Math.copySign(turnRate(1), scanTo);
             return;
         }
-        double off = Angles.difference(at().heading(), direction);
+        double off = Angles.difference(gear.leading(at().heading()), direction);
         if (Math.abs(off) > ASIDE) {
             v = 0;
             omega = Math.copySign(turnRate(RETURN_RATE), off);
             return;
         }
         double rate = turnRate(1);
-        v = robot.speed() * Math.max(0.3, Math.min(1, FULL_SPEED - Math.abs(off) / ASIDE));
+        v = gear.velocity(robot.speed() * Math.max(0.3, Math.min(1, FULL_SPEED - Math.abs(off) / ASIDE)));
         omega = Math.max(-rate, Math.min(rate, STEERING * off));
     }
 

@@ -1,0 +1,40 @@
+package faultline.control.fallback;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.control.Observation;
+import faultline.control.diagnosis.SensorDiagnosis;
+import faultline.robot.RobotSpec;
+import faultline.sensor.Reading;
+import faultline.sensor.SensorSpec;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The rear goes first if no trusted sensor looks ahead or faces the wall. */
+class GearTest {
+
+    @ParameterizedTest
+    @CsvSource({
+        "1, front rear-left, FORWARDS",
+        "1, front-left, FORWARDS",
+        "1, left rear-left, FORWARDS",
+        "1, rear-left front-right, FORWARDS",
+        "1, rear-left, BACKWARDS",
+        "1, rear-left right, BACKWARDS",
+        "1, rear-left rear rear-right right, BACKWARDS",
+        "-1, right, FORWARDS",
+        "-1, rear-right front-left, FORWARDS",
+        "-1, rear-right left, BACKWARDS"
+    })
+    void theRearGoesFirstIfAllTrustedSensorsLookBack(double side, String on, Gear expected) {
+        List<String> trusted = List.of(on.split(" "));
+        double[] readings = RobotSpec.DEFAULT.sensors().stream()
+                .map(SensorSpec::id)
+                .mapToDouble(id -> trusted.contains(id) ? Reading.NOTHING : Reading.OFF)
+                .toArray();
+        SensorDiagnosis diagnosis = new SensorDiagnosis(side);
+        diagnosis.update(new Observation(0, 0.01, RobotSpec.DEFAULT, readings), 0, 0, 1);
+        assertEquals(expected, Gear.of(diagnosis));
+    }
+}
