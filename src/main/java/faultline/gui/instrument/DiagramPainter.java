@@ -35,6 +35,9 @@ final class DiagramPainter {
     private static final Font NAME_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
     private static final Font SMALL_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
     private static final double MIN_FONT_SIZE = 8;
+    /** The height of a box that has room for a second line. */
+    private static final double TWO_LINES = 31;
+
     private static final double TEXT_MARGIN = 8;
     private static final double ARROWHEAD_SIZE = 8;
 
@@ -72,7 +75,7 @@ final class DiagramPainter {
                 strategy
                         + last.map(transition -> transitionText(transition, room, bold))
                                 .orElseGet(() -> Messages.get("diagram.none")),
-                new Vector2(width / 2, height - 9),
+                new Vector2(width / 2, height - Math.min(9, 9 * height / 150)),
                 width - TEXT_MARGIN,
                 bold,
                 last.isPresent() ? colours.accent() : colours.muted());
@@ -139,18 +142,21 @@ final class DiagramPainter {
         g.setStroke(Antialiasing.roundStroke(active ? 2.5 : 1));
         g.draw(Antialiasing.roundedRectangle(box.getX(), box.getY(), box.getWidth(), box.getHeight()));
         double middle = box.getCenterY();
+        boolean visitsFit = box.getHeight() >= TWO_LINES;
         drawFitted(
                 StateText.name(state),
-                new Vector2(box.getCenterX(), middle - 2),
+                new Vector2(box.getCenterX(), visitsFit ? middle - 2 : middle + 5),
                 box.getWidth() - 4,
                 active ? NAME_FONT.deriveFont(Font.BOLD) : NAME_FONT,
                 active ? colours.onAccent() : colours.text());
-        drawFitted(
-                visitText(state),
-                new Vector2(box.getCenterX(), middle + 13),
-                box.getWidth() - 4,
-                SMALL_FONT,
-                active ? colours.onAccent() : colours.muted());
+        if (visitsFit) {
+            drawFitted(
+                    visitText(state),
+                    new Vector2(box.getCenterX(), middle + 13),
+                    box.getWidth() - 4,
+                    SMALL_FONT,
+                    active ? colours.onAccent() : colours.muted());
+        }
     }
 
     /** Returns the total duration and the number of visits of a state, or a dash if there are none. */

@@ -28,15 +28,16 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JToggleButton;
+import javax.swing.UIManager;
 
 /** A chart of values over time, with a choice of signals and a button that holds it still. */
 public final class StripChart extends JPanel {
 
     private static final int MIN_CHOICE_WIDTH = 44;
 
-    private final StripView view = new StripView();
-    private final JComboBox<SignalGroup> choice = new JComboBox<>();
     private final StripLegend legend = new StripLegend();
+    private final StripView view = new StripView(legend::isComplete);
+    private final JComboBox<SignalGroup> choice = new JComboBox<>();
     private final JButton add = new JButton(Glyph.ADD.icon());
     private final JToggleButton fitValues = new JToggleButton(Glyph.FIT.icon());
     private final JToggleButton freeze = new JToggleButton(Glyph.PAUSE.icon());
@@ -69,6 +70,8 @@ public final class StripChart extends JPanel {
             renameGroups();
             fitChoice();
         });
+        // As narrow as the buttons beside it, which stay pressed.
+        RefreshSteps.add(add, self -> self.setBorder(UIManager.getBorder("ToggleButton.border")));
         add.setMinimumSize(add.getPreferredSize());
         freeze.setMinimumSize(freeze.getPreferredSize());
         fitValues.setMinimumSize(fitValues.getPreferredSize());

@@ -43,9 +43,13 @@ public record StripContent(
         return StripScale.of(frame, signal, span, range, width, height);
     }
 
-    /** Paints the chart. */
-    void paint(Surface surface, Theme theme, StripScale scale) {
-        new StripPainter(surface, theme, scale, this).paint();
+    /** Paints the chart, with the names of its lines if they are not shown elsewhere. */
+    void paint(Surface surface, Theme theme, StripScale scale, boolean legend) {
+        StripPainter painter = new StripPainter(surface, theme, scale, this);
+        painter.paint();
+        if (legend) {
+            painter.paintLegend();
+        }
     }
 
     /** Returns an image for a file; {@code scale} pixels of it are one pixel of the screen. */
@@ -55,7 +59,7 @@ public record StripContent(
         g.setColor(theme.palette().canvas());
         g.fillRect(0, 0, image.getWidth(), image.getHeight());
         g.scale(scale, scale);
-        paintWithLegend(new GraphicsSurface(g), theme);
+        paint(new GraphicsSurface(g), theme, scale(WIDTH, HEIGHT), true);
         g.dispose();
         return image;
     }
@@ -63,15 +67,8 @@ public record StripContent(
     /** Returns the text of an SVG file. */
     public String toSvg(Theme theme) {
         SvgSurface surface = new SvgSurface(WIDTH, HEIGHT, theme.palette().canvas());
-        paintWithLegend(surface, theme);
+        paint(surface, theme, scale(WIDTH, HEIGHT), true);
         return surface.toSvg();
-    }
-
-    private void paintWithLegend(Surface surface, Theme theme) {
-        StripScale scale = scale(WIDTH, HEIGHT);
-        StripPainter painter = new StripPainter(surface, theme, scale, this);
-        painter.paint();
-        painter.paintLegend();
     }
 
     /** Returns the text of a table with one row for each recorded tick or interval of the shown times. */

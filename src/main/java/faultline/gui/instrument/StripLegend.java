@@ -10,15 +10,18 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.util.List;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
 import javax.swing.JComponent;
 
-/** The legend of a strip chart. */
+/** The legend of a strip chart: one row or two beside the controls, or none if there is no room for all names. */
 final class StripLegend extends JComponent {
 
     private static final int SAMPLE_WIDTH = 26;
     private static final int GAP = 6;
     private static final int ENTRY_GAP = 16;
-    private static final int HEIGHT = 20;
+    private static final int MAX_ROWS = 2;
+    private static final int HEIGHT = 28;
 
     private transient List<ChartLine> lines = List.of();
 
@@ -32,10 +35,45 @@ final class StripLegend extends JComponent {
         repaint();
     }
 
+    /** Returns whether there is room for the names of all lines. */
+    boolean isComplete() {
+        return rowCount().isPresent();
+    }
+
+    /** Returns the number of rows that show all lines, empty if there is no room. */
+    private OptionalInt rowCount() {
+        return IntStream.rangeClosed(1, MAX_ROWS)
+                .filter(rows -> width(rows) <= room())
+                .findFirst();
+    }
+
+    private int room() {
+        return getParent().getWidth() - getX();
+    }
+
+    /** Returns the width of the legend in a number of rows; the lines are numbered from the front, column by column. */
+    private int width(int rows) {
+        int width = -ENTRY_GAP;
+        for (int first = 0; first < lines.size(); first += rows) {
+            width += columnWidth(first, rows) + ENTRY_GAP;
+        }
+        return width;
+    }
+
+    private int columnWidth(int first, int rows) {
+        return IntStream.range(first, Math.min(first + rows, lines.size()))
+                .map(i -> width(fromFront(i)))
+                .max()
+                .orElse(0);
+    }
+
+    private ChartLine fromFront(int index) {
+        return lines.get(lines.size() - 1 - index);
+    }
+
     @Override
     public Dimension getMaximumSize() {
-        int width = lines.stream().mapToInt(this::width).sum() + Math.max(0, lines.size() - 1) * ENTRY_GAP;
-        return new Dimension(width, TextSize.scaled(HEIGHT));
+        return new Dimension(Math.max(0, width(1)), TextSize.scaled(HEIGHT));
     }
 
     private int width(ChartLine curve) {
@@ -57,23 +95,27 @@ final class StripLegend extends JComponent {
     protected void paintComponent(Graphics graphics) {
         Antialiasing.paint(graphics, g -> {
             g.setFont(getFont());
-            // Names that do not fit are left out.
-            int room = getParent().getWidth() - getX();
-            double x = 0;
-            for (int i = lines.size() - 1; i >= 0 && x + width(lines.get(i)) <= room; i--) {
-                x = paint(g, lines.get(i), x) + ENTRY_GAP;
-            }
+            rowCount().ifPresent(rows -> paint(g, rows));
         });
     }
 
-    private double paint(Graphics2D g, ChartLine curve, double x) {
+    private void paint(Graphics2D g, int rows) {
+        double x = 0;
+        double rowHeight = (double) getHeight() / rows;
+        for (int first = 0; first < lines.size(); first += rows) {
+            for (int i = first; i < Math.min(first + rows, lines.size()); i++) {
+                paint(g, fromFront(i), x, (i - first + 0.5) * rowHeight);
+            }
+            x += columnWidth(first, rows) + ENTRY_GAP;
+        }
+    }
+
+    private void paint(Graphics2D g, ChartLine curve, double x, double middle) {
         g.setColor(curve.colour().apply(Theme.current()));
         g.setStroke(curve.style(Theme.current()).stroke());
-        double middle = getHeight() / 2.0;
         g.draw(new Line2D.Double(x, middle, x + SAMPLE_WIDTH, middle));
         g.setColor(Theme.currentColours().text());
         g.drawString(curve.name(), (float) (x + SAMPLE_WIDTH + GAP), (float)
                 (middle + g.getFontMetrics().getAscent() / 2.0 - 2));
-        return x + SAMPLE_WIDTH + GAP + g.getFontMetrics().stringWidth(curve.name());
     }
 }

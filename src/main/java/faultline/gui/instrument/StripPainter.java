@@ -137,7 +137,7 @@ final class StripPainter {
         }
     }
 
-    /** Paints the names of the lines into the upper right corner of the plot, for pictures without a legend. */
+    /** Paints the names of the lines into the upper right corner of the plot, where nothing else names them. */
     void paintLegend() {
         double y = area.y() + 14;
         for (int i = scale.signal().lines().size() - 1; i >= 0; i--) {

@@ -15,6 +15,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import javax.accessibility.AccessibleContext;
 import javax.swing.JComponent;
 
@@ -36,10 +37,19 @@ final class StripView extends JComponent {
     /** Null if there is no reference run. */
     private transient ReferenceRun reference;
 
+    /** Whether the lines are named beside the chart. */
+    private final transient BooleanSupplier named;
+
     private double pointer = NOWHERE;
     private boolean frozen;
 
-    StripView() {
+    /**
+     * Creates an empty plot.
+     *
+     * @param named returns whether the lines are named elsewhere; if not, the plot names them
+     */
+    StripView(BooleanSupplier named) {
+        this.named = named;
         setMinimumSize(MIN_SIZE);
         setPreferredSize(MIN_SIZE);
         setFocusable(true);
@@ -167,7 +177,7 @@ final class StripView extends JComponent {
     }
 
     private void paint(Graphics2D g, StripScale scale) {
-        content().orElseThrow().paint(new GraphicsSurface(g), Theme.current(), scale);
+        content().orElseThrow().paint(new GraphicsSurface(g), Theme.current(), scale, !named.getAsBoolean());
         tooltip(scale).ifPresent(out -> out.paint(g, Theme.current()));
     }
 

@@ -8,10 +8,12 @@ import faultline.gui.text.Messages;
 import faultline.robot.RobotSpec;
 import java.awt.GridBagLayout;
 import java.util.function.Consumer;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 
 /**
- * The gains of the distance controller: how they are chosen, and their values, which can be changed if they are set.
+ * The gains of the distance controller: how they are chosen, and their values. A length that is entered chooses gains
+ * by length, and a gain that is entered fixes both gains.
  */
 final class GainFields extends JPanel {
 
@@ -34,7 +36,7 @@ final class GainFields extends JPanel {
     private final NamedChoice<Choice> choice =
             new NamedChoice<>(Choice.values(), value -> Messages.get("controller.gains." + value.name()), this::select);
     private final NumberSpinner length =
-            new NumberSpinner("0.00##", MIN_GAIN, MAX_GAIN, 0.01, value -> send(new GainRule.Length(value)));
+            new NumberSpinner("0.00####", MIN_GAIN, MAX_GAIN, 0.01, value -> send(new GainRule.Length(value)));
     private final NumberSpinner proportional = new NumberSpinner(
             "0.0###", MIN_GAIN, MAX_GAIN, 1, value -> send(new GainRule.Fixed(value, derivativeValue())));
     private final NumberSpinner derivative = new NumberSpinner(
@@ -45,9 +47,9 @@ final class GainFields extends JPanel {
         super(new GridBagLayout());
         this.onChange = onChange;
         ControllerForm.addRow(this, 0, "controller.gains.choice", choice);
-        ControllerForm.addRow(this, 1, "controller.gains.length", length.withColumns(7));
-        ControllerForm.addRow(this, 2, "controller.gains.kp", proportional.withColumns(7));
-        ControllerForm.addRow(this, 3, "controller.gains.kd", derivative.withColumns(7));
+        ControllerForm.addRow(this, 1, "controller.gains.length", length.withColumns(8));
+        ControllerForm.addRow(this, 2, "controller.gains.kp", proportional.withColumns(8));
+        ControllerForm.addRow(this, 3, "controller.gains.kd", derivative.withColumns(8));
     }
 
     private double proportionalValue() {
@@ -90,11 +92,10 @@ final class GainFields extends JPanel {
         return Math.max(MIN_GAIN, Math.round(value * ROUNDING) / ROUNDING);
     }
 
-    /** Enables the fields that can be changed. */
+    /** Enables the fields if the controller has gains. */
     void setApplicable(boolean applicable) {
-        choice.setEnabled(applicable);
-        length.setEnabled(applicable && Choice.of(shown) == Choice.LENGTH);
-        proportional.setEnabled(applicable && Choice.of(shown) == Choice.FIXED);
-        derivative.setEnabled(proportional.isEnabled());
+        for (JComponent field : new JComponent[] {choice, length, proportional, derivative}) {
+            field.setEnabled(applicable);
+        }
     }
 }

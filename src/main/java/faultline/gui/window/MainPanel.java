@@ -43,8 +43,8 @@ final class MainPanel extends JPanel {
     private static final int MIN_STAGE_WIDTH = 300;
     /** Minimum height of the canvas with its time bar, pixels. */
     private static final int MIN_STAGE_HEIGHT = 220;
-    /** Minimum height of the instruments, pixels. */
-    private static final int MIN_DOCK_HEIGHT = 120;
+    /** Minimum height of the instruments at the normal text size, pixels. */
+    private static final int MIN_DOCK_HEIGHT = 140;
 
     private final SimulationCanvas canvas;
     private final ControlPanel controlPanel;
@@ -220,7 +220,8 @@ final class MainPanel extends JPanel {
     /** Sets the height of the instruments, pixels; the canvas keeps at least half of the window. */
     void setDockHeight(int height) {
         dockHeight = height;
-        dockSplit.place(size -> size - Math.min(height, Math.max(MIN_DOCK_HEIGHT, size - minStageHeight())));
+        dockSplit.place(
+                size -> size - Math.min(height, Math.max(TextSize.scaled(MIN_DOCK_HEIGHT), size - minStageHeight())));
     }
 
     /** Returns the height of the canvas as half of the window, and the time line below it, pixels. */

@@ -29,6 +29,14 @@ public final class StateDiagramLayout {
     private static final double SIDE_MARGIN = 14;
     private static final double TOP_MARGIN = 30;
     private static final double BOTTOM_MARGIN = 30;
+
+    /** The height below which the margins and the gaps between the rows shrink, and that of the smallest ones. */
+    private static final double FULL_HEIGHT = 150;
+
+    private static final double SMALL_HEIGHT = 100;
+    private static final double SMALL_TOP_MARGIN = 25;
+    private static final double SMALL_BOTTOM_MARGIN = 18;
+    private static final double SMALL_GAP_SHARE = 0.16;
     private static final double MAX_BOX_WIDTH = 132;
     private static final double MAX_BOX_HEIGHT = 46;
     private static final double GAP_SHARE = 0.3;
@@ -40,6 +48,8 @@ public final class StateDiagramLayout {
     private static final double ARCH_HEIGHT = 22;
 
     private final PixelRectangle area;
+    private final double topMargin;
+    private final double bottomMargin;
     private final double boxWidth;
     private final double boxHeight;
 
@@ -47,7 +57,17 @@ public final class StateDiagramLayout {
     public StateDiagramLayout(PixelRectangle area) {
         this.area = area;
         boxWidth = Math.min(MAX_BOX_WIDTH, (area.width() - 2 * SIDE_MARGIN) / 3 * (1 - GAP_SHARE));
-        boxHeight = Math.min(MAX_BOX_HEIGHT, (area.height() - TOP_MARGIN - BOTTOM_MARGIN) / 2 * (1 - GAP_SHARE));
+        topMargin = shrunk(SMALL_TOP_MARGIN, TOP_MARGIN);
+        bottomMargin = shrunk(SMALL_BOTTOM_MARGIN, BOTTOM_MARGIN);
+        boxHeight = Math.min(
+                MAX_BOX_HEIGHT,
+                (area.height() - topMargin - bottomMargin) / 2 * (1 - shrunk(SMALL_GAP_SHARE, GAP_SHARE)));
+    }
+
+    /** Returns a value between that of a small area and the full one. */
+    private double shrunk(double small, double full) {
+        double share = (area.height() - SMALL_HEIGHT) / (FULL_HEIGHT - SMALL_HEIGHT);
+        return small + Math.max(0, Math.min(1, share)) * (full - small);
     }
 
     /** Returns the box of a state. */
@@ -55,7 +75,7 @@ public final class StateDiagramLayout {
         int row = ROWS.get(0).contains(state) ? 0 : 1;
         int column = ROWS.get(row).indexOf(state);
         double x = area.x() + SIDE_MARGIN + column * (area.width() - 2 * SIDE_MARGIN - boxWidth) / 2;
-        double y = area.y() + (row == 0 ? TOP_MARGIN : area.height() - BOTTOM_MARGIN - boxHeight);
+        double y = area.y() + (row == 0 ? topMargin : area.height() - bottomMargin - boxHeight);
         return new Rectangle2D.Double(x, y, boxWidth, boxHeight);
     }
 

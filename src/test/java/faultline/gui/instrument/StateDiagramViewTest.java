@@ -101,6 +101,17 @@ class StateDiagramViewTest {
     }
 
     @Test
+    void inALowWindowEveryBoxHasRoomForItsName() {
+        StateDiagramLayout low = new StateDiagramLayout(new PixelRectangle(0, 0, WIDTH, 105));
+        for (FollowerState state : FollowerState.values()) {
+            assertTrue(low.box(state).getHeight() >= 20, state + " " + low.box(state));
+        }
+        double gap = low.box(FollowerState.FOLLOW).getMinY()
+                - low.box(FollowerState.TURN).getMaxY();
+        assertTrue(gap >= 8, "gap " + gap);
+    }
+
+    @Test
     void anArrowUnderTheMouseExplainsItself() {
         picture(FRAME);
         Arrow first = StateDiagram.TRANSITIONS.get(0);

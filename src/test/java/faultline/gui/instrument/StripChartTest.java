@@ -73,6 +73,33 @@ class StripChartTest {
     }
 
     @Test
+    void everyLineIsNamedHoweverNarrowTheChart() {
+        assertTrue(isLegendComplete(WIDTH), "in one row");
+        assertTrue(isLegendComplete(420), "in two rows");
+        assertFalse(isNamedInPlot(420));
+        assertFalse(isLegendComplete(330));
+        assertTrue(isNamedInPlot(330));
+    }
+
+    private boolean isLegendComplete(int width) {
+        runOnEdt(() -> SampleRuns.render(chart, width, HEIGHT));
+        return callOnEdt(() -> ComponentFinder.findAll(chart, StripLegend.class)
+                .findFirst()
+                .orElseThrow()
+                .isComplete());
+    }
+
+    /** Returns whether there is text in the upper right corner of the plot, where there is no line. */
+    private boolean isNamedInPlot(int width) {
+        BufferedImage picture = callOnEdt(() -> SampleRuns.render(chart, width, HEIGHT));
+        int top = callOnEdt(() -> chart.view().getY()) + 32;
+        return SampleRuns.count(
+                        picture.getSubimage(width - 60, top, 40, 30),
+                        Theme.current().palette().text())
+                > 5;
+    }
+
+    @Test
     void itRunsAlongWithTheNewestFrame() {
         assertEquals(20, chart.view().span().end(), 1e-9);
         runOnEdt(() -> chart.setFrame(SampleRuns.frame(2100)));

@@ -29,6 +29,7 @@ import java.nio.file.Path;
 import java.util.function.Predicate;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JFormattedTextField;
 import javax.swing.JSpinner;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -124,10 +125,13 @@ class ControllerPanelTest {
     void gainsAreShownBeforeTheyAreSetAndSavedWithTheScenario() throws ScenarioException {
         double length = shown("Length, m");
         assertEquals(2 / length, shown("k_d, rad/m"), 1e-3, "k_d = 2 / l");
-        assertFalse(isEnabled("k_d, rad/m"));
+        double proportional = shown("k_p, rad/s/m");
+        type("k_d, rad/m", 14.5);
+        await("both gains are fixed", spec -> follower(spec).gainRule().equals(new GainRule.Fixed(proportional, 14.5)));
+        runOnEdt(undo::undo);
+        await("automatic gains", spec -> follower(spec).gainRule().equals(GainRule.AUTOMATIC));
         choose("Gains", 2);
         await("fixed gains", spec -> follower(spec).gainRule() instanceof GainRule.Fixed);
-        assertTrue(isEnabled("k_d, rad/m"));
         type("k_d, rad/m", 14.5);
         await(
                 "the new gain",
@@ -137,6 +141,15 @@ class ControllerPanelTest {
         Await.until("the scenario is saved", () -> !workspace.isChanged());
         WallFollowing saved = follower(Scenario.load(file).setup().controller());
         assertEquals(14.5, ((GainRule.Fixed) saved.gainRule()).derivative());
+    }
+
+    @Test
+    void aLengthThatIsEnteredChoosesGainsByLengthAndIsShownWithAllItsDigits() {
+        type("Length, m", 0.05662);
+        await("gains by length", spec -> follower(spec).gainRule().equals(new GainRule.Length(0.05662)));
+        assertEquals("0.05662", callOnEdt(() -> ComponentFinder.find(panel, JFormattedTextField.class, "Length, m")
+                .getText()));
+        assertEquals(2 / 0.05662, shown("k_d, rad/m"), 1e-3);
     }
 
     @Test
