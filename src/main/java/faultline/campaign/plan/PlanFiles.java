@@ -45,7 +45,7 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
             return false;
         }
         try (InputStream in = Files.newInputStream(file)) {
-            return new String(in.readNBytes(HEAD), StandardCharsets.UTF_8).contains(PlanReader.NAMESPACE);
+            return new String(in.readNBytes(HEAD), StandardCharsets.UTF_8).contains(PlanReader.FORMAT.namespace());
         } catch (IOException e) {
             return false;
         }

@@ -5,7 +5,6 @@ import faultline.scenario.xml.AttributeReader;
 import faultline.scenario.xml.ElementRules;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioException;
-import faultline.scenario.xml.ScenarioSchema;
 import faultline.scenario.xml.XmlElement;
 import faultline.scenario.xml.XmlFormat;
 import faultline.scenario.xml.XmlParser;
@@ -21,7 +20,7 @@ import java.util.Set;
 /** Makes a plan of a file's bytes, or reports everything that is wrong with them. */
 final class PlanReader {
 
-    static final String NAMESPACE = "urn:faultline:campaign:1";
+    static final XmlFormat FORMAT = new XmlFormat("urn:faultline:campaign:1", "campaign");
 
     /** More runs than this are a mistake. */
     static final long MAX_RUNS = 10_000_000;
@@ -39,15 +38,6 @@ final class PlanReader {
         this.problems = problems;
     }
 
-    /** The format of plans; its schema is compiled when the first plan is read. */
-    private static final class Format {
-        static final XmlFormat FORMAT = new XmlFormat(
-                NAMESPACE,
-                "campaign",
-                "campaign-1.xsd",
-                ScenarioSchema.compile(PlanReader.class.getResource("campaign-1.xsd")));
-    }
-
     /**
      * Reads a plan.
      *
@@ -58,12 +48,9 @@ final class PlanReader {
      */
     static CampaignPlan read(String name, byte[] bytes, PlanFiles.Resolver resolver) throws ScenarioException {
         Problems problems = new Problems(name);
-        XmlParser parser = new XmlParser(bytes, problems, Format.FORMAT);
+        XmlParser parser = new XmlParser(bytes, problems, FORMAT);
         PlanReader reader = new PlanReader(problems);
         Optional<CampaignPlan> plan = parser.parse().flatMap(root -> reader.read(name, bytes, root, resolver));
-        if (problems.isEmpty()) {
-            parser.reportSchemaError();
-        }
         problems.throwIfAny();
         plan.orElseThrow().check();
         return plan.get();
@@ -71,7 +58,7 @@ final class PlanReader {
 
     private Optional<CampaignPlan> read(String name, byte[] bytes, XmlElement root, PlanFiles.Resolver resolver) {
         if (!root.name().equals("campaign")) {
-            problems.add(root, PlanProblem.ROOT.with(MessageText.oneLine(root.name()), Format.FORMAT.namespace()));
+            problems.add(root, PlanProblem.ROOT.with(MessageText.oneLine(root.name()), FORMAT.namespace()));
             return Optional.empty();
         }
         ElementRules.checkChildren(root, CHILD_ELEMENTS, problems);

@@ -38,6 +38,8 @@ public enum Allowed implements Message.Template {
     UNITLESS("{0}"),
     /** An id. */
     ID("1 to 100 characters, none of them a comma, a double quote or a control character"),
+    /** A text of limited length. */
+    CHARACTERS("at most {0} characters"),
     /** A list of points. */
     POINTS("{0} or more points as x,y with blanks between them, each number {1}"),
     /** A list of rings of points. */

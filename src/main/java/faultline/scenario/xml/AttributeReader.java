@@ -68,6 +68,16 @@ public final class AttributeReader {
         return Optional.ofNullable(node.attributes().get(name));
     }
 
+    /** Returns the value of an optional attribute; empty, with a problem, if it is too long. */
+    Optional<String> text(String name, int maxLength) {
+        Optional<String> text = text(name);
+        if (text.isPresent() && text.get().length() > maxLength) {
+            report(name, text.get(), Allowed.CHARACTERS.with(maxLength));
+            return Optional.empty();
+        }
+        return text;
+    }
+
     private void markRequested(String name) {
         if (!requested.contains(name)) {
             requested.add(name);

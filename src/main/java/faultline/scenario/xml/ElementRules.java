@@ -15,14 +15,16 @@ public final class ElementRules {
     private ElementRules() {}
 
     /**
-     * Reports text, and every child that is not among the allowed ones.
+     * Reports text, for an element that must be empty also white space, and every child that is not among the allowed
+     * ones.
      *
      * @param node the element
      * @param allowed the names of the allowed children
      * @param problems collects what is wrong
      */
     public static void checkChildren(XmlElement node, Collection<String> allowed, Problems problems) {
-        String text = XmlText.strip(node.text());
+        String stripped = XmlText.strip(node.text());
+        String text = allowed.isEmpty() && stripped.isEmpty() ? node.text() : stripped;
         if (!text.isEmpty()) {
             problems.add(
                     node,

@@ -39,9 +39,9 @@ final class ExpectationReader {
         if (fields.isPresent("maxDistanceRms")) {
             conditions.add(new Expectation.MaxDistanceRms(fields.number("maxDistanceRms", NumberRange.SIZE)));
         }
-        fields.text("states").ifPresent(text -> readStates(fields, text)
+        fields.text("states", ScenarioLimits.MAX_STATES_LENGTH).ifPresent(text -> readStates(fields, text)
                 .forEach(state -> conditions.add(new Expectation.VisitedState(state))));
-        fields.text("finalState")
+        fields.text("finalState", ScenarioLimits.MAX_STATES_LENGTH)
                 .ifPresent(name -> conditions.add(
                         new Expectation.FinalState(readState(fields, "finalState", XmlText.strip(name)))));
         fields.reportUnknownAndMissing();

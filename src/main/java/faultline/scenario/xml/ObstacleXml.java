@@ -7,7 +7,7 @@ import java.util.List;
 /** Converts obstacles to and from the elements of a scenario file, for the clipboard. */
 public final class ObstacleXml {
 
-    private static final String PREFIX = "<scenario xmlns=\"" + ScenarioSchema.NAMESPACE
+    private static final String PREFIX = "<scenario xmlns=\"" + XmlFormat.SCENARIO.namespace()
             + "\" name=\"\"><world width=\"1\" height=\"1\" enclosed=\"false\""
             + " maxMoving=\"" + ScenarioLimits.MAX_PARTS + "\">";
     /** A scenario must have a robot; this one is far away. */

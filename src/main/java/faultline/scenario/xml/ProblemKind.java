@@ -18,6 +18,8 @@ public enum ProblemKind implements Message.Template {
             "{0} of <{1}> holds more points than are left of the {2} obstacles and points that a file may hold"),
     /** An element contains text that it may not contain. */
     TEXT("<{0}> holds the text \"{1}\"; expected {2}"),
+    /** An element contains too much text. */
+    TEXT_LENGTH("<{0}> holds {1} characters; expected at most {2}"),
     /** An element contains an unknown element. */
     UNKNOWN_ELEMENT("<{0}> may not hold <{1}>; expected {2}"),
     /** An element occurs twice. */
@@ -59,8 +61,6 @@ public enum ProblemKind implements Message.Template {
     ENCODING("the bytes are not text in the encoding that the file names; expected UTF-8"),
     /** The XML parser failed for another reason. */
     UNREADABLE_XML("the file cannot be read as XML"),
-    /** The file does not conform to the schema. */
-    SCHEMA("this does not conform to the schema {0}"),
     /** The file has a document type declaration. */
     DOCTYPE("the file has a DOCTYPE; expected none"),
     /** The file exceeds a limit of the XML parser. */

@@ -15,6 +15,15 @@ final class ScenarioLimits {
     /** The number of sensors of a robot. */
     static final int MAX_SENSORS = 1000;
 
+    /** The length of the name of a scenario, characters. */
+    static final int MAX_NAME_LENGTH = 10_000;
+
+    /** The length of the description, characters. */
+    static final int MAX_DESCRIPTION_LENGTH = 100_000;
+
+    /** The length of a list of states, characters. */
+    static final int MAX_STATES_LENGTH = 1000;
+
     /** The nesting depth of elements; the format needs five. */
     static final int MAX_DEPTH = 20;
 

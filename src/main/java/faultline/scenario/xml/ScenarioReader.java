@@ -11,14 +11,9 @@ import faultline.world.Clearance;
 import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CompletableFuture;
-import java.util.function.Supplier;
 
 /** Reads a scenario, or reports everything that is wrong with it. */
 public final class ScenarioReader {
-
-    /** The size of files that are validated on another thread, bytes. */
-    private static final int LARGE_FILE = 1 << 20;
 
     private static final List<String> CHILD_ELEMENTS =
             List.of("description", "world", "robot", "controller", "timeline", "expect");
@@ -47,16 +42,7 @@ public final class ScenarioReader {
         XmlParser parsing = new XmlParser(bytes, problems, XmlFormat.SCENARIO);
         Optional<XmlElement> root = parsing.parse();
         problems.throwIfAny();
-        // A large file is validated while its elements are read: one takes about as long as the other.
-        Supplier<Optional<XmlParser.SchemaError>> validation = bytes.length < LARGE_FILE
-                ? parsing::findSchemaError
-                : CompletableFuture.supplyAsync(parsing::findSchemaError)::join;
-        Optional<ScenarioContent> scenario = root.flatMap(new ScenarioReader(problems)::read);
-        if (problems.isEmpty()) {
-            validation.get().ifPresent(error -> problems.add(error.location(), error.message()));
-        }
-        problems.throwIfAny();
-        return scenario.orElseThrow();
+        return read(file, root.orElseThrow());
     }
 
     /**
@@ -76,7 +62,7 @@ public final class ScenarioReader {
 
     private Optional<ScenarioContent> read(XmlElement root) {
         if (!root.name().equals("scenario")) {
-            problems.add(root, ProblemKind.ROOT.with(MessageText.oneLine(root.name()), ScenarioSchema.NAMESPACE));
+            problems.add(root, ProblemKind.ROOT.with(MessageText.oneLine(root.name()), XmlFormat.SCENARIO.namespace()));
             return Optional.empty();
         }
         ElementRules.checkChildren(root, CHILD_ELEMENTS, problems);
@@ -114,16 +100,24 @@ public final class ScenarioReader {
     private Header readHeader(XmlElement root) {
         AttributeReader fields = new AttributeReader(root, problems);
         Header head = new Header(
-                fields.text("name").orElse(""),
-                root.firstChild("description")
-                        .map(node -> ElementRules.readText(node, problems))
-                        .orElse(""),
+                fields.text("name", ScenarioLimits.MAX_NAME_LENGTH).orElse(""),
+                root.firstChild("description").map(this::readDescription).orElse(""),
                 fields.flag("recorded", false),
                 fields.number("duration", NumberRange.TIME, SimulationSetup.DEFAULT_DURATION),
                 fields.number("tick", NumberRange.TICK, SimulationSetup.DEFAULT_TICK),
                 fields.integer("seed", Long.MIN_VALUE, Long.MAX_VALUE, SimulationSetup.DEFAULT_SEED));
         fields.reportUnknownAndMissing();
         return head;
+    }
+
+    private String readDescription(XmlElement node) {
+        String text = ElementRules.readText(node, problems);
+        if (text.length() > ScenarioLimits.MAX_DESCRIPTION_LENGTH) {
+            problems.add(
+                    node,
+                    ProblemKind.TEXT_LENGTH.with(node.name(), text.length(), ScenarioLimits.MAX_DESCRIPTION_LENGTH));
+        }
+        return text;
     }
 
     /** Must be called after the world and the robot, whose ids the timeline names. */

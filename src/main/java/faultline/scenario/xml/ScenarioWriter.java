@@ -36,7 +36,7 @@ final class ScenarioWriter {
         SimulationSetup setup = scenario.setup();
         XmlWriter out = new XmlWriter(comments);
         out.beginElement("scenario")
-                .attribute("xmlns", ScenarioSchema.NAMESPACE)
+                .attribute("xmlns", XmlFormat.SCENARIO.namespace())
                 .attribute("name", scenario.name())
                 .attribute("duration", setup.duration())
                 .attribute("tick", setup.dt())

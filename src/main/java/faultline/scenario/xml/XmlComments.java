@@ -53,7 +53,7 @@ public final class XmlComments {
     static XmlComments read(byte[] bytes) {
         Collector collector = new Collector();
         try {
-            XMLReader reader = XmlParser.newNonValidatingParser().getXMLReader();
+            XMLReader reader = XmlParser.newParser().getXMLReader();
             reader.setProperty("http://xml.org/sax/properties/lexical-handler", collector);
             reader.setContentHandler(collector);
             reader.setErrorHandler(collector);

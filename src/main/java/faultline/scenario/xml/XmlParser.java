@@ -13,10 +13,8 @@ import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParser;
 import javax.xml.parsers.SAXParserFactory;
-import javax.xml.validation.Schema;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
-import org.xml.sax.helpers.DefaultHandler;
 
 /**
  * Parses a file to a tree of elements, without document types, external resources and entity expansion. The parser's
@@ -48,7 +46,7 @@ public final class XmlParser {
     /** {@return the root element; empty, with a problem, if the file is not well-formed or has another root} */
     public Optional<XmlElement> parse() {
         try {
-            newNonValidatingParser().parse(new ByteArrayInputStream(bytes), tree);
+            newParser().parse(new ByteArrayInputStream(bytes), tree);
             return tree.root();
         } catch (XmlTreeBuilder.LimitExceededException e) {
             problems.add(
@@ -66,52 +64,13 @@ public final class XmlParser {
         return Optional.empty();
     }
 
-    /** Reports what {@link #findSchemaError} finds. */
-    public void reportSchemaError() {
-        findSchemaError().ifPresent(error -> problems.add(error.location, error.message));
-    }
-
-    /**
-     * Returns the first thing that the schema does not allow. Only for files without other problems, because the
-     * validator is slow to report many. Any thread may call it.
-     */
-    Optional<SchemaError> findSchemaError() {
-        try {
-            newParser(format.schema()).parse(new ByteArrayInputStream(bytes), new FirstError());
-            return Optional.empty();
-        } catch (SAXParseException e) {
-            return Optional.of(new SchemaError(
-                    new SourceLocation(e.getLineNumber(), e.getColumnNumber()),
-                    ProblemKind.SCHEMA.with(format.schemaFile())));
-        } catch (SAXException | IOException e) {
-            return Optional.of(new SchemaError(SourceLocation.NONE, ProblemKind.UNREADABLE_XML.with()));
-        }
-    }
-
-    /** What the schema does not allow, and where. */
-    record SchemaError(SourceLocation location, Message message) {}
-
-    /** Ends the pass at the first error. */
-    private static final class FirstError extends DefaultHandler {
-
-        @Override
-        public void error(SAXParseException exception) throws SAXException {
-            throw exception;
-        }
-    }
-
-    /** Returns a parser that accepts the same documents without validating them. */
-    static SAXParser newNonValidatingParser() {
-        return newParser(null);
-    }
-
-    private static SAXParser newParser(Schema schemaOrNull) {
+    /** Returns a parser that reads neither document types nor anything outside the file. */
+    static SAXParser newParser() {
         try {
             SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
             factory.setNamespaceAware(true);
             factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
             factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
-            factory.setSchema(schemaOrNull);
             SAXParser parser = factory.newSAXParser();
             parser.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
             parser.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");

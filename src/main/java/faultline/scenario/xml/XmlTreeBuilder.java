@@ -115,8 +115,12 @@ final class XmlTreeBuilder extends DefaultHandler {
     }
 
     private static String attributeName(Attributes attributes, int index) {
-        boolean schemaInstance = attributes.getURI(index).equals("http://www.w3.org/2001/XMLSchema-instance");
-        return schemaInstance ? "xsi:" + attributes.getLocalName(index) : attributes.getQName(index);
+        String uri = attributes.getURI(index);
+        if (uri.equals("http://www.w3.org/2001/XMLSchema-instance")) {
+            return "xsi:" + attributes.getLocalName(index);
+        }
+        String name = attributes.getQName(index);
+        return name.startsWith("xsi:") ? foreignName(uri, name) : name;
     }
 
     private SourceLocation location() {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.scenario.xml.FileMutator;
 import faultline.scenario.xml.Problem;
 import faultline.scenario.xml.ScenarioException;
+import faultline.scenario.xml.SchemaCheck;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -17,13 +18,15 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * Campaign plans damaged at random: each is refused in lines of the promised form, or gives its runs. The system
- * property {@code faultline.fuzz} sets their number to a tenth of it.
+ * Campaign plans damaged at random: each is refused in lines of the promised form, or the schema allows it and it gives
+ * its runs. The system property {@code faultline.fuzz} sets their number to a tenth of it.
  */
 class MutatedPlansTest {
 
     private static final int PLANS = Integer.getInteger("faultline.fuzz", 3000) / 10;
     private static final Duration MAX_TIME = Duration.ofSeconds(10);
+
+    private static final SchemaCheck SCHEMA = new SchemaCheck(PlanReader.class.getResource("campaign-1.xsd"));
 
     private final FileMutator mutator = new FileMutator();
 
@@ -51,6 +54,7 @@ class MutatedPlansTest {
         try {
             CampaignPlan plan = PlanReader.read(
                     "plan.xml", bytes, (number, name) -> SamplePlan.ROOM.getBytes(StandardCharsets.UTF_8));
+            SCHEMA.assertValid(bytes);
             assertTrue(plan.runCount() >= 1);
             plan.run(plan.runCount() - 1);
             return false;

@@ -12,6 +12,10 @@ public final class FileMutator {
     private static final Pattern ATTRIBUTE = Pattern.compile("[\\w:]+=\"([^\"]*)\"");
     private static final Pattern ELEMENT = Pattern.compile("<\\w+[^<>]*/>");
 
+    private static final Pattern EMPTY_ELEMENT = Pattern.compile("<(\\w+)[^<>]*/>");
+    private static final List<String> CONTENTS =
+            List.of("", " ", "\n", "&#32;", "<![CDATA[]]>", "<![CDATA[ ]]>", "<!-- -->", " <?x?>", "x", "<x/>");
+
     private static final List<String> PIECES = List.of(
             "\"",
             "<",
@@ -32,6 +36,8 @@ public final class FileMutator {
             "NaN",
             "id",
             " x=\"1\"",
+            " xml:lang=\"en\"",
+            " xmlns:xsi=\"a\" xsi:schemaLocation=\"a b\"",
             "<robot x=\"1\" y=\"1\"/>",
             "<world/>",
             "<?x?>",
@@ -65,6 +71,7 @@ public final class FileMutator {
             "true",
             "?",
             "none",
+            "SEARCH ".repeat(200),
             "x".repeat(5000));
 
     /** The system property {@code faultline.fuzz.seed} sets another seed, which does other damage. */
@@ -89,13 +96,14 @@ public final class FileMutator {
     }
 
     private String change(String text) {
-        return switch (random.nextInt(8)) {
+        return switch (random.nextInt(9)) {
             case 0 -> text.substring(0, random.nextInt(text.length() + 1));
             case 1 -> withAnother(text, ELEMENT, 0);
             case 2 -> without(text, ELEMENT);
             case 3 -> without(text, ATTRIBUTE);
             case 4 -> withAnother(text, ATTRIBUTE, 1);
             case 5 -> replaced(text, ATTRIBUTE, 1, pick(VALUES));
+            case 6 -> withContent(text, pick(CONTENTS));
             default -> withPiece(text, pick(PIECES));
         };
     }
@@ -104,6 +112,17 @@ public final class FileMutator {
         int at = random.nextInt(text.length() + 1);
         int end = Math.min(text.length(), at + random.nextInt(4));
         return text.substring(0, at) + (random.nextInt(4) == 0 ? "" : piece) + text.substring(end);
+    }
+
+    /** Gives an empty element a content. */
+    private String withContent(String text, String content) {
+        List<MatchResult> all = EMPTY_ELEMENT.matcher(text).results().toList();
+        if (all.isEmpty()) {
+            return text;
+        }
+        MatchResult match = pick(all);
+        return text.substring(0, match.end() - 2) + ">" + content + "</" + match.group(1) + ">"
+                + text.substring(match.end());
     }
 
     private String without(String text, Pattern pattern) {

@@ -191,4 +191,48 @@ class HostileFilesTest {
                 problemIn(OPEN + "<world width=\"6\" height=\"4\"/><robot x=\"1\" y=\"1\" xsi:type=\"motor\" "
                         + "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\"/></scenario>"));
     }
+
+    @Test
+    void textsAreOfLimitedLength() throws IOException {
+        String rest = "<world width=\"6\" height=\"4\"/><robot x=\"1\" y=\"1\"/></scenario>";
+        String named = OPEN.replace(">", " name=\"%s\">") + rest;
+        String described = OPEN + "<description>%s</description>" + rest;
+        assertEquals(
+                "name of <scenario> is \"" + "n".repeat(60) + "...\"; expected at most 10000 characters",
+                problemIn(named.formatted("n".repeat(16_000_000))).split(": ", 2)[1]);
+        assertEquals(
+                "<description> holds 16000000 characters; expected at most 100000",
+                problemIn(described.formatted("d".repeat(16_000_000))).split(": ", 2)[1]);
+        assertEquals(List.of(), SampleScenario.problems(named.formatted("n".repeat(10_000))));
+        assertEquals(
+                1, SampleScenario.problems(named.formatted("n".repeat(10_001))).size());
+        assertEquals(List.of(), SampleScenario.problems(described.formatted("d".repeat(100_000))));
+        assertEquals(
+                1,
+                SampleScenario.problems(described.formatted("d".repeat(100_001)))
+                        .size());
+        String states = "<expect states=\"" + "SEARCH ".repeat(150) + "\"/></scenario>";
+        assertEquals(
+                "states of <expect> is \"" + "SEARCH ".repeat(9).substring(0, 60)
+                        + "...\"; expected at most 1000 characters",
+                problemIn(OPEN + rest.replace("</scenario>", states)).split(": ", 2)[1]);
+    }
+
+    @Test
+    void anElementThatMustBeEmptyHoldsNoWhiteSpace() throws IOException {
+        assertEquals(
+                "file.xml:1:99: <motor> holds the text \" \"; expected nothing",
+                problemIn(
+                        OPEN
+                                + "<world width=\"6\" height=\"4\"/><robot x=\"1\" y=\"1\"><motor>\n</motor></robot></scenario>"));
+    }
+
+    @Test
+    void theLocationOfASchemaIsIgnoredInItsOwnNamespaceOnly() throws IOException {
+        String text = OPEN.replace(">", " xmlns:xsi=\"%s\" xsi:schemaLocation=\"a b\">")
+                + "<world width=\"6\" height=\"4\"/><robot x=\"1\" y=\"1\"/></scenario>";
+        assertEquals(List.of(), SampleScenario.problems(text.formatted("http://www.w3.org/2001/XMLSchema-instance")));
+        assertTrue(problemIn(text.formatted("urn:x"))
+                .contains("<scenario> has no attribute \"xsi:schemaLocation xmlns=\"urn:x\"\"; expected name, "));
+    }
 }
