@@ -222,9 +222,9 @@ class HostileFilesTest {
     void anElementThatMustBeEmptyHoldsNoWhiteSpace() throws IOException {
         assertEquals(
                 "file.xml:1:99: <motor> holds the text \" \"; expected nothing",
-                problemIn(
-                        OPEN
-                                + "<world width=\"6\" height=\"4\"/><robot x=\"1\" y=\"1\"><motor>\n</motor></robot></scenario>"));
+                problemIn(OPEN
+                        + "<world width=\"6\" height=\"4\"/><robot x=\"1\" y=\"1\">"
+                        + "<motor>\n</motor></robot></scenario>"));
     }
 
     @Test
