@@ -1,7 +1,6 @@
 package faultline.campaign;
 
 import faultline.control.ControllerSpec;
-import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.CommandListener;
 import faultline.engine.ControllerFactory;

@@ -54,9 +54,9 @@ public record CampaignCell(
      * {@return the cells of a table, in the order in which their first runs come}
      *
      * @param plan of the campaign
-     * @param lines the header and the rows of {@code runs.csv}
+     * @param lines the cells of the header and of the rows of {@code runs.csv}
      */
-    public static List<CampaignCell> allOf(CampaignPlan plan, List<String> lines) {
+    public static List<CampaignCell> allOf(CampaignPlan plan, List<List<String>> lines) {
         List<CampaignCell> cells = new ArrayList<>();
         new CellTable(new RunData(plan, lines)).groups().forEach((key, rows) -> {
             int rung = key.size() - 1;

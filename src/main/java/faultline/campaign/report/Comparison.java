@@ -46,7 +46,7 @@ final class Comparison {
 
     private String pairKey(RunRow row) {
         StringBuilder key = new StringBuilder(row.text("block"));
-        otherColumns.forEach(index -> key.append('\t').append(row.cells()[index]));
+        otherColumns.forEach(index -> key.append('\t').append(row.cells().get(index)));
         return key.toString();
     }
 

@@ -35,20 +35,17 @@ final class RunData {
      * Creates the data of a table.
      *
      * @param plan the campaign's plan
-     * @param lines the header and the rows; a row that is not ended is left out
+     * @param lines the cells of the header and of the rows; a row that is not ended is left out
      */
-    RunData(CampaignPlan plan, Iterable<String> lines) {
+    RunData(CampaignPlan plan, Iterable<List<String>> lines) {
         this.plan = plan;
-        Map<String, String> shared = new HashMap<>();
         int number = 0;
-        for (String line : lines) {
+        for (List<String> cells : lines) {
             number++;
-            List<String> cells = Csv.cells(line);
             if (indices.isEmpty()) {
                 cells.forEach(name -> indices.put(name, indices.size()));
             } else if (cells.size() == indices.size()) {
-                cells.replaceAll(cell -> shared.computeIfAbsent(cell, same -> same));
-                rows.add(new RunRow(this, cells.toArray(new String[0])));
+                rows.add(new RunRow(this, cells));
             } else {
                 damagedRows.add(number);
             }
@@ -64,7 +61,8 @@ final class RunData {
      */
     static RunData read(CampaignPlan plan, Path table) throws IOException {
         try (BufferedReader in = Files.newBufferedReader(table)) {
-            RunData data = new RunData(plan, in.lines()::iterator);
+            Map<String, String> shared = new HashMap<>();
+            RunData data = new RunData(plan, in.lines().map(line -> cells(line, shared))::iterator);
             if (!data.damagedRows.isEmpty()) {
                 throw new IOException(table + ":" + data.damagedRows.get(0) + ": the row does not have "
                         + data.indices.size() + " cells like the header");
@@ -82,6 +80,13 @@ final class RunData {
         } catch (UncheckedIOException e) {
             throw new IOException(table + ": the file cannot be read as UTF-8 text", e);
         }
+    }
+
+    /** Returns the cells of a row. Equal cells of a table share one string, because most of them recur. */
+    private static List<String> cells(String line, Map<String, String> shared) {
+        return Csv.cells(line).stream()
+                .map(cell -> shared.computeIfAbsent(cell, same -> same))
+                .toList();
     }
 
     CampaignPlan plan() {

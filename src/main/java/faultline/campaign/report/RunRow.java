@@ -1,15 +1,16 @@
 package faultline.campaign.report;
 
+import java.util.List;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 
 /** One row of {@code runs.csv}. */
-record RunRow(RunData data, String[] cells) {
+record RunRow(RunData data, List<String> cells) {
 
     /** Returns a cell, empty if there is no such column. */
     String text(String column) {
         int index = data.index(column);
-        return index < 0 ? "" : cells[index];
+        return index < 0 ? "" : cells.get(index);
     }
 
     /** Returns a cell as a number, empty if it holds none. */

@@ -5,10 +5,13 @@ import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.List;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 
 /** Makes a part of a campaign: runs on several threads, rows written in order by the calling thread. */
@@ -16,6 +19,9 @@ public final class CampaignRunner {
 
     /** Runs that may be finished before the one that the table waits for, for each thread. */
     private static final int RUNS_AHEAD = 16;
+
+    /** Whether the runs are cancelled is asked at least this often, milliseconds. */
+    private static final long CANCEL_INTERVAL = 50;
 
     /** Rows are forced to the disk at most this often, nanoseconds. */
     private static final long FORCE_INTERVAL = 200_000_000;
@@ -54,9 +60,9 @@ public final class CampaignRunner {
         /**
          * Called on the thread that writes, before {@link #update}, with each row of {@code runs.csv} that is made now.
          *
-         * @param row without its line feed
+         * @param cells of the row
          */
-        default void rowAdded(String row) {}
+        default void rowAdded(List<String> cells) {}
     }
 
     /**
@@ -79,7 +85,8 @@ public final class CampaignRunner {
      *
      * @param resume whether the folder may hold a begun campaign
      * @param progress called as rows are written
-     * @param cancelled asked between runs; if it holds, what is finished is written and the rest is left
+     * @param cancelled asked between runs and while waiting for one; if it holds, what is finished is written, and the
+     *     runs that are being made are stopped and left with the rest
      * @return what there is now
      * @throws IOException if the folder cannot be used, in one sentence
      */
@@ -122,9 +129,12 @@ public final class CampaignRunner {
                     table.force();
                     forced = System.nanoTime();
                 }
+                if (waiting && !endsSoon(ahead.peek())) {
+                    continue;
+                }
                 RunMaker.MadeRun made = get(ahead.poll());
                 table.add(made);
-                progress.rowAdded(made.row().stripTrailing());
+                progress.rowAdded(Csv.cells(made.row().stripTrailing()));
                 progress.update(table.next() - first, end - first);
             }
         } finally {
@@ -136,6 +146,21 @@ public final class CampaignRunner {
         Thread thread = new Thread(task, "campaign");
         thread.setDaemon(true);
         return thread;
+    }
+
+    /** Waits for a run until it is time to ask whether it is still wanted; returns whether it has ended. */
+    private static boolean endsSoon(Future<RunMaker.MadeRun> run) {
+        try {
+            run.get(CANCEL_INTERVAL, TimeUnit.MILLISECONDS);
+            return true;
+        } catch (TimeoutException e) {
+            return false;
+        } catch (ExecutionException e) {
+            return true;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return true;
+        }
     }
 
     private static RunMaker.MadeRun get(Future<RunMaker.MadeRun> run) {

@@ -12,6 +12,7 @@ import faultline.engine.metrics.RunResult;
 import faultline.engine.metrics.WallCircuits;
 import faultline.scenario.xml.ScenarioException;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 
 /** Makes single runs of a plan; safe on any thread. */
 final class RunMaker {
@@ -36,7 +37,11 @@ final class RunMaker {
         this.plan = plan;
     }
 
-    /** Makes a run. One that breaks gives a row that says why. */
+    /**
+     * Makes a run. One that breaks gives a row that says why.
+     *
+     * @throws CancellationException if this thread is interrupted meanwhile
+     */
     MadeRun make(long index) {
         PlannedRun run = plan.run(index);
         long start = System.nanoTime();
@@ -49,12 +54,18 @@ final class RunMaker {
                     setup,
                     ControllerMode.DIRECT,
                     List.of(Simulation::stopRecordingPath, carry, diagnosis),
-                    () -> untilVerdict && carry.isDecided(),
+                    () -> untilVerdict && carry.isDecided()
+                            || Thread.currentThread().isInterrupted(),
                     circuits);
+            if (Thread.currentThread().isInterrupted()) {
+                throw new CancellationException();
+            }
             String row = ResultColumns.row(run, result, carry, diagnosis);
             return new MadeRun(index, row, false, result.ticks(), secondsSince(start));
         } catch (ScenarioException e) {
             return broken(run, e.problems().get(0).toString(), start);
+        } catch (CancellationException e) {
+            throw e;
         } catch (RuntimeException e) {
             return broken(run, String.valueOf(e.getMessage()), start);
         }

@@ -62,6 +62,9 @@ final class BatchDialog extends JDialog {
 
     private transient ResultTabs resultTabs;
     private boolean running;
+    /** Whether a plan or results are being written. */
+    private boolean writing;
+
     private boolean saved = true;
 
     /**
@@ -182,6 +185,7 @@ final class BatchDialog extends JDialog {
     }
 
     private void ended(BatchRun ended, CampaignRunner.Result result) {
+        running = false;
         if (!isDisplayable()) {
             delete(ended);
             return;
@@ -197,6 +201,7 @@ final class BatchDialog extends JDialog {
     }
 
     private void failed(BatchRun failed, Throwable failure) {
+        running = false;
         if (!isDisplayable()) {
             delete(failed);
             return;
@@ -289,18 +294,31 @@ final class BatchDialog extends JDialog {
 
     /** Writes a file or a folder; meanwhile no run is started, because it would delete what is being copied. */
     private void write(Path target, Callable<Path> work, Runnable onWritten) {
+        writing = true;
         start.setEnabled(false);
+        BatchRun source = run;
         BackgroundTasks.runBeforeExit(
                 work,
                 written -> {
-                    start.setEnabled(!running);
+                    endWriting(source);
                     onWritten.run();
                     status.setText(Messages.get("saved", String.valueOf(target.getFileName())));
                 },
                 failure -> {
-                    start.setEnabled(!running);
-                    showFailure(failure);
+                    endWriting(source);
+                    if (isDisplayable()) {
+                        showFailure(failure);
+                    }
                 });
+    }
+
+    /** Deletes a batch whose dialog was closed while it was written. */
+    private void endWriting(BatchRun source) {
+        writing = false;
+        start.setEnabled(!running);
+        if (!isDisplayable() && source != null) {
+            delete(source);
+        }
     }
 
     private void showFailure(Throwable failure) {
@@ -361,7 +379,7 @@ final class BatchDialog extends JDialog {
         poll.stop();
         if (run != null) {
             run.progress().cancel();
-            if (!running) {
+            if (!running && !writing) {
                 delete(run);
             }
             run = null;

@@ -8,8 +8,10 @@ import faultline.campaign.run.ResultColumns;
 import faultline.io.DecimalText;
 import java.math.BigDecimal;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.stream.Stream;
 
 /** The results of a batch as far as they have come, in the forms that its views show. Event dispatch thread only. */
@@ -31,6 +33,8 @@ final class BatchResults {
     private final List<List<String>> rows = new ArrayList<>();
     private final List<String> shownColumns;
     private final List<String> labelColumns;
+    /** The numbers of columns as far as they have been asked for, NaN for none. */
+    private final Map<String, List<Double>> numbers = new HashMap<>();
 
     BatchResults(CampaignPlan plan) {
         this.plan = plan;
@@ -111,11 +115,16 @@ final class BatchResults {
 
     /** Returns the numbers of a column, of those runs that have one. */
     double[] numbers(String column, List<Long> runs) {
+        List<Double> known = numbers.computeIfAbsent(column, first -> new ArrayList<>());
+        while (known.size() < size()) {
+            known.add(DecimalText.parse(value(known.size(), column))
+                    .map(BigDecimal::doubleValue)
+                    .orElse(Double.NaN));
+        }
         return runs.stream()
                 .filter(run -> run < size())
-                .map(run -> DecimalText.parse(value(run.intValue(), column)))
-                .filter(number -> number.isPresent())
-                .mapToDouble(number -> number.map(BigDecimal::doubleValue).orElseThrow())
+                .mapToDouble(run -> known.get(run.intValue()))
+                .filter(number -> !Double.isNaN(number))
                 .toArray();
     }
 }

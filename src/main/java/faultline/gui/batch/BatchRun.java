@@ -4,7 +4,6 @@ import faultline.campaign.plan.CampaignPlan;
 import faultline.campaign.report.CampaignCell;
 import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.CampaignRunner;
-import faultline.campaign.run.Csv;
 import faultline.campaign.run.ResultColumns;
 import faultline.campaign.run.Shard;
 import faultline.gui.document.TaskProgress;
@@ -13,6 +12,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -35,7 +35,9 @@ final class BatchRun {
     private final int jobs;
     private final TaskProgress progress = new TaskProgress();
     private final Queue<List<String>> newRows = new ConcurrentLinkedQueue<>();
-    private final List<String> lines = new ArrayList<>();
+    /** The cells of the header and of the rows. */
+    private final List<List<String>> lines = new ArrayList<>();
+
     private volatile Path folder;
     private volatile CampaignPlan plan;
     private volatile List<CampaignCell> cells = List.of();
@@ -95,10 +97,7 @@ final class BatchRun {
     CampaignRunner.Result make() throws IOException, ScenarioException {
         folder = Files.createTempDirectory("faultline-batch-");
         CampaignPlan read = batch.prepare(folder);
-        lines.add(Csv.row(ResultColumns.of(read).stream()
-                        .map(column -> column.name())
-                        .toList())
-                .stripTrailing());
+        lines.add(ResultColumns.of(read).stream().map(column -> column.name()).toList());
         count = new Count(0, read.runCount(), 0);
         plan = read;
         CampaignRunner runner = new CampaignRunner(read, new CampaignFolder(results()), Shard.ALL, jobs);
@@ -141,9 +140,9 @@ final class BatchRun {
         private final long start = System.nanoTime();
 
         @Override
-        public void rowAdded(String row) {
-            lines.add(row);
-            newRows.add(Csv.cells(row));
+        public void rowAdded(List<String> cells) {
+            lines.add(cells);
+            newRows.add(cells);
         }
 
         @Override
@@ -159,23 +158,37 @@ final class BatchRun {
     }
 
     /**
-     * Copies the tables, the plan and the replays to a folder, which is created. The batch must have ended.
+     * Copies the tables, the plan and the replays to a folder, which is there only with all of them. The batch must
+     * have ended.
      *
      * @throws IOException if a file cannot be written
      */
     void saveResults(Path target) throws IOException {
-        Files.createDirectories(target);
-        for (Path file : new CampaignFolder(results()).files()) {
-            Path copy = target.resolve(results().relativize(file).toString());
-            Files.createDirectories(copy.getParent());
-            Files.copy(file, copy);
+        Path part = target.resolveSibling("." + target.getFileName() + ".tmp");
+        try {
+            deleteTree(part);
+            Files.createDirectories(part);
+            for (Path file : new CampaignFolder(results()).files()) {
+                Path copy = part.resolve(results().relativize(file).toString());
+                Files.createDirectories(copy.getParent());
+                Files.copy(file, copy);
+            }
+            Files.move(part, target, StandardCopyOption.REPLACE_EXISTING);
+        } finally {
+            deleteTree(part);
         }
     }
 
     /** Deletes the temporary folder, after the batch has ended. */
     void delete() throws IOException {
         if (folder != null) {
-            try (Stream<Path> files = Files.walk(folder)) {
+            deleteTree(folder);
+        }
+    }
+
+    private static void deleteTree(Path top) throws IOException {
+        if (Files.exists(top)) {
+            try (Stream<Path> files = Files.walk(top)) {
                 files.sorted(Comparator.reverseOrder()).forEach(BatchRun::deleteFile);
             }
         }

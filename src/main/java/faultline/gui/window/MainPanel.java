@@ -44,7 +44,7 @@ final class MainPanel extends JPanel {
     /** Minimum height of the canvas with its time bar, pixels. */
     private static final int MIN_STAGE_HEIGHT = 220;
     /** Minimum height of the instruments at the normal text size, pixels. */
-    private static final int MIN_DOCK_HEIGHT = 140;
+    private static final int MIN_DOCK_HEIGHT = 130;
 
     private final SimulationCanvas canvas;
     private final ControlPanel controlPanel;

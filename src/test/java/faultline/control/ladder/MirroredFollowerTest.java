@@ -7,7 +7,6 @@ import faultline.campaign.RandomRoom;
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.Decision;
 import faultline.control.Observation;
-import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.CommandListener;
 import faultline.engine.ControllerMode;

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.control.ControllerSpec;
 import faultline.control.SensorFinding;
 import faultline.control.SensorHealth;
-import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
 import faultline.control.Telemetry;
-import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.ControllerMode;
 import faultline.engine.Simulation;

@@ -7,7 +7,6 @@ import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.control.TimingRule;
-import faultline.control.WallSide;
 import faultline.geometry.Degrees;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;

@@ -10,7 +10,6 @@ import faultline.control.Decision;
 import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
-import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;

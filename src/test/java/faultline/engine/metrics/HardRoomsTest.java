@@ -4,8 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.FollowerState;
-import faultline.control.TimingRule;
-import faultline.control.WallSide;
 import faultline.engine.ControllerMode;
 import faultline.engine.metrics.WallFollowingRun.Conditions;
 import faultline.geometry.Pose;

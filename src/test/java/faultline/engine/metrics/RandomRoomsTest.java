@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec.WallFollowing;
-import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.metrics.WallFollowingRun.Conditions;
 import faultline.geometry.Degrees;

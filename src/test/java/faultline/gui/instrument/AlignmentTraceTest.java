@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
 import faultline.control.FollowerState;
-import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.EventLog;

@@ -1,0 +1,274 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.JavaProcess;
+import faultline.campaign.run.Csv;
+import faultline.gui.Await;
+import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.theme.Theme;
+import faultline.scenario.Scenario;
+import java.awt.EventQueue;
+import java.awt.Rectangle;
+import java.awt.Window;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.UUID;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JOptionPane;
+import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What becomes of a batch when the user quits, closes its dialog, opens another scenario, or opens a run. */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
+class BatchEndRobotTest {
+
+    @TempDir
+    private Path folder;
+
+    /** The name of the scenario, by which its batch is recognised among those of other processes. */
+    private final String name = "Yard " + UUID.randomUUID();
+
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() throws Exception {
+        Scenario yard = Scenario.load(Path.of("scenarios/yard.xml"));
+        Path file = folder.resolve("short.xml");
+        Scenario renamed = yard.withSetup(yard.setup().withDuration(3));
+        renamed.save(file);
+        Files.writeString(file, Files.readString(file).replace("name=\"Yard\"", "name=\"" + name + "\""));
+        driver = WindowDriver.open(Theme.LIGHT, file);
+    }
+
+    @AfterEach
+    void close() {
+        driver.close();
+    }
+
+    /** Opens the dialog of batches and starts one. */
+    private JDialog startBatch(String seeds, String duration) {
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_B);
+        JDialog dialog = driver.dialog("Batch of " + name);
+        enter(dialog, "Number of seeds", seeds);
+        enter(dialog, "Duration", duration);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        return dialog;
+    }
+
+    private void enter(JDialog dialog, String field, String digits) {
+        JTextField text = ComponentFinder.find(dialog, JTextField.class, field);
+        driver.click(text);
+        driver.robot().waitFor("the field has the focus", text::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        digits.chars().forEach(digit -> driver.robot().pressKeys(digit));
+    }
+
+    private void waitForRuns(JDialog dialog, int count) {
+        driver.robot().waitFor(count + " runs are made", () -> ComponentFinder.findAll(dialog, JTable.class)
+                .anyMatch(table -> "Runs".equals(ComponentFinder.accessibleName(table))
+                        && table.getModel().getRowCount() >= count));
+    }
+
+    private static JTable runsOf(JDialog dialog) {
+        return ComponentFinder.find(dialog, JTable.class, "Runs");
+    }
+
+    /** Waits for the question whether the results may be lost, and answers it with a key. */
+    private void answerLoss(int key) {
+        driver.robot().waitFor("the question about the results shows", () -> lossQuestion()
+                .filter(JDialog::isFocused)
+                .findAny()
+                .isPresent());
+        driver.robot().pressKeys(key);
+        driver.robot()
+                .waitFor("the question is gone", () -> lossQuestion().findAny().isEmpty());
+    }
+
+    private static Stream<JDialog> lossQuestion() {
+        return Stream.of(Window.getWindows())
+                .filter(JDialog.class::isInstance)
+                .map(JDialog.class::cast)
+                .filter(Window::isShowing)
+                .filter(dialog -> ComponentFinder.findAll(dialog, JOptionPane.class)
+                        .anyMatch(pane -> String.valueOf(pane.getMessage()).contains("have not been saved")));
+    }
+
+    /** Returns the temporary folders of the batches of the scenario of this test. */
+    private List<Path> batchFolders() throws IOException {
+        try (Stream<Path> temporary = Files.list(Path.of(System.getProperty("java.io.tmpdir")))) {
+            return temporary
+                    .filter(entry -> entry.getFileName().toString().startsWith("faultline-batch-"))
+                    .filter(this::isOwn)
+                    .toList();
+        }
+    }
+
+    private boolean isOwn(Path batch) {
+        try (Stream<Path> files = Files.walk(batch, 1)) {
+            return files.filter(file -> file.toString().endsWith(".xml")).anyMatch(file -> {
+                try {
+                    return Files.readString(file).contains(name);
+                } catch (IOException e) {
+                    return false;
+                }
+            });
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
+    private static boolean isBatchThreadAlive() {
+        return Thread.getAllStackTraces().keySet().stream()
+                .anyMatch(thread -> thread.getName().equals("campaign")
+                        || thread.getName().equals("faultline-background") && !thread.isDaemon());
+    }
+
+    private void assertNothingIsLeft() throws IOException {
+        Await.until("no thread of the batch is left", () -> !isBatchThreadAlive());
+        assertEquals(List.of(), batchFolders());
+    }
+
+    @Test
+    void quittingDuringABatchAsksStopsItAndLeavesNothing() throws Exception {
+        JDialog dialog = startBatch("9000", "3");
+        waitForRuns(dialog, 3);
+        assertEquals(1, batchFolders().size());
+        driver.chooseLater("quit");
+        answerLoss(KeyEvent.VK_ESCAPE);
+        assertTrue(callOnEdt(driver.window()::isShowing), "quitting was cancelled");
+        int before = callOnEdt(() -> runsOf(dialog).getModel().getRowCount());
+        waitForRuns(dialog, before + 3);
+        driver.chooseLater("quit");
+        answerLoss(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the window is gone", () -> !driver.window().isDisplayable());
+        assertFalse(callOnEdt(dialog::isDisplayable));
+        assertNothingIsLeft();
+    }
+
+    @Test
+    void closingTheDialogStopsARunThatWouldTakeHours() throws Exception {
+        JDialog dialog = startBatch("1", "900000");
+        driver.robot().waitFor("the runs are being made", BatchEndRobotTest::isBatchThreadAlive);
+        Await.until("the plan is written", () -> {
+            try {
+                return batchFolders().size() == 1;
+            } catch (IOException e) {
+                return false;
+            }
+        });
+        // There is no result yet, and so no question.
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isDisplayable());
+        assertTrue(callOnEdt(driver.window()::isShowing));
+        assertNothingIsLeft();
+    }
+
+    @Test
+    void aBatchGoesOnWhenAnotherScenarioIsOpenedAndItsResultsAreSavedWhole() throws Exception {
+        JDialog dialog = startBatch("20", "3");
+        waitForRuns(dialog, 1);
+        Path other = Path.of("scenarios/office.xml");
+        EventQueue.invokeLater(() -> driver.window().open(other));
+        driver.waitForTitle("office.xml");
+        waitForRuns(dialog, 180);
+        assertEquals("Batch of " + name, callOnEdt(dialog::getTitle));
+        JButton save = button(dialog, "Save results…");
+        driver.robot().waitFor("the results can be saved", save::isEnabled);
+        driver.click(save);
+        Path results = folder.resolve("results");
+        driver.enterFile("Save results of the batch to a new folder", results);
+        Await.until("the results are there", () -> Files.exists(results));
+        assertEquals(181, Files.readAllLines(results.resolve("runs.csv")).size());
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(
+                    0, files.filter(file -> file.toString().endsWith(".tmp")).count());
+        }
+        callOnEdt(() -> {
+            dialog.toFront();
+            dialog.requestFocus();
+            return true;
+        });
+        driver.robot().waitFor("the dialog has the focus", dialog::isFocused);
+        driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
+        driver.robot().waitFor("the dialog is gone without a question", () -> !dialog.isDisplayable());
+        assertNothingIsLeft();
+    }
+
+    private static JButton button(JDialog dialog, String text) {
+        return ComponentFinder.findAll(dialog, JButton.class)
+                .filter(button -> text.equals(button.getText()))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    @Test
+    void aDoubleClickOpensTheRunOfTheRowAndOfTheCommandLine() throws Exception {
+        JDialog dialog = startBatch("2", "3");
+        waitForRuns(dialog, 18);
+        driver.click(button(dialog, "Save plan as…"));
+        Path plan = folder.resolve("plan.xml");
+        driver.enterFile("Save plan of the batch", plan);
+        Await.until("the plan is saved", () -> Files.exists(plan));
+        callOnEdt(() -> {
+            ComponentFinder.find(dialog, JTabbedPane.class, "Batch").setSelectedIndex(2);
+            return true;
+        });
+        JTable runs = runsOf(dialog);
+        driver.robot().waitFor("the runs show", runs::isShowing);
+        int row = 7;
+        String run = callOnEdt(() -> String.valueOf(runs.getValueAt(row, 0)));
+        String hash = callOnEdt(
+                () -> String.valueOf(runs.getValueAt(row, runs.getColumnModel().getColumnIndex("Trajectory hash"))));
+        Rectangle cell = callOnEdt(() -> runs.getCellRect(row, 0, true));
+        for (int i = 0; i < 2; i++) {
+            driver.robot().click(runs, cell.getCenterX(), cell.getCenterY(), InputEvent.BUTTON1_DOWN_MASK);
+        }
+        driver.waitForTitle("Run " + run);
+        driver.robot().waitFor("the window has the focus", driver.window()::isFocused);
+        driver.runFast(frame -> frame.snapshot().time() >= 3 - 1e-9);
+        assertEquals(
+                hash,
+                String.format(Locale.ROOT, "%016x", driver.frame().trajectoryHash()),
+                "the run that the window has made");
+        assertEquals(hash, hashByCommandLine(plan, run));
+    }
+
+    /** Returns the hash of a run of a plan as the command {@code campaign} writes it. */
+    private String hashByCommandLine(Path plan, String run) throws Exception {
+        Path out = folder.resolve("campaign");
+        Process campaign =
+                JavaProcess.start("faultline.app.Main", List.of("campaign", plan.toString(), "--out", out.toString()));
+        assertEquals(0, campaign.waitFor());
+        List<List<String>> table = Files.readAllLines(out.resolve("runs.csv")).stream()
+                .map(Csv::cells)
+                .toList();
+        int column = table.get(0).indexOf("trajectory_hash");
+        return table.stream()
+                .filter(cells -> cells.get(0).equals(run))
+                .findFirst()
+                .orElseThrow()
+                .get(column);
+    }
+}
