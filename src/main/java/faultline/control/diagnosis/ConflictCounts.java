@@ -57,6 +57,11 @@ final class ConflictCounts {
         }
     }
 
+    /** Forgets how often a sensor contradicted itself. */
+    void clearSelf(int sensor) {
+        counts[sensor * sensors + sensor] = 0;
+    }
+
     /** Returns whether a sensor has any count at all. */
     boolean isActive(int sensor) {
         return active[sensor];

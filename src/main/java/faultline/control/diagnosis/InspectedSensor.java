@@ -34,6 +34,7 @@ final class InspectedSensor {
     private double confirmations;
     private int standoff;
     private double blindAt = -1;
+    private ForeseenSurface missed;
     private double sideways;
     private boolean looksAway;
     private double markedWay = Double.NEGATIVE_INFINITY;
@@ -168,6 +169,12 @@ final class InspectedSensor {
         confirmations = 0;
     }
 
+    /** Forgets that it was not trusted. */
+    void acquit() {
+        wasDistrusted = false;
+        probation = FIRST_PROBATION;
+    }
+
     /** Trusts it again. */
     void trust(double time) {
         finding = SensorFinding.NONE;
@@ -194,8 +201,14 @@ final class InspectedSensor {
     }
 
     /** Records that it did not see what another sensor predicted. */
-    void missSurface(double time) {
+    void missSurface(ForeseenSurface surface, double time) {
+        missed = surface;
         blindAt = time;
+    }
+
+    /** Returns what it did not see last, null if there is none. */
+    ForeseenSurface missed() {
+        return missed;
     }
 
     /** Returns when it last did not see what another sensor predicted, seconds. */

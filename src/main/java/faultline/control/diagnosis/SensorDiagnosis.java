@@ -181,6 +181,9 @@ public final class SensorDiagnosis {
             }
         }
         verdicts.fade(sensor, FADE);
+        if (sensor.finding() == SensorFinding.BLIND && isRefuted(sensor.missed(), sensor)) {
+            verdicts.acquit(sensor, time);
+        }
         verdicts.judge(sensor, time);
         refreshReport(sensor);
     }
@@ -275,14 +278,23 @@ public final class SensorDiagnosis {
         }
         for (InspectedSensor front : sensors) {
             double due = expected + sensor.cone().x() - front.cone().x();
+            double farthest = due + ForeseenSurface.FARTHER;
             boolean blind = Math.abs(front.cone().bearing()) < front.cone().half()
                     && front.isTrusted()
-                    && due < front.cone().range() - 0.15
-                    && lastReadings[front.index()] > due + 0.15;
+                    && farthest < Math.min(front.cone().range(), lastReadings[front.index()]);
             if (blind) {
-                verdicts.blameBlind(front, time);
+                ForeseenSurface surface = ForeseenSurface.ahead(reckoning, front.cone(), due);
+                if (!isRefuted(surface, front)) {
+                    verdicts.blameBlind(front, surface, time);
+                }
             }
         }
+    }
+
+    /** Returns whether others, or the robot's own body, found free where a sensor missed a surface. */
+    private boolean isRefuted(ForeseenSurface surface, InspectedSensor sensor) {
+        int others = verdicts.trusted() & ~sensor.bit() | 1 << sensors.length;
+        return surface.isRefuted(grid, clock.moment() - MEMORY, others);
     }
 
     private void refreshReport(InspectedSensor sensor) {

@@ -9,6 +9,10 @@ import faultline.control.SensorFinding;
 final class Verdicts {
 
     private static final double THRESHOLD = 9;
+
+    /** What a missed surface counts: two in a row are enough, because the robot may be driving at it. */
+    private static final double MISSED = 5;
+
     private static final double SUSPICIOUS = 0.3;
     private static final double FORGIVEN = 0.5;
     private static final int CONFIRMATIONS = 12;
@@ -67,9 +71,16 @@ final class Verdicts {
     }
 
     /** Counts a surface that a sensor should see but does not. */
-    void blameBlind(InspectedSensor sensor, double time) {
-        conflicts.add(sensor.index(), sensor.index(), 3);
-        sensor.missSurface(time);
+    void blameBlind(InspectedSensor sensor, ForeseenSurface surface, double time) {
+        conflicts.add(sensor.index(), sensor.index(), MISSED);
+        sensor.missSurface(surface, time);
+    }
+
+    /** Trusts a sensor again that missed a surface which is not there. */
+    void acquit(InspectedSensor sensor, double time) {
+        conflicts.clearSelf(sensor.index());
+        sensor.acquit();
+        trust(sensor, time);
     }
 
     void fade(InspectedSensor sensor, double share) {
