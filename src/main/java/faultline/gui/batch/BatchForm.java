@@ -77,7 +77,6 @@ final class BatchForm extends JPanel {
         columns.add(atTop(new TitledSection("batch.section.faults", faults)), BorderLayout.CENTER);
         JScrollPane scroll = new JScrollPane(columns);
         scroll.setBorder(BorderFactory.createEmptyBorder());
-        TabKeys.leaveToTabs(scroll);
         scroll.getVerticalScrollBar().setUnitIncrement(WHEEL_STEP);
         add(scroll, BorderLayout.CENTER);
         showFocused(columns);

@@ -96,7 +96,6 @@ final class ResultTable extends JTable {
         setIntercellSpacing(new Dimension(0, 1));
         setAutoResizeMode(AUTO_RESIZE_OFF);
         setFillsViewportHeight(true);
-        TabKeys.leaveToTabs(this);
         // Tab moves on to the buttons, not to the next cell: cells cannot be edited.
         setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);

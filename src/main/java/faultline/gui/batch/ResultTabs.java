@@ -53,7 +53,6 @@ final class ResultTabs {
     private void addTab(String key, JComponent view) {
         if (view instanceof JScrollPane scroll) {
             scroll.setBorder(BorderFactory.createEmptyBorder());
-            TabKeys.leaveToTabs(scroll);
         }
         UiText.addTab(tabs, key, view);
     }

@@ -55,6 +55,7 @@ final class FlatDefaults {
                 new String[] {"TextField", "FormattedTextField", "ComboBox", "Spinner", "TextArea", "List", "Table"}) {
             table.put(field + ".background", colours.field());
             table.put(field + ".foreground", colours.text());
+            table.put(field + ".inactiveForeground", colours.muted());
         }
         table.put("TextField.border", new BorderUIResource(new FieldBorder(4, 8)));
         table.put("FormattedTextField.border", new BorderUIResource(new FieldBorder(4, 8)));

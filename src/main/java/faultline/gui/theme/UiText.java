@@ -1,11 +1,19 @@
 package faultline.gui.theme;
 
 import faultline.gui.text.Messages;
+import java.awt.Component;
+import java.awt.Container;
+import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
 
 /** Texts of components that follow the language; see {@link RefreshSteps}. */
 public final class UiText {
@@ -45,10 +53,30 @@ public final class UiText {
     /** Adds a tab with the name of a key and the tool tip of {@code KEY.tip}. */
     public static void addTab(JTabbedPane tabs, String key, JComponent content) {
         tabs.addTab("", content);
+        leaveKeysToTabs(content);
         RefreshSteps.add(content, self -> {
             int index = tabs.indexOfComponent(self);
             tabs.setTitleAt(index, Messages.get(key));
             tabs.setToolTipTextAt(index, Messages.get(key + ".tip"));
         });
+    }
+
+    /**
+     * Lets lists, tables and scroll panes ignore the keys that switch tabs, so that the tabbed pane around receives
+     * them.
+     */
+    private static void leaveKeysToTabs(Component component) {
+        if (component instanceof JScrollPane || component instanceof JTable || component instanceof JList) {
+            for (String key : List.of("ctrl PAGE_UP", "ctrl PAGE_DOWN")) {
+                KeyStroke stroke = KeyStroke.getKeyStroke(key);
+                ((JComponent) component).getInputMap(JComponent.WHEN_FOCUSED).put(stroke, "none");
+                ((JComponent) component)
+                        .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                        .put(stroke, "none");
+            }
+        }
+        if (component instanceof Container container) {
+            Stream.of(container.getComponents()).forEach(UiText::leaveKeysToTabs);
+        }
     }
 }

@@ -12,7 +12,9 @@ import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.gui.action.UiAction;
 import faultline.gui.edit.UndoController;
+import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Fault;
@@ -22,6 +24,8 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Snapshot;
 import java.awt.Container;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -32,15 +36,21 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import javax.swing.JSpinner;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SpinnerNumberModel;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The control panel without a display, with a snapshot that contains every kind of state. */
 class ControlPanelTest {
+
+    /** By how many pixels the texts of a row are longer on a screen with scale 2, which rounds letters differently. */
+    private static final int HIGH_RESOLUTION_RESERVE = 5;
 
     private final List<Command> commands = new ArrayList<>();
     private final List<Runnable> refusals = new ArrayList<>();
@@ -142,16 +152,48 @@ class ControlPanelTest {
         });
     }
 
-    @Test
-    void theColumnsStayWhereTheyAreWhenTheScrollBarComes() {
+    @ParameterizedTest
+    @CsvSource({"ENGLISH, NORMAL", "POLISH, NORMAL", "ENGLISH, LARGEST", "POLISH, LARGEST"})
+    void noTabScrollsSidewaysInAnyLanguage(Language language, TextSize size) {
         runOnEdt(() -> {
-            JScrollPane scroll = ComponentFinder.findAll(panel, JScrollPane.class)
+            Messages.setLanguage(language);
+            size.install();
+        });
+        try {
+            show();
+            runOnEdt(() -> {
+                panel.setSize(panel.defaultWidth(), 640);
+                layOut(panel);
+                ComponentFinder.findAll(panel, JScrollPane.class).forEach(scroll -> {
+                    assertEquals(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, scroll.getVerticalScrollBarPolicy());
+                    int content = scroll.getViewport().getView().getPreferredSize().width;
+                    int room = scroll.getViewport().getWidth();
+                    assertTrue(content + HIGH_RESOLUTION_RESERVE <= room, content + " pixels in " + room);
+                });
+            });
+        } finally {
+            runOnEdt(() -> {
+                Messages.setLanguage(Language.ENGLISH);
+                TextSize.NORMAL.install();
+            });
+        }
+    }
+
+    @Test
+    void theKeysThatSwitchTabsWorkFromAField() {
+        runOnEdt(() -> {
+            JTabbedPane tabs = ComponentFinder.findAll(panel, JTabbedPane.class)
                     .findFirst()
                     .orElseThrow();
-            assertEquals(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, scroll.getVerticalScrollBarPolicy());
-            int contentWidth = scroll.getViewport().getView().getPreferredSize().width;
-            int barWidth = scroll.getVerticalScrollBar().getPreferredSize().width;
-            assertTrue(contentWidth + barWidth <= panel.defaultWidth(), contentWidth + " + " + barWidth);
+            JTextField value = ComponentFinder.find(panel, JTextField.class, "Value");
+            SwingUtilities.processKeyBindings(new KeyEvent(
+                    value,
+                    KeyEvent.KEY_PRESSED,
+                    0,
+                    InputEvent.CTRL_DOWN_MASK,
+                    KeyEvent.VK_PAGE_DOWN,
+                    KeyEvent.CHAR_UNDEFINED));
+            assertEquals(1, tabs.getSelectedIndex());
         });
     }
 

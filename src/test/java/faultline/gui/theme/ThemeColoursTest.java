@@ -3,8 +3,11 @@ package faultline.gui.theme;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.gui.GuiRobot;
 import java.awt.Color;
 import java.util.List;
+import javax.swing.JSpinner;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -21,6 +24,18 @@ class ThemeColoursTest {
         assertContrast(4.5, c.muted(), c.background());
         assertContrast(4.5, c.muted(), c.field());
         assertContrast(4.5, c.onAccent(), c.accent());
+    }
+
+    @ParameterizedTest
+    @EnumSource(Theme.class)
+    void numbersThatDoNotApplyCanStillBeRead(Theme theme) {
+        GuiRobot.runOnEdt(() -> {
+            theme.install();
+            JSpinner spinner = new JSpinner();
+            spinner.setEnabled(false);
+            JTextField number = ((JSpinner.DefaultEditor) spinner.getEditor()).getTextField();
+            assertContrast(4.5, number.getDisabledTextColor(), theme.colours().field());
+        });
     }
 
     @ParameterizedTest
