@@ -25,8 +25,12 @@ final class WallSteering {
     /** The distance after which the tracker has corrected its heading, in units of its memory. */
     private static final double SETTLING_MEMORIES = 4;
 
+    /** A slant below this moves the sensor's mounting by less than 0.2 mm, radians. */
+    private static final double PARALLEL = StrictMath.toRadians(3);
+
     private final StateEstimate estimate;
     private double wantedDistance;
+    private boolean approaching;
     private GainRule gainRule;
     private final WallTracker tracker = new WallTracker();
     private PdController pdController;
@@ -38,6 +42,7 @@ final class WallSteering {
 
     /** Sets the wanted distance, metres, and the choice of gains. */
     final void configure(double wanted, GainRule newGainRule) {
+        approaching |= wantedDistance != 0 && wanted != wantedDistance;
         wantedDistance = wanted;
         gainRule = newGainRule;
     }
@@ -54,8 +59,33 @@ final class WallSteering {
             // If the robot is slanted to a straight wall by more than half the cone, the reading is at the cone's edge
             // and not the foot.
             double off = Math.max(0, Math.abs(tracker.heading()) - left().halfCone());
-            tracker.correct(
-                    left().reading() * StrictMath.cos(off), estimate.odometer().deltaDistance(), radius());
+            double foot = left().reading() * StrictMath.cos(off);
+            if (approaching) {
+                approach(foot, off > 0);
+            } else {
+                tracker.correct(foot, estimate.odometer().deltaDistance(), radius());
+            }
+        }
+    }
+
+    /**
+     * Corrects the tracker on the way to a new wanted distance, which is more slanted than any other part of FOLLOW:
+     * the sensor's mounting swings away from the wall. Beyond the cone the reading depends on the slant itself, so the
+     * heading is that of dead reckoning.
+     */
+    private void approach(double foot, boolean beyondCone) {
+        double swing = estimate.sideMountOffset() * (1 - StrictMath.cos(tracker.heading()));
+        double rolled = estimate.odometer().deltaDistance();
+        if (beyondCone) {
+            tracker.correctDistance(foot - swing, rolled, radius());
+        } else {
+            tracker.correct(foot - swing, rolled, radius());
+        }
+        approaching = Math.abs(tracker.heading()) > PARALLEL
+                || Math.abs(tracker.distance() - wantedDistance) > DISTANCE_TOLERANCE;
+        if (!approaching) {
+            // What the front sensor saw on the slanted way was this wall.
+            estimate.clearFrontMemory();
         }
     }
 

@@ -53,20 +53,26 @@ final class WallTracker {
 
     /** Corrects the state by a reading after some motion. */
     void correct(double reading, double rolled, double radius) {
+        double share = correctDistance(reading, rolled, radius);
+        if (rolled > 0) {
+            heading -= share * share / rolled * innovation;
+        }
+    }
+
+    /** Corrects the distance only, and returns the filter's gain. */
+    double correctDistance(double reading, double rolled, double radius) {
         innovation = reading - distance;
         if (Math.abs(innovation) > OUTLIER_THRESHOLD) {
             distance = reading;
             innovation = 0;
-            return;
+            return 0;
         }
         innovations[innovationCount++ % MAX_INNOVATIONS] = innovation;
         drift += Math.min(1, Math.abs(rolled) / DRIFT_DISTANCE) * (innovation - drift);
         // Critically damped at the bandwidth 1 / (MEMORY radius) per metre.
         double share = Math.min(0.5, Math.abs(rolled) / (MEMORY_SHARE * radius));
         distance += Math.min(1, 1.4 * share) * innovation;
-        if (rolled > 0) {
-            heading -= share * share / rolled * innovation;
-        }
+        return share;
     }
 
     /** Turns the tracked heading because the wall has another direction. */
