@@ -10,31 +10,40 @@ import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** Finds the command that the arguments name, runs it, and turns a failure into one line and an exit code. */
 final class CommandLine {
 
-    private static final List<String> COMMANDS = List.of(
-            "run",
-            "compare",
-            "check",
-            "campaign",
-            "merge",
-            "report",
-            "figures",
-            "serve",
-            "controller",
-            "import",
-            "--help",
-            "--version",
-            "--startup-time");
+    /** Runs a command with the arguments after its name. */
+    private interface Command {
+        int run(List<String> arguments) throws UsageException, ScenarioException, IOException;
+    }
+
+    /** The commands by their names; the class of one that is not run is not loaded. */
+    private final Map<String, Command> commands = new LinkedHashMap<>();
 
     private final CommandOutput output;
 
     CommandLine(CommandOutput output) {
         this.output = output;
+        commands.put("run", arguments -> new RunCommand(output).run(arguments));
+        commands.put("compare", arguments -> new CompareCommand(output).run(arguments));
+        commands.put("check", arguments -> new CheckCommand(output).run(arguments));
+        commands.put("campaign", arguments -> new CampaignCommand(output).run(arguments));
+        commands.put("merge", arguments -> new CampaignCommand(output).merge(arguments));
+        commands.put("report", arguments -> new ReportCommand(output).run(arguments));
+        commands.put("figures", arguments -> new FiguresCommand(output).run(arguments));
+        commands.put("serve", arguments -> new ProtocolCommands(output).serve(arguments));
+        commands.put("controller", arguments -> new ProtocolCommands(output).controller(arguments));
+        commands.put("import", arguments -> new ImportCommand(output).run(arguments));
+        commands.put("--help", arguments -> println(HelpText.HELP));
+        commands.put("--version", arguments -> println(HelpText.version()));
+        commands.put("--startup-time", arguments -> new WindowCommand(output).measureStartup(arguments));
     }
 
     /**
@@ -104,39 +113,19 @@ final class CommandLine {
             return new WindowCommand(output).run();
         }
         String first = args.get(0);
-        if (COMMANDS.contains(first)) {
-            return run(first, args.subList(1, args.size()));
+        if (commands.containsKey(first)) {
+            return commands.get(first).run(args.subList(1, args.size()));
         }
         if (!looksLikeFile(first)) {
             throw new UsageException("there is no command " + MessageText.quoted(first) + "; expected "
-                    + String.join(", ", COMMANDS) + " or a scenario file" + DidYouMean.hint(first, COMMANDS));
+                    + String.join(", ", commands.keySet()) + " or a scenario file"
+                    + DidYouMean.hint(first, commands.keySet()));
         }
         return new WindowCommand(output).run(args);
     }
 
-    /** Runs a command; the classes of the others are not loaded. */
-    private int run(String command, List<String> arguments) throws UsageException, ScenarioException, IOException {
-        return switch (command) {
-            case "run" -> new RunCommand(output).run(arguments);
-            case "compare" -> new CompareCommand(output).run(arguments);
-            case "check" -> new CheckCommand(output).run(arguments);
-            case "campaign" -> new CampaignCommand(output).run(arguments);
-            case "merge" -> new CampaignCommand(output).merge(arguments);
-            case "report" -> new ReportCommand(output).run(arguments);
-            case "figures" -> new FiguresCommand(output).run(arguments);
-            case "serve" -> new ServeCommand(output).run(arguments);
-            case "controller" -> new ControllerCommand(output).run(arguments);
-            case "import" -> new ImportCommand(output).run(arguments);
-            case "--help" -> println(HelpText.HELP);
-            case "--version" -> println(HelpText.version());
-            case "--startup-time" -> new WindowCommand(output).measureStartup(arguments);
-            default -> throw new IllegalArgumentException(command);
-        };
-    }
-
     private static boolean looksLikeFile(String argument) throws UsageException {
-        return !argument.startsWith("-")
-                && (argument.endsWith(".xml") || java.nio.file.Files.exists(Arguments.parsePath(argument)));
+        return !argument.startsWith("-") && (argument.endsWith(".xml") || Files.exists(Arguments.parsePath(argument)));
     }
 
     private int println(String text) {

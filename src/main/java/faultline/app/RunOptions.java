@@ -111,12 +111,9 @@ record RunOptions(
         if (text.isEmpty()) {
             return UnaryOperator.identity();
         }
+        // The JDK also reads the digits of other scripts; a scenario file does not.
         try {
-            // The JDK also reads the digits of other scripts; a scenario file does not.
-            if (!text.get().matches("\\p{ASCII}*")) {
-                throw new NumberFormatException();
-            }
-            long seed = Long.parseLong(text.get());
+            long seed = Long.parseLong(text.get().matches("\\p{ASCII}*") ? text.get() : "");
             return setup -> setup.withSeed(seed);
         } catch (NumberFormatException e) {
             throw new UsageException("--seed is " + MessageText.quoted(text.get()) + "; expected a whole number from "

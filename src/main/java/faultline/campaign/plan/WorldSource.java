@@ -1,6 +1,9 @@
 package faultline.campaign.plan;
 
+import faultline.campaign.RandomRoom;
 import faultline.campaign.RoomRules;
+import faultline.engine.SimulationSetup;
+import faultline.engine.metrics.Expectation;
 import faultline.scenario.xml.Problems;
 import faultline.scenario.xml.ScenarioContent;
 import faultline.scenario.xml.ScenarioFiles;
@@ -60,7 +63,9 @@ sealed interface WorldSource {
 
         @Override
         public XmlElement root(int index) {
-            return toTree(label(index), RoomGenerator.room(label(index), first + index, rules));
+            RandomRoom room = RandomRoom.ofSeed(first + index, rules);
+            SimulationSetup setup = SimulationSetup.of(room.world(), room.start());
+            return toTree(new ScenarioContent(label(index), "", false, setup, Expectation.NONE));
         }
 
         /** Rooms by other rules than the default have names of their own. */
@@ -69,13 +74,13 @@ sealed interface WorldSource {
             return corners + (rules.visitors() == 0 ? "" : "-visitors-" + rules.visitors());
         }
 
-        private static XmlElement toTree(String name, ScenarioContent room) {
+        private static XmlElement toTree(ScenarioContent room) {
             try {
-                return new XmlParser(ScenarioFiles.toBytes(room), new Problems(name), XmlFormat.SCENARIO)
+                return new XmlParser(ScenarioFiles.toBytes(room), new Problems(room.name()), XmlFormat.SCENARIO)
                         .parse()
                         .orElseThrow();
             } catch (IOException e) {
-                throw new IllegalStateException(name + " cannot be a scenario", e);
+                throw new IllegalStateException(room.name() + " cannot be a scenario", e);
             }
         }
     }

@@ -55,8 +55,7 @@ final class RunMaker {
                     ControllerMode.DIRECT,
                     List.of(Simulation::stopRecordingPath, carry, diagnosis),
                     () -> untilVerdict && carry.isDecided()
-                            || Thread.currentThread().isInterrupted(),
-                    circuits);
+                            || Thread.currentThread().isInterrupted());
             if (Thread.currentThread().isInterrupted()) {
                 throw new CancellationException();
             }

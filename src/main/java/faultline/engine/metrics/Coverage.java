@@ -1,88 +1,145 @@
 package faultline.engine.metrics;
 
 import faultline.geometry.Vector2;
-import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.function.Supplier;
 
 /**
  * The followed share of the wall. The robot's offset path, that is, all places at the wanted distance from a wall and
  * nowhere nearer to any, consists of connected pieces; the piece of which the robot passed most is the wall that it
- * followed. A place is passed if the robot's centre was within {@link #TOLERANCE} of it.
+ * followed. A place is passed if the robot's centre was within {@link #TOLERANCE} of it. Walls are sampled only where
+ * the robot was, and where they are connected to those.
  */
-final class Coverage implements CoverageMeter {
+final class Coverage {
 
     /** The greatest distance at which the robot passes a place, metres. */
     static final double TOLERANCE = 0.05;
 
-    /** The robot's path is looked at in one point of each cell of this side, metres. */
-    private static final double CELL = 0.01;
+    /** Samples along the walls are this far apart, metres. */
+    private static final double SPACING = 0.01;
 
-    /** Points nearer than this to the last one are skipped, metres. */
+    /** Places nearer to each other than this are joined, metres. */
+    private static final double JOIN_DISTANCE = 0.025;
+
+    /** Points of the way nearer to the last one than this are not looked at, metres. */
     private static final double MIN_STEP = 0.002;
 
-    private final Supplier<WallCircuit> circuits;
-    private final Set<Long> visitedCells = new HashSet<>();
-    /** Visited points whose places are not yet marked as passed. */
-    private final List<Vector2> pending = new ArrayList<>();
+    /** Walls are compared with the way by squares of this side first, metres. */
+    private static final double AREA_SIZE = 1;
 
+    private final WallReference walls;
+    private final double distance;
+    private final Set<Long> visited = new HashSet<>();
+    /** The points visited since the share was last computed, and the squares that they lie in. */
+    private final Map<Long, Vector2> pending = new HashMap<>();
+
+    private final Set<Long> pendingAreas = new HashSet<>();
     private Vector2 last = new Vector2(Double.POSITIVE_INFINITY, 0);
-    private WallCircuit circuit = WallCircuit.empty();
-    private boolean[] passed = new boolean[0];
+    /** Made when it is first needed. */
+    private PlaceMap places;
+
+    private int pieces;
     private double share = Double.NaN;
 
-    /**
-     * Creates a record of passing walls; the circuit is computed when it is first needed, because that takes long in
-     * large worlds.
-     */
-    Coverage(Supplier<WallCircuit> circuits) {
-        this.circuits = circuits;
+    /** Creates a record of passing walls at a distance from the robot's centre, metres. */
+    Coverage(WallReference walls, double distance) {
+        this.walls = walls;
+        this.distance = distance;
     }
 
-    @Override
-    public void visit(Vector2 centre) {
+    /** Notes that the robot's centre was at a point; one point a square centimetre is kept. */
+    void visit(Vector2 centre) {
         if (centre.distanceTo(last) >= MIN_STEP) {
-            if (visitedCells.add(cell(centre))) {
-                pending.add(centre);
+            long cell = CellKey.of(centre, SPACING, 0, 0);
+            if (visited.add(cell)) {
+                pending.put(cell, centre);
+                pendingAreas.add(CellKey.of(centre, AREA_SIZE, 0, 0));
             }
             last = centre;
         }
     }
 
-    private static long cell(Vector2 centre) {
-        long column = (long) Math.floor(centre.x() / CELL);
-        long row = (long) Math.floor(centre.y() / CELL);
-        return column << 32 ^ row & 0xFFFF_FFFFL;
-    }
-
-    @Override
-    public OptionalDouble share() {
+    /** Returns the share so far, in [0, 1]; empty if nothing was passed. May be called again and again in a run. */
+    OptionalDouble share() {
         if (!pending.isEmpty()) {
-            if (passed.length == 0) {
-                circuit = circuits.get();
-                passed = new boolean[circuit.size()];
-            }
-            pending.forEach(point -> circuit.forEachPassed(point, place -> passed[place] = true));
+            places = places == null ? new PlaceMap(walls, distance, SPACING, JOIN_DISTANCE) : places;
+            pending.values().forEach(point -> places.sampleNear(point, TOLERANCE));
+            places.runs().forEach(runs -> runs.forEach(this::markPassed));
             pending.clear();
-            share = computeShare();
+            pendingAreas.clear();
+            share = greatestShare();
         }
         return Double.isNaN(share) ? OptionalDouble.empty() : OptionalDouble.of(share);
     }
 
-    private double computeShare() {
-        double[] passedLength = new double[passed.length];
-        double[] length = new double[passed.length];
-        for (int i = 0; i < passed.length; i++) {
-            length[circuit.way(i)] += circuit.wallLength(i);
-            passedLength[circuit.way(i)] += passed[i] ? circuit.wallLength(i) : 0;
+    private void markPassed(PlaceRun run) {
+        for (int i = nextNearWay(run, 0); i < run.size(); i = nextNearWay(run, i + 1)) {
+            if (run.isFree(i) && !run.isPassed(i) && isPassed(run.place(i))) {
+                run.setPassed(i);
+                if (run.piece(i) == PlaceRun.NO_PIECE) {
+                    places.fill(run, i, pieces++);
+                }
+            }
         }
-        int most = 0;
-        for (int i = 1; i < passed.length; i++) {
-            most = passedLength[i] > passedLength[most] ? i : most;
+    }
+
+    /** Returns the share of the piece of which most was passed; of equals the one that begins first. */
+    private double greatestShare() {
+        PieceLengths lengths = new PieceLengths(pieces);
+        int wall = 0;
+        for (List<PlaceRun> runs : places.runs()) {
+            for (PlaceRun run : runs) {
+                for (int i = 0; i < run.size(); i++) {
+                    if (run.piece(i) >= 0) {
+                        lengths.add(run.piece(i), run.wallLength(i), run.isPassed(i), wall, run.rank(i));
+                    }
+                }
+            }
+            wall++;
         }
-        return passed.length == 0 || passedLength[most] == 0 ? Double.NaN : passedLength[most] / length[most];
+        return lengths.greatestShare();
+    }
+
+    /** Returns the first place of a run, from an index on, that may have been passed; if there is none, the size. */
+    private int nextNearWay(PlaceRun run, int from) {
+        int i = from;
+        while (i < run.size() && i % PlaceRun.SHORT == 0 && !isNearWay(run, i)) {
+            i += PlaceRun.SHORT;
+        }
+        return Math.min(i, run.size());
+    }
+
+    /** Returns whether the robot has been near one of some places, the first of which is given, since the last call. */
+    private boolean isNearWay(PlaceRun run, int first) {
+        Vector2 middle = run.place(Math.min(first + PlaceRun.SHORT / 2, run.size() - 1));
+        double radius = run.isAlone() ? PlaceRun.SHORT * JOIN_DISTANCE / 2 : 2 * run.radius();
+        if (radius + TOLERANCE > AREA_SIZE) {
+            return true;
+        }
+        for (int dx = -1; dx <= 1; dx++) {
+            for (int dy = -1; dy <= 1; dy++) {
+                if (pendingAreas.contains(CellKey.of(middle, AREA_SIZE, dx, dy))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean isPassed(Vector2 place) {
+        int reach = (int) Math.ceil(TOLERANCE / SPACING);
+        for (int dx = -reach; dx <= reach; dx++) {
+            for (int dy = -reach; dy <= reach; dy++) {
+                Vector2 point = pending.get(CellKey.of(place, SPACING, dx, dy));
+                if (point != null && point.distanceTo(place) <= TOLERANCE) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 }

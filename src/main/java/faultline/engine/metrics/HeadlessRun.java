@@ -34,7 +34,7 @@ public final class HeadlessRun {
      * @throws RunFailedException if the run failed
      */
     public static RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
-        return run(setup, mode, observers, () -> false, new WallCircuits());
+        return run(setup, mode, observers, () -> false);
     }
 
     /**
@@ -44,17 +44,17 @@ public final class HeadlessRun {
      * @param mode the thread of the controller
      * @param observers called at tick 0 and after every tick, in order
      * @param finished called after every tick; true ends the run
-     * @param circuits are shared with other runs in the same worlds
      * @return the result of the run
      * @throws RunFailedException if the run failed
      */
     public static RunResult run(
-            SimulationSetup setup,
-            ControllerMode mode,
-            List<TickObserver> observers,
-            BooleanSupplier finished,
-            WallCircuits circuits) {
-        return run(setup, listener -> new Simulation(setup, mode, listener), observers, finished, circuits);
+            SimulationSetup setup, ControllerMode mode, List<TickObserver> observers, BooleanSupplier finished) {
+        return run(
+                setup,
+                listener -> new Simulation(setup, mode, listener),
+                observers,
+                finished,
+                new WallFollowingMetrics(setup));
     }
 
     /**
@@ -74,16 +74,16 @@ public final class HeadlessRun {
                 listener -> new Simulation(setup, controller, mode, listener),
                 observers,
                 () -> false,
-                new WallCircuits());
+                new WallFollowingMetrics(setup));
     }
 
-    private static RunResult run(
+    /** Runs a simulation that a function starts, with metrics of its own. */
+    static RunResult run(
             SimulationSetup setup,
             Function<CommandListener, Simulation> start,
             List<TickObserver> observers,
             BooleanSupplier finished,
-            WallCircuits circuits) {
-        WallFollowingMetrics wall = new WallFollowingMetrics(setup, circuits);
+            WallFollowingMetrics wall) {
         Set<ControllerState> states = new LinkedHashSet<>();
         List<TickObserver> all = new ArrayList<>(observers);
         all.add(wall);

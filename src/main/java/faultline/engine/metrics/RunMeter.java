@@ -9,7 +9,6 @@ import faultline.engine.TickObserver;
 public final class RunMeter implements TickObserver {
 
     private final SimulationSetup setup;
-    private final WallCircuits circuits = new WallCircuits();
     private final WallFollowingMetrics wall;
     /** Null until the robot meets a wall, because finding the ways along walls takes long in large worlds. */
     private CarryOnMetrics laps;
@@ -21,14 +20,15 @@ public final class RunMeter implements TickObserver {
      */
     public RunMeter(SimulationSetup setup) {
         this.setup = setup;
-        wall = new WallFollowingMetrics(setup, circuits);
+        wall = new WallFollowingMetrics(setup);
     }
 
     @Override
     public void observe(Simulation simulation) {
         wall.observe(simulation);
         if (laps == null && simulation.telemetry().state() != FollowerState.SEARCH && !wall.isLarge()) {
-            laps = new CarryOnMetrics(circuits.forCarryOn(setup), setup.robot().speed(), 0);
+            laps = new CarryOnMetrics(
+                    new WallCircuits().forCarryOn(setup), setup.robot().speed(), 0);
         }
         if (laps != null) {
             laps.observe(simulation);

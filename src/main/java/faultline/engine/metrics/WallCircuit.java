@@ -36,17 +36,6 @@ public final class WallCircuit {
         return new WallCircuit(new WallReference(world).samplesAlongWay(distance, spacing), spacing, 0.04, 0.15);
     }
 
-    /**
-     * Finds the ways of a world for {@link Coverage}.
-     *
-     * @param walls of the world
-     * @param distance from a wall to the robot's centre, metres
-     */
-    static WallCircuit forCoverage(WallReference walls, double distance) {
-        double spacing = 0.01;
-        return new WallCircuit(walls.samples(distance, spacing), spacing, 0.025, Coverage.TOLERANCE);
-    }
-
     /** {@return a circuit without any way, for robots that follow no wall} */
     public static WallCircuit empty() {
         return new WallCircuit(List.of(), 1, 1, 1);
@@ -60,7 +49,7 @@ public final class WallCircuit {
      * @param joinDistance places nearer to each other than this belong to one way, metres
      * @param tolerance how far from a place a robot still passes it, at least the join distance, metres
      */
-    private WallCircuit(List<WallReference.Sample> places, double spacing, double joinDistance, double tolerance) {
+    WallCircuit(List<WallReference.Sample> places, double spacing, double joinDistance, double tolerance) {
         this.places = new ArrayList<>(places);
         this.tolerance = tolerance;
         int count = places.size();

@@ -5,7 +5,6 @@ import faultline.world.WorldSpec;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.function.Supplier;
 
 /** The circuits of worlds, found once for all runs in the same world; the latest are kept. Safe on any thread. */
 public final class WallCircuits {
@@ -24,7 +23,7 @@ public final class WallCircuits {
     /** Creates a cache without circuits. */
     public WallCircuits() {}
 
-    private record Key(WorldSpec world, double distance, boolean coverage) {}
+    private record Key(WorldSpec world, double distance) {}
 
     /**
      * {@return the circuit for {@link CarryOnMetrics}}
@@ -33,26 +32,17 @@ public final class WallCircuits {
      */
     public WallCircuit forCarryOn(SimulationSetup setup) {
         OptionalDouble distance = CarryOnMetrics.wantedDistance(setup);
-        return distance.isEmpty()
-                ? WallCircuit.empty()
-                : get(
-                        new Key(setup.world(), distance.getAsDouble(), false),
-                        () -> WallCircuit.forCarryOn(setup.world(), distance.getAsDouble()));
-    }
-
-    /** Returns the circuit for {@link Coverage}. */
-    WallCircuit forCoverage(SimulationSetup setup, WallReference walls, double distance) {
-        return get(new Key(setup.world(), distance, true), () -> WallCircuit.forCoverage(walls, distance));
-    }
-
-    private WallCircuit get(Key key, Supplier<WallCircuit> maker) {
+        if (distance.isEmpty()) {
+            return WallCircuit.empty();
+        }
+        Key key = new Key(setup.world(), distance.getAsDouble());
         synchronized (kept) {
             WallCircuit known = kept.get(key);
             if (known != null) {
                 return known;
             }
         }
-        WallCircuit circuit = maker.get();
+        WallCircuit circuit = WallCircuit.forCarryOn(key.world, key.distance);
         synchronized (kept) {
             kept.put(key, circuit);
         }

@@ -10,6 +10,7 @@ import faultline.engine.TickObserver;
 import faultline.geometry.Vector2;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.BiFunction;
 
 /**
  * Measures a wall follower from ground truth: the followed share of the wall, and the error of the distance. Other
@@ -19,12 +20,6 @@ final class WallFollowingMetrics implements TickObserver {
 
     /** The distance from the ends of a wall beyond which it counts as straight, metres. */
     static final double STRAIGHT_MARGIN = 0.5;
-
-    /** The largest number of walls whose circuit is found as a whole and shared with other runs. */
-    private static final int MAX_SHARED_WALLS = 1000;
-
-    /** The greatest length of all walls of such a world, metres. */
-    private static final double MAX_SHARED_LENGTH = 1000;
 
     /** With more walls than this, finding the places to pass would hold up a run that is watched. */
     private static final int MAX_LIVE_WALLS = 5000;
@@ -38,7 +33,7 @@ final class WallFollowingMetrics implements TickObserver {
 
     private final double distance;
     private final WallReference walls;
-    private final CoverageMeter coverage;
+    private final Coverage coverage;
     private final MeanSquare straightError = new MeanSquare();
     private final MeanSquare followError = new MeanSquare();
 
@@ -46,17 +41,19 @@ final class WallFollowingMetrics implements TickObserver {
      * Creates metrics of one run.
      *
      * @param setup what is run
-     * @param circuits are shared with other runs
      */
-    WallFollowingMetrics(SimulationSetup setup, WallCircuits circuits) {
+    WallFollowingMetrics(SimulationSetup setup) {
+        this(setup, Coverage::new);
+    }
+
+    /** Creates metrics of one run with a coverage for its walls and the wanted distance. */
+    WallFollowingMetrics(SimulationSetup setup, BiFunction<WallReference, Double, Coverage> newCoverage) {
         OptionalDouble wanted = CarryOnMetrics.wantedDistance(setup);
         isWallFollower = wanted.isPresent();
         hasOwnStates = !(setup.controller() instanceof ControllerSpec.WallFollowing);
         walls = new WallReference(setup.world());
         distance = wanted.orElse(0);
-        coverage = walls.size() > MAX_SHARED_WALLS || walls.length() > MAX_SHARED_LENGTH
-                ? new CoverageOnDemand(walls, distance)
-                : new Coverage(() -> circuits.forCoverage(setup, walls, distance));
+        coverage = newCoverage.apply(walls, distance);
     }
 
     @Override

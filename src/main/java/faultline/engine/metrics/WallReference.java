@@ -138,15 +138,6 @@ public final class WallReference {
         return candidates;
     }
 
-    /** Returns about how long all walls are, metres. */
-    double length() {
-        double length = 0;
-        for (int i = 0; i < shapes.size(); i++) {
-            length += 2 * shapes.shape(i).boundingRadius();
-        }
-        return length;
-    }
-
     /** Returns all walls. */
     CandidateBuffer walls() {
         return shapes;

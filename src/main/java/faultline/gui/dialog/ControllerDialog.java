@@ -2,6 +2,7 @@ package faultline.gui.dialog;
 
 import faultline.external.ControllerChoice;
 import faultline.gui.document.ControllerSelection;
+import faultline.gui.panel.FormDialog;
 import faultline.gui.text.Messages;
 import java.awt.BorderLayout;
 import java.awt.Component;
@@ -11,10 +12,8 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
-import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
-import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 
 /** Asks for a controller: the scenario's own, the name of one in Java, or a command. */
@@ -59,21 +58,10 @@ final class ControllerDialog {
         panel.add(field, BorderLayout.CENTER);
         panel.add(browse, BorderLayout.LINE_END);
         panel.add(new JLabel(Messages.get("chooseController.help", EXAMPLE)), BorderLayout.SOUTH);
-        // The field has the focus initially.
-        JOptionPane pane = new JOptionPane(panel, JOptionPane.PLAIN_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
-            @Override
-            public void selectInitialValue() {
-                super.selectInitialValue();
-                field.getEditor().getEditorComponent().requestFocusInWindow();
-                field.getEditor().selectAll();
-            }
-        };
-        JDialog dialog = pane.createDialog(parent, title);
-        dialog.setVisible(true);
-        dialog.dispose();
-        return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue())
-                ? Optional.of(selected())
-                : Optional.empty();
+        field.getEditor().selectAll();
+        boolean accepted =
+                FormDialog.showDialog(parent, title, panel, field.getEditor().getEditorComponent());
+        return accepted ? Optional.of(selected()) : Optional.empty();
     }
 
     private ControllerSelection selected() {

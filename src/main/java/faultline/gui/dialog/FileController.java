@@ -11,7 +11,7 @@ import faultline.gui.document.RecoveryPrompt;
 import faultline.gui.document.RecoveryStore;
 import faultline.gui.document.Workspace;
 import faultline.gui.properties.FloorPlanFiles;
-import faultline.gui.properties.ImportDialog;
+import faultline.gui.properties.ImportForm;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.Glyph;
 import faultline.scenario.Scenario;
@@ -98,7 +98,7 @@ public final class FileController {
     }
 
     private void importPlan(Path file) {
-        ImportDialog.showDialog(parent, file).ifPresent(this::openNew);
+        ImportForm.showDialog(parent, file).ifPresent(this::openNew);
     }
 
     /** Opens a scenario that ships with the program. */

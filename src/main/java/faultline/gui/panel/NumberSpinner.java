@@ -141,7 +141,7 @@ public final class NumberSpinner extends JSpinner {
     }
 
     /** Commits the text, or reverts it if it is invalid, and returns whether the value changed. */
-    boolean commitPendingEdit() {
+    public boolean commitPendingEdit() {
         double before = doubleValue();
         try {
             commitEdit();

@@ -15,6 +15,7 @@ import faultline.paint.scene.Layer;
 import faultline.paint.surface.Palette;
 import faultline.scenario.Scenario;
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GridBagLayout;
@@ -26,11 +27,15 @@ import java.util.Optional;
 import javax.swing.ImageIcon;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
+import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 
-/** How a floor plan is traced, with a preview. The plan is read off the event dispatch thread. */
-final class ImportForm extends JPanel {
+/**
+ * A form to make a scenario of a floor plan: how the plan is traced, with a preview. The plan is read off the event
+ * dispatch thread.
+ */
+public final class ImportForm extends JPanel {
 
     private static final Dimension PREVIEW_SIZE = new Dimension(520, 380);
     private static final int GAP = 12;
@@ -54,6 +59,21 @@ final class ImportForm extends JPanel {
     private transient Scenario scenario;
     /** Of readings; only the newest counts. */
     private int reading;
+
+    /** Shows the dialog and returns the scenario; empty if cancelled. */
+    public static Optional<Scenario> showDialog(Component parent, Path file) {
+        ImportForm form = new ImportForm(file);
+        String title = Messages.get("import.title", String.valueOf(file.getFileName()));
+        while (JOptionPane.showConfirmDialog(
+                        parent, form, title, JOptionPane.OK_CANCEL_OPTION, JOptionPane.PLAIN_MESSAGE)
+                == JOptionPane.OK_OPTION) {
+            if (form.scenario().isPresent()) {
+                return form.scenario();
+            }
+            JOptionPane.showMessageDialog(parent, form.status(), title, JOptionPane.WARNING_MESSAGE);
+        }
+        return Optional.empty();
+    }
 
     ImportForm(Path file) {
         super(new BorderLayout(GAP, GAP));

@@ -6,6 +6,7 @@ import faultline.gui.action.UiAction;
 import faultline.gui.document.Workspace;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NamedChoice;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
@@ -17,7 +18,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
-import javax.swing.JDialog;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 
@@ -89,7 +89,7 @@ public final class ScenarioActions {
 
     /** Shows a form until it is cancelled or nothing is wrong with it, and returns whether it was accepted. */
     private boolean confirm(JComponent form, JComponent first, String titleKey, Supplier<Optional<String>> problem) {
-        while (isAccepted(form, first, Messages.get(titleKey))) {
+        while (FormDialog.showDialog(parent, Messages.get(titleKey), form, first)) {
             Optional<String> found = problem.get();
             if (found.isEmpty()) {
                 return true;
@@ -97,20 +97,5 @@ public final class ScenarioActions {
             JOptionPane.showMessageDialog(parent, found.get(), Messages.get(titleKey), JOptionPane.WARNING_MESSAGE);
         }
         return false;
-    }
-
-    /** Shows a form once, with the focus in its first field. */
-    private boolean isAccepted(JComponent form, JComponent first, String title) {
-        JOptionPane pane = new JOptionPane(form, JOptionPane.PLAIN_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
-            @Override
-            public void selectInitialValue() {
-                super.selectInitialValue();
-                first.requestFocusInWindow();
-            }
-        };
-        JDialog dialog = pane.createDialog(parent, title);
-        dialog.setVisible(true);
-        dialog.dispose();
-        return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue());
     }
 }

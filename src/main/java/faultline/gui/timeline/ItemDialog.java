@@ -5,6 +5,7 @@ import faultline.geometry.Pose;
 import faultline.gui.panel.ControllerForm;
 import faultline.gui.panel.FaultFields;
 import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.FormDialog;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Messages;
 import faultline.robot.MotorFault;
@@ -24,7 +25,6 @@ import javax.swing.DefaultListCellRenderer;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JOptionPane;
@@ -89,21 +89,10 @@ final class ItemDialog {
 
     private Optional<TimelineItem> show(Component parent) {
         // The start has the focus initially: the kind would take the arrow keys.
-        JOptionPane pane = new JOptionPane(form, JOptionPane.PLAIN_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
-            @Override
-            public void selectInitialValue() {
-                super.selectInitialValue();
-                from.textField().requestFocusInWindow();
-            }
-        };
         Optional<TimelineItem> result;
         boolean accepted;
         do {
-            pane.setValue(JOptionPane.UNINITIALIZED_VALUE);
-            JDialog dialog = pane.createDialog(parent, TimelineText.title(item));
-            dialog.setVisible(true);
-            dialog.dispose();
-            accepted = Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue());
+            accepted = FormDialog.showDialog(parent, TimelineText.title(item), form, from.textField());
             result = accepted ? read() : Optional.empty();
             if (accepted && endsBeforeItStarts()) {
                 JOptionPane.showMessageDialog(

@@ -28,7 +28,7 @@ class CoverageTest {
             4, 4, true, 3, List.of(new Obstacle("table", new ObstacleShape.Rectangle(1, 1), new Pose(2, 2, 0)))));
 
     private static Coverage coverage(WorldSpec world) {
-        return new Coverage(() -> WallCircuit.forCoverage(new WallReference(world), WANTED));
+        return new Coverage(new WallReference(world), WANTED);
     }
 
     /** The corners of a square about the middle of the room, so far in from the walls, the first one twice. */
@@ -46,7 +46,7 @@ class CoverageTest {
         visit(coverage, way);
     }
 
-    private static void visit(CoverageMeter coverage, List<Vector2> way) {
+    private static void visit(Coverage coverage, List<Vector2> way) {
         for (int i = 1; i < way.size(); i++) {
             Vector2 from = way.get(i - 1);
             Vector2 all = way.get(i).minus(from);
@@ -162,8 +162,8 @@ class CoverageTest {
             WorldSpec world = clutter(random);
             double wanted = List.of(0.012, 0.2, 0.35, 0.7, 1.5).get(random.nextInt(5));
             WallReference walls = new WallReference(world);
-            CoverageOnDemand lazy = new CoverageOnDemand(walls, wanted);
-            Coverage eager = new Coverage(() -> WallCircuit.forCoverage(walls, wanted));
+            Coverage lazy = new Coverage(walls, wanted);
+            EagerCoverage eager = new EagerCoverage(walls, wanted);
             List<WallReference.Sample> places = walls.samples(wanted, 0.01);
             for (int stretch = 0; stretch < 3 && !places.isEmpty(); stretch++) {
                 int from = random.nextInt(places.size());
@@ -186,8 +186,7 @@ class CoverageTest {
 
     @Test
     void aWorldOfManyKilometresTakesLittleTimeAndMemory() {
-        CoverageOnDemand huge =
-                new CoverageOnDemand(new WallReference(new WorldSpec(10_000, 10_000, true, 3, List.of())), WANTED);
+        Coverage huge = new Coverage(new WallReference(new WorldSpec(10_000, 10_000, true, 3, List.of())), WANTED);
         visit(huge, List.of(new Vector2(WANTED, WANTED), new Vector2(WANTED + 100, WANTED)));
         assertEquals(100.05 / (4 * (10_000 - 2 * WANTED)), huge.share().orElseThrow(), 1e-5);
     }

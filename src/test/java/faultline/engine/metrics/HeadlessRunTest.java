@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
 import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Pose;
 import faultline.sensor.Fault;
@@ -62,13 +63,13 @@ class HeadlessRunTest {
                 .withDuration(20);
         HeadlessRun.ResultFailedException failure = assertThrows(
                 HeadlessRun.ResultFailedException.class,
-                // Without circuits there is no coverage.
+                // Without walls there is no coverage.
                 () -> HeadlessRun.run(
                         setup,
-                        ControllerMode.DIRECT,
+                        listener -> new Simulation(setup, ControllerMode.DIRECT, listener),
                         List.of(simulation -> ticks.add(simulation.ticks())),
                         () -> false,
-                        null));
+                        new WallFollowingMetrics(setup, (walls, distance) -> new Coverage(null, distance))));
         assertTrue(failure.getMessage().startsWith("its coverage could not be computed: "), failure.getMessage());
         assertEquals(2000, ticks.get(ticks.size() - 1));
     }

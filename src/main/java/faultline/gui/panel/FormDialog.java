@@ -1,0 +1,35 @@
+package faultline.gui.panel;
+
+import java.awt.Component;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JOptionPane;
+
+/** A form in a dialog that can be accepted or cancelled. */
+public final class FormDialog {
+
+    private FormDialog() {}
+
+    /**
+     * Shows a form and waits for the answer.
+     *
+     * @param parent the component behind the dialog
+     * @param title the title of the dialog
+     * @param form the form
+     * @param first the component that has the focus initially
+     * @return whether the form was accepted
+     */
+    public static boolean showDialog(Component parent, String title, JComponent form, Component first) {
+        JOptionPane pane = new JOptionPane(form, JOptionPane.PLAIN_MESSAGE, JOptionPane.OK_CANCEL_OPTION) {
+            @Override
+            public void selectInitialValue() {
+                super.selectInitialValue();
+                first.requestFocusInWindow();
+            }
+        };
+        JDialog dialog = pane.createDialog(parent, title);
+        dialog.setVisible(true);
+        dialog.dispose();
+        return Integer.valueOf(JOptionPane.OK_OPTION).equals(pane.getValue());
+    }
+}
