@@ -13,8 +13,6 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
-import faultline.sensor.SensorSpec;
-import java.util.List;
 import java.util.Optional;
 
 /**
@@ -47,12 +45,10 @@ record AlignmentTrial(SimulationSetup setup, int handOver) {
     /** Returns the file's robot with sensors of a range and cone, a spin rate and motors of a time constant. */
     static RobotSpec robot(double range, double cone, double rate, double tau) {
         RobotSpec usual = BASE.robot();
-        List<SensorSpec> sensors = usual.sensors().stream()
-                .map(sensor -> sensor.withRange(range).withCone(cone))
-                .toList();
         MotorSpec motor =
                 new MotorSpec(tau, usual.motor().speedConstant(), usual.motor().maxVoltage());
-        return usual.withTurnRate(rate).withMotor(motor).withSensors(sensors);
+        return SetupVariations.withSensors(usual.withTurnRate(rate).withMotor(motor), sensor -> sensor.withRange(range)
+                .withCone(cone));
     }
 
     /** Returns the file's robot and control before its long wall. */

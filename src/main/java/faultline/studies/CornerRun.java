@@ -4,7 +4,6 @@ import faultline.control.ControllerSpec.WallFollowing;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Degrees;
 import faultline.robot.RobotSpec;
-import faultline.sensor.SensorSpec;
 import faultline.studies.figure.Sample;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -53,10 +52,8 @@ final class CornerRun {
 
     /** Returns a setup with one of several starts; number 0 is that of the figure. */
     private static SimulationSetup setup(double degrees, SensorSelection sensors, int start) {
-        RobotSpec robot = BASE.robot();
-        for (SensorSpec sensor : robot.sensors()) {
-            robot = robot.withSensor(sensor.withOn(sensors.includes(sensor.id())));
-        }
+        RobotSpec robot =
+                SetupVariations.withSensors(BASE.robot(), sensor -> sensor.withOn(sensors.includes(sensor.id())));
         return WallScenes.corner(BASE, Degrees.toRadians(degrees), WallFollowing.DEFAULT.distance(), start)
                 .withRobot(robot);
     }

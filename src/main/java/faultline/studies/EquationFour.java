@@ -151,10 +151,7 @@ final class EquationFour {
     }
 
     private static RobotSpec withNoise(double deviation) {
-        RobotSpec robot = AlignmentTrial.robot(RANGE, CONE, RATE, TAU);
-        for (SensorSpec sensor : robot.sensors()) {
-            robot = robot.withSensor(sensor.withOn(true).withNoise(deviation));
-        }
-        return robot;
+        return SetupVariations.withSensors(AlignmentTrial.robot(RANGE, CONE, RATE, TAU), sensor -> sensor.withOn(true)
+                .withNoise(deviation));
     }
 }

@@ -5,6 +5,7 @@ import faultline.engine.SimulationSetup;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Obstacle;
+import java.util.function.UnaryOperator;
 
 /** Varies the setup of a scenario. */
 final class SetupVariations {
@@ -32,11 +33,12 @@ final class SetupVariations {
 
     /** Returns a robot with the same noise on all sensors, standard deviation in metres. */
     static RobotSpec withNoise(RobotSpec base, double deviation) {
-        RobotSpec robot = base;
-        for (SensorSpec sensor : base.sensors()) {
-            robot = robot.withSensor(sensor.withNoise(deviation));
-        }
-        return robot;
+        return withSensors(base, sensor -> sensor.withNoise(deviation));
+    }
+
+    /** Returns a robot with a change of all sensors. */
+    static RobotSpec withSensors(RobotSpec base, UnaryOperator<SensorSpec> change) {
+        return base.withSensors(base.sensors().stream().map(change).toList());
     }
 
     /** Returns the obstacle with an id. */

@@ -11,7 +11,6 @@ import faultline.paint.chart.Axis;
 import faultline.paint.chart.Chart;
 import faultline.paint.chart.Series;
 import faultline.robot.RobotSpec;
-import faultline.sensor.SensorSpec;
 import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
 import faultline.studies.figure.FigureCanvas;
@@ -78,10 +77,7 @@ final class ThinObjects implements Figure {
         Pose place = new Pose(pole.pose().x(), AlignmentTrial.WALL_Y - away - diameter / 2, 0);
         SimulationSetup varied = SetupVariations.with(
                 BASE, pole.withShape(new ObstacleShape.Circle(diameter / 2)).withPose(place));
-        RobotSpec robot = BASE.robot();
-        for (SensorSpec sensor : robot.sensors()) {
-            robot = robot.withSensor(sensor.withCone(Degrees.toRadians(cone)));
-        }
+        RobotSpec robot = SetupVariations.withSensors(BASE.robot(), sensor -> sensor.withCone(Degrees.toRadians(cone)));
         return HeadlessRun.run(varied.withRobot(robot), ControllerMode.DIRECT, List.of());
     }
 }

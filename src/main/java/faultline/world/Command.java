@@ -187,13 +187,27 @@ public sealed interface Command {
         }
     }
 
+    /** A command that switches a sensor or changes its faults. */
+    sealed interface SensorCommand extends Command {
+
+        /** {@return the sensor's id} */
+        String sensor();
+    }
+
+    /** A command that changes the faults of the motors of a side. */
+    sealed interface MotorCommand extends Command {
+
+        /** {@return the side} */
+        MotorSide motor();
+    }
+
     /**
      * Switches a sensor on or off.
      *
      * @param sensor the sensor's id
      * @param on the new state
      */
-    record SwitchSensor(String sensor, boolean on) implements Command {
+    record SwitchSensor(String sensor, boolean on) implements SensorCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -230,7 +244,7 @@ public sealed interface Command {
      * @param sensor the sensor's id
      * @param fault the fault, which acts after those that the sensor already has
      */
-    record InjectFault(String sensor, Fault fault) implements Command {
+    record InjectFault(String sensor, Fault fault) implements SensorCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -243,7 +257,7 @@ public sealed interface Command {
      * @param sensor the sensor's id
      * @param fault the fault; the oldest one equal to it is removed
      */
-    record ClearFault(String sensor, Fault fault) implements Command {
+    record ClearFault(String sensor, Fault fault) implements SensorCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -255,7 +269,7 @@ public sealed interface Command {
      *
      * @param sensor the sensor's id
      */
-    record ClearFaults(String sensor) implements Command {
+    record ClearFaults(String sensor) implements SensorCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -268,7 +282,7 @@ public sealed interface Command {
      * @param motor the side
      * @param fault the fault, which acts after those that the side already has
      */
-    record InjectMotorFault(MotorSide motor, MotorFault fault) implements Command {
+    record InjectMotorFault(MotorSide motor, MotorFault fault) implements MotorCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -281,7 +295,7 @@ public sealed interface Command {
      * @param motor the side
      * @param fault the fault; the oldest one equal to it is removed
      */
-    record ClearMotorFault(MotorSide motor, MotorFault fault) implements Command {
+    record ClearMotorFault(MotorSide motor, MotorFault fault) implements MotorCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);
@@ -293,7 +307,7 @@ public sealed interface Command {
      *
      * @param motor the side
      */
-    record ClearMotorFaults(MotorSide motor) implements Command {
+    record ClearMotorFaults(MotorSide motor) implements MotorCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.visit(this);

@@ -1,6 +1,6 @@
 package faultline.gui.batch;
 
-import faultline.gui.panel.FaultNames;
+import faultline.gui.panel.ReadingText;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.TextListener;
 import faultline.gui.text.Messages;
@@ -57,7 +57,7 @@ final class FaultChoices extends JPanel {
         JTextField value = new JTextField(VALUE_COLUMNS);
         UiText.tip(value, "batch.syntax");
         RefreshSteps.add(box, self -> {
-            self.setText(FaultNames.nameOf(kind));
+            self.setText(ReadingText.nameOf(kind));
             value.getAccessibleContext().setAccessibleName(Messages.get("batch.valueOf", self.getText()));
         });
         value.getDocument().addDocumentListener(new TextListener(onChange));

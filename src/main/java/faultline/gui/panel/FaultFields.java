@@ -9,16 +9,13 @@ import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
-import java.awt.Component;
 import java.awt.GridBagConstraints;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
-import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JList;
 import javax.swing.JPanel;
 
 /**
@@ -81,7 +78,7 @@ public final class FaultFields<K, F> {
                 FaultKind.values(),
                 FaultKind.STUCK,
                 kind -> new Rules<>(
-                        FaultNames.nameOf(kind),
+                        ReadingText.nameOf(kind),
                         kind.unit(),
                         kind.minValue(),
                         kind.maxValue(),
@@ -113,15 +110,7 @@ public final class FaultFields<K, F> {
     }
 
     private void configureKind(int count) {
-        kind.setRenderer(new DefaultListCellRenderer() {
-            @Override
-            public Component getListCellRendererComponent(
-                    JList<?> items, Object item, int index, boolean selected, boolean focused) {
-                @SuppressWarnings("unchecked")
-                String name = rules.apply((K) item).name();
-                return super.getListCellRendererComponent(items, name, index, selected, focused);
-            }
-        });
+        kind.setRenderer(NamedChoice.rendererOf((K item) -> rules.apply(item).name()));
         kind.setMaximumRowCount(count);
         kind.addActionListener(event -> updateKind());
         UiText.nameAndTip(kind, "faults.kind");

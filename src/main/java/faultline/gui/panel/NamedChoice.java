@@ -6,6 +6,7 @@ import java.util.function.Function;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JList;
+import javax.swing.ListCellRenderer;
 
 /** A combo box of values with names. It shows the value of the world unless the user is choosing. */
 public final class NamedChoice<T> extends JComboBox<T> {
@@ -21,14 +22,7 @@ public final class NamedChoice<T> extends JComboBox<T> {
      */
     public NamedChoice(T[] values, Function<T, String> name, Consumer<T> onChange) {
         super(values);
-        setRenderer(new DefaultListCellRenderer() {
-            @Override
-            public Component getListCellRendererComponent(
-                    JList<?> items, Object item, int index, boolean selected, boolean focused) {
-                return super.getListCellRendererComponent(
-                        items, name.apply(values[indexOf(values, item)]), index, selected, focused);
-            }
-        });
+        setRenderer(rendererOf(name));
         addActionListener(event -> {
             if (!updating) {
                 onChange.accept(value());
@@ -36,13 +30,17 @@ public final class NamedChoice<T> extends JComboBox<T> {
         });
     }
 
-    private static int indexOf(Object[] values, Object item) {
-        for (int i = 0; i < values.length; i++) {
-            if (values[i].equals(item)) {
-                return i;
+    /** Returns a renderer of values by their names. */
+    public static <T> ListCellRenderer<Object> rendererOf(Function<T, String> name) {
+        return new DefaultListCellRenderer() {
+            @Override
+            @SuppressWarnings("unchecked")
+            public Component getListCellRendererComponent(
+                    JList<?> items, Object item, int index, boolean selected, boolean focused) {
+                String text = item == null ? "" : name.apply((T) item);
+                return super.getListCellRendererComponent(items, text, index, selected, focused);
             }
-        }
-        return 0;
+        };
     }
 
     /** Returns the chosen value. */

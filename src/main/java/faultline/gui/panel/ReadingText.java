@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import faultline.gui.text.Messages;
 import faultline.sensor.Fault;
+import faultline.sensor.FaultKind;
 import faultline.sensor.Reading;
 import java.util.List;
 import java.util.Locale;
@@ -29,9 +30,14 @@ public final class ReadingText {
         return faults.stream().map(ReadingText::format).collect(Collectors.joining(", "));
     }
 
+    /** Returns the name of a kind of fault. */
+    public static String nameOf(FaultKind kind) {
+        return Messages.get("fault." + kind.fileName());
+    }
+
     /** Formats a fault, for example "stuck 0.40 m". */
     public static String format(Fault fault) {
-        String kind = FaultNames.nameOf(fault.kind());
+        String kind = nameOf(fault.kind());
         if (!fault.kind().takesValue()) {
             return kind;
         }

@@ -10,11 +10,6 @@ public final class HealthText {
 
     private HealthText() {}
 
-    /** Returns the word for how far a sensor is trusted. */
-    public static String trust(SensorTrust trust) {
-        return Messages.get("trust." + trust);
-    }
-
     /** Returns the reason why a sensor is not trusted; empty if there is none. */
     public static String reason(SensorFinding finding) {
         return finding == SensorFinding.NONE ? "" : Messages.get("finding." + finding);

@@ -21,12 +21,8 @@ public final class CommandText implements Command.Visitor<String> {
 
     /** Returns whether a command adds or removes a fault. */
     public static boolean isFaultChange(Command command) {
-        return command instanceof Command.InjectFault
-                || command instanceof Command.ClearFault
-                || command instanceof Command.ClearFaults
-                || command instanceof Command.InjectMotorFault
-                || command instanceof Command.ClearMotorFault
-                || command instanceof Command.ClearMotorFaults;
+        return command instanceof Command.MotorCommand
+                || command instanceof Command.SensorCommand && !(command instanceof Command.SwitchSensor);
     }
 
     /** Returns whether a command changes settings of the controller, of a sensor or of the platform. */

@@ -6,6 +6,7 @@ import faultline.gui.panel.ControllerForm;
 import faultline.gui.panel.FaultFields;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.FormDialog;
+import faultline.gui.panel.NamedChoice;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.text.Messages;
 import faultline.robot.MotorFault;
@@ -21,12 +22,10 @@ import java.awt.GridLayout;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import javax.swing.DefaultListCellRenderer;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JList;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 
@@ -127,13 +126,7 @@ final class ItemDialog {
         String name = item.lane() instanceof Lane.OfSensor ? "faults.sensor" : "timeline.motors";
         lane.setSelectedItem(item.lane());
         lane.getAccessibleContext().setAccessibleName(Messages.get(name));
-        lane.setRenderer(new DefaultListCellRenderer() {
-            @Override
-            public Component getListCellRendererComponent(
-                    JList<?> items, Object value, int index, boolean selected, boolean focused) {
-                return super.getListCellRendererComponent(items, ((Lane) value).label(), index, selected, focused);
-            }
-        });
+        lane.setRenderer(NamedChoice.rendererOf(Lane::label));
         form.add(FormConstraints.label(name, lane), FormConstraints.cell(0, row));
         form.add(lane, FormConstraints.fillRow(1, row));
         row++;

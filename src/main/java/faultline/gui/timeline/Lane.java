@@ -48,79 +48,12 @@ public sealed interface Lane {
 
     /** Returns the lane of a command. */
     static Lane of(Command command) {
-        return command.accept(Finder.INSTANCE);
-    }
-
-    /** Finds the lane of each kind of command. */
-    final class Finder implements Command.Visitor<Lane> {
-
-        private static final Finder INSTANCE = new Finder();
-
-        private Finder() {}
-
-        @Override
-        public Lane visit(Command.SwitchSensor command) {
-            return new OfSensor(command.sensor());
+        if (command instanceof Command.SensorCommand change) {
+            return new OfSensor(change.sensor());
         }
-
-        @Override
-        public Lane visit(Command.ConfigureSensor command) {
-            return new OfSensor(command.sensor().id());
+        if (command instanceof Command.ConfigureSensor change) {
+            return new OfSensor(change.sensor().id());
         }
-
-        @Override
-        public Lane visit(Command.InjectFault command) {
-            return new OfSensor(command.sensor());
-        }
-
-        @Override
-        public Lane visit(Command.ClearFault command) {
-            return new OfSensor(command.sensor());
-        }
-
-        @Override
-        public Lane visit(Command.ClearFaults command) {
-            return new OfSensor(command.sensor());
-        }
-
-        @Override
-        public Lane visit(Command.InjectMotorFault command) {
-            return new OfMotors(command.motor());
-        }
-
-        @Override
-        public Lane visit(Command.ClearMotorFault command) {
-            return new OfMotors(command.motor());
-        }
-
-        @Override
-        public Lane visit(Command.ClearMotorFaults command) {
-            return new OfMotors(command.motor());
-        }
-
-        @Override
-        public Lane visit(Command.MoveObstacle command) {
-            return OTHER;
-        }
-
-        @Override
-        public Lane visit(Command.PlaceObstacle command) {
-            return OTHER;
-        }
-
-        @Override
-        public Lane visit(Command.RemoveObstacle command) {
-            return OTHER;
-        }
-
-        @Override
-        public Lane visit(Command.SetPlatform command) {
-            return OTHER;
-        }
-
-        @Override
-        public Lane visit(Command.ConfigureController command) {
-            return OTHER;
-        }
+        return command instanceof Command.MotorCommand change ? new OfMotors(change.motor()) : OTHER;
     }
 }
