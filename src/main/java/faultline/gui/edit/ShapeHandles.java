@@ -112,27 +112,10 @@ public final class ShapeHandles {
 
         @Override
         public Handles visit(ObstacleShape.Plan shape) {
-            return new NoHandles();
+            // It is moved and rotated as a whole; its thousands of corners have no handles.
+            return new CornerHandles(List.of(), points -> shape);
         }
     };
-
-    /** A floor plan is moved and rotated as a whole; its thousands of corners have no handles. */
-    private record NoHandles() implements Handles {
-        @Override
-        public List<Vector2> positions() {
-            return List.of();
-        }
-
-        @Override
-        public Obstacle drag(Obstacle obstacle, int handle, Vector2 to, SnapSettings snap) {
-            return obstacle;
-        }
-
-        @Override
-        public String sizeText(Obstacle obstacle, int handle) {
-            return "";
-        }
-    }
 
     private record RectangleHandles(ObstacleShape.Rectangle shape) implements Handles {
         @Override

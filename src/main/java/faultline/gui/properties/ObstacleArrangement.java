@@ -8,6 +8,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 /** Aligns several obstacles, or distributes them evenly, by their bounding boxes. */
 enum ObstacleArrangement {
@@ -68,11 +69,7 @@ enum ObstacleArrangement {
             case LEFT -> all.getMinX() - box.getMinX();
             case CENTRE_X -> all.getCenterX() - box.getCenterX();
             case RIGHT -> all.getMaxX() - box.getMaxX();
-            case SPREAD_X -> {
-                double first = placed.get(0).box().getCenterX();
-                double last = placed.get(placed.size() - 1).box().getCenterX();
-                yield first + (last - first) * index / (placed.size() - 1) - box.getCenterX();
-            }
+            case SPREAD_X -> spread(placed, index, Rectangle2D::getCenterX);
             default -> 0;
         };
     }
@@ -83,12 +80,17 @@ enum ObstacleArrangement {
             case TOP -> all.getMaxY() - box.getMaxY();
             case CENTRE_Y -> all.getCenterY() - box.getCenterY();
             case BOTTOM -> all.getMinY() - box.getMinY();
-            case SPREAD_Y -> {
-                double first = placed.get(0).box().getCenterY();
-                double last = placed.get(placed.size() - 1).box().getCenterY();
-                yield first + (last - first) * index / (placed.size() - 1) - box.getCenterY();
-            }
+            case SPREAD_Y -> spread(placed, index, Rectangle2D::getCenterY);
             default -> 0;
         };
+    }
+
+    /** Returns how far a box is from its place between the centres of the first and the last one. */
+    private static double spread(List<Placed> placed, int index, ToDoubleFunction<Rectangle2D> centre) {
+        double first = centre.applyAsDouble(placed.get(0).box());
+        double last = centre.applyAsDouble(placed.get(placed.size() - 1).box());
+        return first
+                + (last - first) * index / (placed.size() - 1)
+                - centre.applyAsDouble(placed.get(index).box());
     }
 }

@@ -1,11 +1,9 @@
 package faultline.gui.properties;
 
-import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.geometry.Pose;
 import faultline.gui.text.Messages;
-import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
@@ -15,60 +13,48 @@ import java.util.List;
 /** What a new scenario starts with. */
 enum ScenarioTemplate {
     /** A room without obstacles. */
-    EMPTY_ROOM(new WorldSpec(5, 4, true, WorldSpec.DEFAULT_MAX_MOVING, List.of()), new Pose(2.5, 2, 0)),
+    EMPTY_ROOM(5, 4, true, new Pose(2.5, 2, 0)),
     /** A room with furniture along its walls and a table in its middle. */
     FURNISHED_ROOM(
-            new WorldSpec(
-                    6,
-                    5,
-                    true,
-                    WorldSpec.DEFAULT_MAX_MOVING,
-                    List.of(
-                            new Obstacle("cabinet", new ObstacleShape.Rectangle(1.6, 0.5), new Pose(1.4, 4.74, 0)),
-                            new Obstacle("desk", new ObstacleShape.Rectangle(0.8, 1.6), new Pose(5.59, 2.4, 0)),
-                            new Obstacle("table", new ObstacleShape.Circle(0.5), new Pose(2.6, 2.4, 0)))),
-            new Pose(1, 1, 0)),
+            6,
+            5,
+            true,
+            new Pose(1, 1, 0),
+            new Obstacle("cabinet", new ObstacleShape.Rectangle(1.6, 0.5), new Pose(1.4, 4.74, 0)),
+            new Obstacle("desk", new ObstacleShape.Rectangle(0.8, 1.6), new Pose(5.59, 2.4, 0)),
+            new Obstacle("table", new ObstacleShape.Circle(0.5), new Pose(2.6, 2.4, 0))),
     /** A long corridor. */
-    CORRIDOR(new WorldSpec(12, 1.8, true, WorldSpec.DEFAULT_MAX_MOVING, List.of()), new Pose(1, 0.9, 0)),
+    CORRIDOR(12, 1.8, true, new Pose(1, 0.9, 0)),
     /** A square room with a pillar, whose outer corners must be rounded. */
     PILLAR(
-            new WorldSpec(
-                    6,
-                    6,
-                    true,
-                    WorldSpec.DEFAULT_MAX_MOVING,
-                    List.of(new Obstacle("pillar", new ObstacleShape.Rectangle(1.2, 1.2), new Pose(3, 3, 0)))),
-            new Pose(1.2, 3, 0)),
+            6,
+            6,
+            true,
+            new Pose(1.2, 3, 0),
+            new Obstacle("pillar", new ObstacleShape.Rectangle(1.2, 1.2), new Pose(3, 3, 0))),
     /** A building in the open. */
     OPEN_GROUND(
-            new WorldSpec(
-                    10,
-                    8,
-                    false,
-                    WorldSpec.DEFAULT_MAX_MOVING,
-                    List.of(new Obstacle("building", new ObstacleShape.Rectangle(4, 3), new Pose(5, 4, 0)))),
-            new Pose(1.5, 4, 0));
-
-    private static final double DURATION = 120;
-    private static final double TICK = 0.01;
+            10,
+            8,
+            false,
+            new Pose(1.5, 4, 0),
+            new Obstacle("building", new ObstacleShape.Rectangle(4, 3), new Pose(5, 4, 0)));
 
     private final transient WorldSpec world;
     private final transient Pose start;
 
-    ScenarioTemplate(WorldSpec world, Pose start) {
-        this.world = world;
+    ScenarioTemplate(double width, double height, boolean enclosed, Pose start, Obstacle... obstacles) {
+        this.world = new WorldSpec(width, height, enclosed, WorldSpec.DEFAULT_MAX_MOVING, List.of(obstacles));
         this.start = start;
     }
 
     /** Returns a scenario with the standard robot, which is expected not to collide. */
     Scenario create() {
-        SimulationSetup setup = new SimulationSetup(
-                world, RobotSpec.DEFAULT, start, ControllerSpec.WallFollowing.DEFAULT, List.of(), TICK, 1, DURATION);
         return new Scenario(
                 Messages.get("template." + name()),
                 "",
                 false,
-                setup,
+                SimulationSetup.of(world, start),
                 new Expectation(List.of(new Expectation.Collision(false))));
     }
 }
