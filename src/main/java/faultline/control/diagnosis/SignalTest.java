@@ -47,6 +47,7 @@ final class SignalTest {
 
     private final MountedCone cone;
     private final double axisCos;
+    private final ConeCrossing crossing;
     private double before = Double.NaN;
     private double first = Double.NaN;
     private double second = Double.NaN;
@@ -56,6 +57,9 @@ final class SignalTest {
     private double lastSpike = Double.NaN;
     private double flips;
     private double spikes;
+    /** Whether motion explains the last surface that came and went. */
+    private boolean explained;
+
     private boolean quiet;
     /** Whether no spikes, scatter or flips are remembered. */
     private boolean unremarkable;
@@ -63,10 +67,12 @@ final class SignalTest {
     SignalTest(MountedCone cone) {
         this.cone = cone;
         this.axisCos = StrictMath.cos(cone.bearing());
+        this.crossing = new ConeCrossing(cone);
     }
 
     /** Processes a reading after some motion. */
     SensorFinding test(double reading, double rolled, double turned) {
+        crossing.move(rolled, turned);
         if (quiet && reading == Reading.NOTHING) {
             return SensorFinding.NONE;
         }
@@ -81,7 +87,11 @@ final class SignalTest {
         double newFirst = reading - before;
         double newSecond = newFirst - first;
         // False for differences that are not numbers.
-        boolean smooth = unremarkable && newFirst != 0 && first >= -SPIKE && Math.abs(newSecond - second) <= SCATTER;
+        boolean smooth = unremarkable
+                && newFirst != 0
+                && Math.abs(first) <= SPIKE
+                && Math.abs(newFirst) <= SPIKE
+                && Math.abs(newSecond - second) <= SCATTER;
         if (smooth) {
             turn = 0;
             way = 0;
@@ -99,6 +109,7 @@ final class SignalTest {
             return SensorFinding.OFF;
         }
         boolean stuck = isStuck(reading, rolled, turned);
+        learnCrossing(reading);
         learnSpikes(reading);
         learnScatter(reading);
         learnFlips(reading);
@@ -146,7 +157,7 @@ final class SignalTest {
         boolean spike = first < -SPIKE && Math.abs(first + (reading - before)) < NO_SPIKE;
         boolean counts = spike && Math.abs(before - lastSpike) > NO_SPIKE;
         lastSpike = spike ? before : lastSpike;
-        spikes += (counts ? 1 : 0) - spikes * SPIKE_STEP;
+        spikes += (counts && !explained ? 1 : 0) - spikes * SPIKE_STEP;
     }
 
     private void learnScatter(double reading) {
@@ -154,16 +165,24 @@ final class SignalTest {
         double newSecond = newFirst - first;
         double third = Math.abs(newSecond - second);
         if (third < Reading.NOTHING) {
-            scatter += ((third > SCATTER ? 1 : 0) - scatter) * SCATTER_STEP;
+            scatter += ((third > SCATTER && !explained ? 1 : 0) - scatter) * SCATTER_STEP;
         }
         first = newFirst;
         second = newSecond;
     }
 
+    /** Learns whether motion explains that a surface came into view and left it again. */
+    private void learnCrossing(double reading) {
+        if (reading < before - SPIKE) {
+            crossing.appear(reading);
+        } else if (reading > before + SPIKE) {
+            explained = crossing.canDisappear(before);
+        }
+    }
+
+    /** Counts a reading that came and went, unless motion explains it. */
     private void learnFlips(double reading) {
-        double nearer = Math.min(reading, before);
-        boolean flip =
-                reading != before && Math.max(reading, before) == Reading.NOTHING && nearer < cone.range() - NEAR_RANGE;
-        flips += (flip ? 1 : 0) - flips * FLIP_STEP;
+        boolean gone = reading == Reading.NOTHING && before < cone.range() - NEAR_RANGE;
+        flips += (gone && !explained ? 2 : 0) - flips * FLIP_STEP;
     }
 }

@@ -1,0 +1,87 @@
+package faultline.control.diagnosis;
+
+/**
+ * Tells whether the robot's motion can have brought a surface into a sensor's cone and out of it again. A surface that
+ * stands still comes in and leaves at a border of the cone, at a moment at which this border moves towards it or away
+ * from it. If it leaves where it came in, the cone has swung back in between; if at the other border, the cone has
+ * swept its own width.
+ */
+final class ConeCrossing {
+
+    private static final int LEFT = 1;
+    private static final int RIGHT = 2;
+
+    /**
+     * A border that moves by less than this share of what rolling and turning alone would make of it may as well have
+     * moved the other way.
+     */
+    private static final double UNSURE = 0.05;
+
+    /** The share of the cone's width that a surface crosses at least, because dead reckoning is not exact. */
+    private static final double CROSSED = 0.8;
+
+    private final MountedCone cone;
+    private double way;
+    private double heading;
+    private double rolled;
+    private double turned;
+    private double wayBefore;
+    private double headingBefore;
+    private int entry;
+    private double entryStep;
+
+    ConeCrossing(MountedCone cone) {
+        this.cone = cone;
+    }
+
+    /** Processes the motion of a step. */
+    void move(double rolledBy, double turnedBy) {
+        rolled = rolledBy;
+        turned = turnedBy;
+        way += rolledBy;
+        heading += turnedBy;
+    }
+
+    /** Records that a surface has come into view at some distance. */
+    void appear(double distance) {
+        entry = borders(distance, 1);
+        entryStep = Math.abs(sideways(0, distance, rolled, turned));
+        wayBefore = way;
+        headingBefore = heading;
+    }
+
+    /** Returns whether the surface that came into view last can have left it at some distance. */
+    boolean canDisappear(double distance) {
+        int exit = borders(distance, -1);
+        double swept = Math.abs(sideways(0, distance, way - wayBefore, heading - headingBefore));
+        double exitStep = Math.abs(sideways(0, distance, rolled, turned));
+        boolean back = (entry & exit) != 0 && swept <= entryStep + exitStep;
+        boolean across = (entry & swapped(exit)) != 0 && swept > CROSSED * 2 * distance * StrictMath.sin(cone.half());
+        return back || across;
+    }
+
+    private static int swapped(int borders) {
+        return (borders & LEFT) << 1 | (borders & RIGHT) >> 1;
+    }
+
+    /** Returns the borders that move outwards, for a sign of 1, or inwards, for -1. */
+    private int borders(double distance, int sign) {
+        boolean left = moves(cone.half(), distance, sign);
+        boolean right = moves(-cone.half(), distance, -sign);
+        return (left ? LEFT : 0) | (right ? RIGHT : 0);
+    }
+
+    private boolean moves(double offset, double distance, int sign) {
+        double rolling = sideways(offset, distance, rolled, 0);
+        double turning = sideways(offset, distance, 0, turned);
+        return sign * (rolling + turning) > -UNSURE * (Math.abs(rolling) + Math.abs(turning))
+                && (rolling != 0 || turning != 0);
+    }
+
+    /** Returns how far a point at some distance in the cone moves to its left. */
+    private double sideways(double offset, double distance, double roll, double turn) {
+        double sin = StrictMath.sin(cone.bearing() + offset);
+        double cos = StrictMath.cos(cone.bearing() + offset);
+        return turn * (distance + cone.x() * cos + cone.y() * sin) - roll * sin;
+    }
+}

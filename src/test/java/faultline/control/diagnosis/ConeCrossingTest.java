@@ -1,0 +1,75 @@
+package faultline.control.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.robot.RobotSpec;
+import org.junit.jupiter.api.Test;
+
+class ConeCrossingTest {
+
+    private static ConeCrossing of(int sensor) {
+        return new ConeCrossing(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1));
+    }
+
+    private static void move(ConeCrossing crossing, int ticks, double rolled, double turned) {
+        for (int i = 0; i < ticks; i++) {
+            crossing.move(rolled, turned);
+        }
+    }
+
+    @Test
+    void aPoleBesideThePathCrossesTheWholeCone() {
+        // At 0.25 m the cone is 8.7 cm wide.
+        ConeCrossing crossing = of(2);
+        move(crossing, 1, 0.003, 0);
+        crossing.appear(0.25);
+        move(crossing, 10, 0.003, 0);
+        assertFalse(crossing.canDisappear(0.25));
+        move(crossing, 20, 0.003, 0);
+        assertTrue(crossing.canDisappear(0.25));
+    }
+
+    @Test
+    void aPoleThatCameInLeavesAtTheSameBorderOnceTheConeSwingsBack() {
+        ConeCrossing crossing = of(2);
+        move(crossing, 1, 0.003, 0);
+        crossing.appear(0.25);
+        move(crossing, 3, 0.002, 0);
+        assertFalse(crossing.canDisappear(0.25));
+        move(crossing, 3, 0.002, 0.01);
+        assertTrue(crossing.canDisappear(0.25));
+    }
+
+    @Test
+    void aConeThatKeepsToACornerMayLoseIt() {
+        // Rolling moves the cone forward by 2 mm at the corner, turning back by as much: which way it moves is not
+        // sure.
+        ConeCrossing crossing = of(2);
+        double turned = 1.02
+                * 0.002
+                / (0.25 + RobotSpec.DEFAULT.sensors().get(2).mountPosition().y());
+        move(crossing, 1, 0.002, turned);
+        crossing.appear(0.25);
+        move(crossing, 1, 0.002, turned);
+        assertTrue(crossing.canDisappear(0.25));
+    }
+
+    @Test
+    void nothingComesAndGoesWhileTheRobotStands() {
+        ConeCrossing crossing = of(2);
+        move(crossing, 1, 0, 0);
+        crossing.appear(0.25);
+        move(crossing, 1, 0, 0);
+        assertFalse(crossing.canDisappear(0.25));
+    }
+
+    @Test
+    void aRobotThatDrivesStraightAheadLosesPolesOnBothSidesButFindsNone() {
+        ConeCrossing crossing = of(0);
+        move(crossing, 1, 0.003, 0);
+        crossing.appear(0.4);
+        move(crossing, 30, 0.003, 0);
+        assertFalse(crossing.canDisappear(0.3));
+    }
+}
