@@ -1,11 +1,13 @@
 package faultline.engine;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 
 /**
  * Records the robot's path as points at least a spacing apart. If there are too many, points are dropped as far as the
- * shape of the path allows, so that memory stays bounded and corners stay sharp in runs of days.
+ * shape of the path allows, and then the oldest ones, so that memory stays bounded and the path of a run of days is
+ * that of the robot.
  */
 final class PathRecorder {
 
@@ -15,11 +17,11 @@ final class PathRecorder {
     /** The spacing of points at which the tag changes, metres. */
     private static final double TAG_SPACING = 0.001;
 
-    /** The tolerance from which on changes of the tag no longer keep a point, so that thinning always ends, metres. */
-    private static final double MAX_TAGGED_TOLERANCE = 0.1;
-
     /** The initial tolerance of thinning, metres: less than a pixel at up to 1000 pixels per metre. */
     private static final double INITIAL_TOLERANCE = 0.001;
+
+    /** The largest tolerance, metres: about a pixel in a view of a room. */
+    private static final double MAX_TOLERANCE = 0.016;
 
     /** The largest number of points: 1.3 km without thinning. */
     static final int MAX_POINTS = 1 << 18;
@@ -60,20 +62,25 @@ final class PathRecorder {
         lastY = y;
     }
 
-    /** Thins what was recorded since the last time; if too much remains, everything with twice the tolerance. */
+    /**
+     * Thins what was recorded since the last time. If too much remains, thins everything with twice the tolerance, and
+     * at the largest tolerance drops the oldest points.
+     */
     private void thin() {
         RobotPath all = view();
         List<Integer> kept = select(all, Math.max(0, thinned - 1));
         int head = Math.max(0, thinned - 1);
-        while (head + kept.size() > MAX_POINTS / 2) {
+        while (head + kept.size() > MAX_POINTS / 2 && tolerance < MAX_TOLERANCE) {
             tolerance *= 2;
             head = 0;
             kept = select(all, 0);
         }
         log = newLog();
         size = 0;
-        int[] indexes = IntStream.concat(IntStream.range(0, head), kept.stream().mapToInt(i -> i))
+        int[] selected = IntStream.concat(
+                        IntStream.range(0, head), kept.stream().mapToInt(i -> i))
                 .toArray();
+        int[] indexes = Arrays.copyOfRange(selected, Math.max(0, selected.length - MAX_POINTS / 2), selected.length);
         for (int i : indexes) {
             add(all.x(i), all.y(i), all.tag(i));
         }
@@ -82,7 +89,7 @@ final class PathRecorder {
     }
 
     private List<Integer> select(RobotPath path, int from) {
-        return PathThinner.select(path, from, tolerance, tolerance <= MAX_TAGGED_TOLERANCE);
+        return PathThinner.select(path, from, tolerance);
     }
 
     /** Returns the path so far. */

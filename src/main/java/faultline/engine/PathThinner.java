@@ -12,7 +12,6 @@ final class PathThinner {
 
     private final RobotPath path;
     private final double tolerance;
-    private final boolean keepsTags;
     private final List<Integer> selected = new ArrayList<>();
     private int anchor;
     private double farthest;
@@ -22,20 +21,19 @@ final class PathThinner {
     private double rightX;
     private double rightY;
 
-    private PathThinner(RobotPath path, double tolerance, boolean keepsTags) {
-        this.keepsTags = keepsTags;
+    private PathThinner(RobotPath path, double tolerance) {
         this.path = path;
         this.tolerance = tolerance;
     }
 
     /**
-     * Returns the indexes of the selected points in order, the given first and the last one of the path included.
+     * Returns the indexes of the selected points in order, the given first and the last one of the path included. Lines
+     * with different tags stay apart.
      *
      * @param tolerance the largest distance of a point to the remaining lines, metres
-     * @param keepsTags whether lines with different tags stay apart
      */
-    static List<Integer> select(RobotPath path, int from, double tolerance, boolean keepsTags) {
-        PathThinner thinner = new PathThinner(path, tolerance, keepsTags);
+    static List<Integer> select(RobotPath path, int from, double tolerance) {
+        PathThinner thinner = new PathThinner(path, tolerance);
         thinner.restart(from);
         for (int i = from + 1; i < path.size(); i++) {
             if (!thinner.extend(i)) {
@@ -61,7 +59,7 @@ final class PathThinner {
         double dx = path.x(index) - path.x(anchor);
         double dy = path.y(index) - path.y(anchor);
         double distance = Math.sqrt(dx * dx + dy * dy);
-        if (keepsTags && index > anchor + 1 && path.tag(index) != path.tag(index - 1)) {
+        if (index > anchor + 1 && path.tag(index) != path.tag(index - 1)) {
             return false;
         }
         if (!open && distance <= tolerance) {

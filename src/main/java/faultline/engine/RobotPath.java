@@ -23,7 +23,7 @@ public final class RobotPath {
     }
 
     /**
-     * {@return the x coordinate of a point, metres; point 0 is the start}
+     * {@return the x coordinate of a point, metres; point 0 is the start, or the oldest of a long path}
      *
      * @param index the index of the point
      */
@@ -32,7 +32,7 @@ public final class RobotPath {
     }
 
     /**
-     * {@return the y coordinate of a point, metres; point 0 is the start}
+     * {@return the y coordinate of a point, metres; point 0 is the start, or the oldest of a long path}
      *
      * @param index the index of the point
      */
@@ -67,13 +67,13 @@ public final class RobotPath {
     }
 
     /**
-     * {@return the part of this path that an earlier path of the same run covered} It shares its points with this path,
-     * while the earlier path may hold points that have been dropped since.
+     * {@return the part of this path that an earlier path of the same run covered, at least its first point} It shares
+     * its points with this path, while the earlier path may hold points that have been dropped since.
      *
      * @param earlier the earlier path
      */
     public RobotPath prefix(RobotPath earlier) {
-        int size = earlier.nextThinning.sizeAfter(earlier.size(), nextThinning);
+        int size = Math.max(1, earlier.nextThinning.sizeAfter(earlier.size(), nextThinning));
         return new RobotPath(
                 new ChunkLog.View<>(points.chunks(), points.chunkSize(), points.first(), size), nextThinning);
     }

@@ -83,6 +83,30 @@ class PathRecorderTest {
     }
 
     @Test
+    void thePathOfARunOfDaysKeepsToTheWayOfTheRobot() {
+        // Six days at 0.3 m/s.
+        for (double s = 0; s < 150_000; s += 0.02) {
+            Vector2 at = roomLoop(s);
+            recorder.record(at.x(), at.y(), PathTag.NONE);
+        }
+        RobotPath path = recorder.view();
+        double worst = 0;
+        for (int i = 1; i < path.size(); i++) {
+            Vector2 middle = new Vector2((path.x(i - 1) + path.x(i)) / 2, (path.y(i - 1) + path.y(i)) / 2);
+            worst = Math.max(worst, distanceFromLoop(middle));
+        }
+        assertTrue(worst < 0.02, "off by " + worst + " m");
+    }
+
+    /** Returns the distance of a point from the curve of {@link #roomLoop}. */
+    private static double distanceFromLoop(Vector2 point) {
+        double radius = 0.2;
+        double x = Math.abs(point.x() - 1.5) - (1.5 - radius);
+        double y = Math.abs(point.y() - 1) - (1 - radius);
+        return Math.abs(Math.hypot(Math.max(x, 0), Math.max(y, 0)) + Math.min(Math.max(x, y), 0) - radius);
+    }
+
+    @Test
     void thePartOfAThinnedPathThatAnEarlierOneCoveredEndsWhereThatEnded() {
         List<RobotPath> earlier = new ArrayList<>();
         List<Vector2> ends = new ArrayList<>();
