@@ -16,7 +16,7 @@ import java.util.Optional;
 final class ObstacleSet {
 
     private final WorldSpec spec;
-    private final Map<String, PlacedObstacle> obstacles = new LinkedHashMap<>();
+    private final Map<String, PlacedObstacle> obstacles;
     private final List<MovingObstacle> moving = new ArrayList<>();
     private final EditableIndex index;
     private long nextOrder;
@@ -28,6 +28,7 @@ final class ObstacleSet {
 
     ObstacleSet(WorldSpec spec) {
         this.spec = spec;
+        this.obstacles = new LinkedHashMap<>(2 * spec.obstacles().size());
         CandidateBuffer shapes = new CandidateBuffer();
         addEnclosure(spec, shapes);
         for (Obstacle obstacle : spec.obstacles()) {

@@ -37,7 +37,7 @@ public record WorldSpec(double width, double height, boolean enclosed, int maxMo
             throw new IllegalArgumentException("a world's width and height must be positive: " + width + ", " + height);
         }
         obstacles = List.copyOf(obstacles);
-        Set<String> ids = new HashSet<>();
+        Set<String> ids = new HashSet<>(2 * obstacles.size());
         ids.add(ENCLOSURE);
         for (Obstacle obstacle : obstacles) {
             if (!ids.add(obstacle.id())) {

@@ -83,4 +83,39 @@ class DecimalTextTest {
     void everyWayToWriteADecimalNumberIsRead(String text, double value) {
         assertEquals(value, DecimalText.parse(text).orElseThrow().doubleValue());
     }
+
+    @Test
+    void shortNumbersAreTheNearestDoubles() {
+        Random random = new Random(5);
+        int read = 0;
+        for (int i = 0; i < 200_000; i++) {
+            String digits = (random.nextInt(5) == 0 ? "0" : "")
+                    + Long.toString(100_000_000_000_000L + (long) (8e14 * random.nextDouble()))
+                            .substring(0, 1 + random.nextInt(14));
+            int point = random.nextInt(digits.length() + 1);
+            String text = (random.nextBoolean() ? "-" : "")
+                    + digits.substring(0, point)
+                    + (point == digits.length() ? "" : "." + digits.substring(point));
+            double number = DecimalText.parseShort(text);
+            if (!Double.isNaN(number)) {
+                read++;
+                assertEquals(Double.parseDouble(text), number, text);
+                assertEquals(DecimalText.toDouble(DecimalText.parse(text).orElseThrow(), text), number, text);
+            }
+        }
+        assertTrue(read > 140_000, read + " were read");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"", "-", ".", "-.", ".5", "+5", " 5", "5 ", "1e3", "1.2.3", "1234567890123456", "NaN", "\u0661"})
+    void whatIsNoShortNumberIsLeftToTheExactReader(String text) {
+        assertTrue(Double.isNaN(DecimalText.parseShort(text)));
+    }
+
+    @Test
+    void aShortZeroKeepsItsSign() {
+        assertEquals(-0.0, DecimalText.parseShort("-0.00"));
+        assertEquals(0.0, DecimalText.parseShort("0"));
+    }
 }

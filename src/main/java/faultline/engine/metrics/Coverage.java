@@ -63,6 +63,11 @@ final class Coverage {
         }
     }
 
+    /** Returns whether the robot has been nowhere. */
+    boolean isEmpty() {
+        return visited.isEmpty();
+    }
+
     /** Returns the share so far, in [0, 1]; empty if nothing was passed. May be called again and again in a run. */
     OptionalDouble share() {
         if (!pending.isEmpty()) {

@@ -38,7 +38,7 @@ public final class RunMeter implements TickObserver {
     /** {@return the measures so far} */
     public RunMeasures measures() {
         return new RunMeasures(
-                wall.isLarge() ? Double.NaN : wall.coverage().orElse(Double.NaN),
+                wall.liveCoverage().orElse(Double.NaN),
                 wall.distanceRms().orElse(Double.NaN),
                 wall.followRms().orElse(Double.NaN),
                 laps == null ? Double.NaN : laps.laps().orElse(Double.NaN));

@@ -79,6 +79,11 @@ final class WallFollowingMetrics implements TickObserver {
         return walls.size() > MAX_LIVE_WALLS;
     }
 
+    /** Returns {@link #coverage} while the run goes on; empty also if the walls are too many. */
+    OptionalDouble liveCoverage() {
+        return coverage.isEmpty() || isLarge() ? OptionalDouble.empty() : coverage();
+    }
+
     /** Returns the followed share of the wall, in [0, 1]; empty if no wall was followed. */
     OptionalDouble coverage() {
         return isWallFollower ? coverage.share() : OptionalDouble.empty();

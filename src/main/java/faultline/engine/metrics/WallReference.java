@@ -17,9 +17,12 @@ public final class WallReference {
 
     private static final double NONE = Double.POSITIVE_INFINITY;
 
-    private final CandidateBuffer shapes;
+    private final WorldSpec world;
     private final CandidateBuffer candidates = new CandidateBuffer();
-    private final SpatialIndex index;
+    /** Null until they are needed, because collecting them takes long in large worlds. */
+    private CandidateBuffer shapes;
+
+    private SpatialIndex index;
 
     /**
      * Creates the reference of a world at its start.
@@ -27,8 +30,16 @@ public final class WallReference {
      * @param world the world
      */
     public WallReference(WorldSpec world) {
-        shapes = CandidateBuffer.ofStaticShapes(world);
-        index = SpatialIndex.of(shapes);
+        this.world = world;
+    }
+
+    /** Returns all walls. */
+    CandidateBuffer walls() {
+        if (shapes == null) {
+            shapes = CandidateBuffer.ofStaticShapes(world);
+            index = SpatialIndex.of(shapes);
+        }
+        return shapes;
     }
 
     /**
@@ -65,7 +76,7 @@ public final class WallReference {
 
     /** Returns the number of shapes that the walls consist of. */
     int size() {
-        return shapes.size();
+        return walls().size();
     }
 
     /**
@@ -93,8 +104,8 @@ public final class WallReference {
 
     private List<Sample> samples(double distance, double spacing, double reach) {
         List<Sample> places = new ArrayList<>();
-        for (int i = 0; i < shapes.size(); i++) {
-            List<PlaceRow> rows = PlaceRow.of(shapes.shape(i), distance, spacing, reach);
+        for (int i = 0; i < walls().size(); i++) {
+            List<PlaceRow> rows = PlaceRow.of(walls().shape(i), distance, spacing, reach);
             boolean bothSides = rows.get(0) instanceof PlaceRow.Side;
             if (bothSides) {
                 addInTurn(rows.get(0), rows.get(1), distance, places);
@@ -134,13 +145,9 @@ public final class WallReference {
     /** Returns the walls near a point, and perhaps others, until the next call. */
     CandidateBuffer findNear(Vector2 point, double radius) {
         candidates.clear();
+        walls();
         index.findNear(point.x(), point.y(), radius, candidates);
         return candidates;
-    }
-
-    /** Returns all walls. */
-    CandidateBuffer walls() {
-        return shapes;
     }
 
     /**

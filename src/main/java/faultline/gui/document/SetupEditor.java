@@ -30,13 +30,14 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
     /** The number of entries that the run has passed. */
     private int position;
     /** By id, null if removed: an obstacle that is placed again takes its old position in the order. */
-    private final Map<String, Obstacle> obstacles = new LinkedHashMap<>();
+    private final Map<String, Obstacle> obstacles;
 
     private RobotSpec robot;
     private ControllerSpec controller;
 
     SetupEditor(SimulationSetup base) {
         this.base = base;
+        this.obstacles = new LinkedHashMap<>(2 * base.world().obstacles().size());
         reset();
     }
 

@@ -96,13 +96,13 @@ public final class AttributeReader {
 
     /** Returns the number of a required attribute. */
     double number(String name, NumberRange range) {
-        return required(name, () -> numberRule(range))
-                .map(text -> parseNumber(name, text, range))
-                .orElse(placeholder(range));
+        Optional<String> text = required(name, () -> numberRule(range));
+        return text.isPresent() ? parseNumber(name, text.get(), range) : placeholder(range);
     }
 
     double number(String name, NumberRange range, double fallback) {
-        return text(name).map(text -> parseNumber(name, text, range)).orElse(fallback);
+        Optional<String> text = text(name);
+        return text.isPresent() ? parseNumber(name, text.get(), range) : fallback;
     }
 
     /** Returns the angle of a required attribute, which is in degrees, in radians. */
@@ -113,7 +113,8 @@ public final class AttributeReader {
     }
 
     double angle(String name, NumberRange range, double fallback) {
-        return text(name).map(text -> parseAngle(name, text, range)).orElse(fallback);
+        Optional<String> text = text(name);
+        return text.isPresent() ? parseAngle(name, text.get(), range) : fallback;
     }
 
     /** Returns a cone angle in radians, which must be less than pi after rounding too. */
@@ -335,6 +336,10 @@ public final class AttributeReader {
     }
 
     private double parseNumber(String name, String text, NumberRange range) {
+        double rounded = DecimalText.parseShort(text);
+        if (range.isInside(rounded)) {
+            return rounded;
+        }
         Optional<Double> value = DecimalText.parse(text)
                 .filter(range::contains)
                 .map(exact -> DecimalText.toDouble(exact, text))

@@ -75,6 +75,14 @@ record NumberRange(BigDecimal min, boolean minInclusive, BigDecimal max, boolean
         return (minInclusive ? below >= 0 : below > 0) && (maxInclusive ? above <= 0 : above < 0);
     }
 
+    /**
+     * Returns whether a value that was rounded to a double is within the bounds and not one of them; then the exact
+     * value is, too. False for NaN.
+     */
+    boolean isInside(double rounded) {
+        return rounded > min.doubleValue() && rounded < max.doubleValue() && (rounded != 0 || minInclusive);
+    }
+
     /** Returns this range as a rule, such as "from 0 to 100 metres". */
     Message rule() {
         Allowed kind = minInclusive ? Allowed.CLOSED : maxInclusive ? Allowed.HALF_OPEN : Allowed.OPEN;

@@ -37,6 +37,10 @@ final class PointParser {
     }
 
     private static Optional<Double> parseCoordinate(String text) {
+        double rounded = DecimalText.parseShort(text);
+        if (NumberRange.COORDINATE.isInside(rounded)) {
+            return Optional.of(rounded);
+        }
         Optional<BigDecimal> exact = DecimalText.parse(text).filter(NumberRange.COORDINATE::contains);
         return exact.map(number -> DecimalText.toDouble(number, text));
     }

@@ -123,7 +123,8 @@ public final class ScenarioReader {
     /** Must be called after the world and the robot, whose ids the timeline names. */
     private List<TimedCommand> readTimeline(XmlElement root, RobotReader.PlacedRobot robot, ControllerSpec controller) {
         return root.firstChild("timeline")
-                .map(new TimelineReader(problems, obstacleReader, robot.spec(), controller, worldReader.ids())::read)
+                .map(node -> new TimelineReader(problems, obstacleReader, robot.spec(), controller, worldReader.ids())
+                        .read(node))
                 .orElse(List.of());
     }
 

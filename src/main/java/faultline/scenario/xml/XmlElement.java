@@ -32,6 +32,11 @@ public record XmlElement(
      * @param child the name of the child, as {@link #name} gives it
      */
     public Optional<XmlElement> firstChild(String child) {
-        return childrenNamed(child).findFirst();
+        for (XmlElement node : children) {
+            if (node.name.equals(child)) {
+                return Optional.of(node);
+            }
+        }
+        return Optional.empty();
     }
 }

@@ -4,7 +4,6 @@ import faultline.io.Message;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -105,13 +104,15 @@ final class XmlTreeBuilder extends DefaultHandler {
 
     private static Map<String, String> specifiedAttributes(Attributes attributes) {
         Attributes2 all = attributes instanceof Attributes2 detailed ? detailed : NO_ATTRIBUTES;
-        Map<String, String> given = new LinkedHashMap<>();
+        List<String> names = new ArrayList<>(all.getLength());
+        List<String> values = new ArrayList<>(all.getLength());
         for (int i = 0; i < all.getLength(); i++) {
             if (all.isSpecified(i)) {
-                given.put(attributeName(all, i), all.getValue(i));
+                names.add(attributeName(all, i));
+                values.add(all.getValue(i));
             }
         }
-        return given;
+        return new XmlAttributes(names, values);
     }
 
     private static String attributeName(Attributes attributes, int index) {

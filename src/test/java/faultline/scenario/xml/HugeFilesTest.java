@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.JavaProcess;
+import faultline.scenario.ManyObstacles;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -104,6 +105,16 @@ class HugeFilesTest {
         Process judge = builder.redirectErrorStream(true).start();
         assertEquals("judged\n", new String(judge.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
         assertEquals(0, judge.waitFor());
+    }
+
+    @Test
+    void aFileOfManyGoodObstaclesIsReadInAFewSeconds() throws ScenarioException {
+        byte[] bytes = ManyObstacles.text().getBytes(StandardCharsets.UTF_8);
+        long start = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+        ScenarioContent content = ScenarioFiles.parse("file.xml", bytes);
+        double seconds = (ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - start) / 1e9;
+        assertEquals(ManyObstacles.COUNT, content.setup().world().obstacles().size());
+        assertTrue(seconds < 4, seconds + " s");
     }
 
     @Test
