@@ -18,7 +18,14 @@ final class AlignmentMonitor {
      */
     private static final double WAY = 1.1;
 
+    /** Directions that differ by less are the same, radians. */
+    private static final double SAME = StrictMath.toRadians(3);
+
+    /** This many alignments in the direction of the one before show a wrong sensor. */
+    private static final int SAME_DIRECTIONS = 2;
+
     private final double[] ways = new double[ALIGNMENTS];
+    private final double[] headings = new double[ALIGNMENTS];
     private int next;
 
     AlignmentMonitor() {
@@ -34,10 +41,22 @@ final class AlignmentMonitor {
      * Adds an alignment and returns whether there were too many recently.
      *
      * @param way that the robot has rolled in all, metres
+     * @param heading of the robot, radians, not normalised
      */
-    boolean isRepeated(double way) {
+    boolean isRepeated(double way, double heading) {
         ways[next] = way;
+        headings[next] = heading;
         next = (next + 1) % ALIGNMENTS;
-        return way - ways[next] < WAY;
+        return way - ways[next] < WAY && sameDirections() >= SAME_DIRECTIONS;
+    }
+
+    /** Counts the alignments, from the second one, that have the direction of the one before. */
+    private int sameDirections() {
+        int same = 0;
+        for (int i = 1; i < ALIGNMENTS; i++) {
+            double turned = headings[(next + i) % ALIGNMENTS] - headings[(next + i - 1) % ALIGNMENTS];
+            same += Math.abs(turned) < SAME ? 1 : 0;
+        }
+        return same;
     }
 }

@@ -119,7 +119,9 @@ public final class FaultTolerantFollower implements Controller {
     private Decision watched(Decision decision) {
         boolean aligned = decision.telemetry().state() == FollowerState.FOLLOW
                 && last.telemetry().state() == FollowerState.ALIGN;
-        if (aligned && alignments.isRepeated(diagnosis.reckoning().way())) {
+        if (aligned
+                && alignments.isRepeated(
+                        diagnosis.reckoning().way(), diagnosis.reckoning().heading())) {
             Rung.facingWall(diagnosis).ifPresent(diagnosis::distrustMisleading);
             alignments.reset();
         }

@@ -93,12 +93,23 @@ class MisleadingSensorTest {
     void alignmentsAreTooManyOnlyWithinAShortWay() {
         AlignmentMonitor monitor = new AlignmentMonitor();
         for (int i = 0; i < 5; i++) {
-            assertFalse(monitor.isRepeated(3 + 0.1 * i));
+            assertFalse(monitor.isRepeated(3 + 0.1 * i, 0.01 * i));
         }
-        assertTrue(monitor.isRepeated(3.6));
+        assertTrue(monitor.isRepeated(3.6, 0.05));
         monitor.reset();
         for (int i = 0; i < 20; i++) {
-            assertFalse(monitor.isRepeated(0.5 * i));
+            assertFalse(monitor.isRepeated(0.5 * i, 0));
         }
+    }
+
+    @Test
+    void alignmentsWithWallsOfManyDirectionsAreNotRepeated() {
+        // As in a corner of a floor plan with a staircase for a wall.
+        double[] directions = {0, -52, -91, -92, -80, -124, -180};
+        AlignmentMonitor monitor = new AlignmentMonitor();
+        for (int i = 0; i < directions.length; i++) {
+            assertFalse(monitor.isRepeated(3 + 0.05 * i, Math.toRadians(directions[i])));
+        }
+        assertTrue(monitor.isRepeated(3.5, Math.toRadians(-182)));
     }
 }
