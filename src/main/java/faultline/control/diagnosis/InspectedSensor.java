@@ -34,6 +34,7 @@ final class InspectedSensor {
     private double confirmations;
     private int standoff;
     private double blindAt = -1;
+    private double jumpedAt = Double.NEGATIVE_INFINITY;
     private ForeseenSurface missed;
     private double sideways;
     private boolean looksAway;
@@ -198,6 +199,16 @@ final class InspectedSensor {
     int countStandoff(boolean stands) {
         standoff = stands ? standoff + 1 : 0;
         return standoff;
+    }
+
+    /** Records that its reading jumped. */
+    void jump(double time) {
+        jumpedAt = time;
+    }
+
+    /** Returns when its reading jumped last, seconds. */
+    double jumpedAt() {
+        return jumpedAt;
     }
 
     /** Records that it did not see what another sensor predicted. */

@@ -160,6 +160,9 @@ public final class SensorDiagnosis {
         for (InspectedSensor sensor : sensors) {
             double reading = lastReadings[sensor.index()];
             SensorFinding finding = sensor.signal().test(reading, reckoning.rolled(), reckoning.turned());
+            if (sensor.signal().jumped()) {
+                sensor.jump(time);
+            }
             if (finding != SensorFinding.NONE) {
                 verdicts.distrust(sensor, finding, time);
                 refreshReport(sensor);

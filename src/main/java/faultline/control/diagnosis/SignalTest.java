@@ -18,6 +18,9 @@ final class SignalTest {
     /** A third difference of readings beyond this shows noise, metres. */
     private static final double SCATTER = 0.08;
 
+    /** A second difference beyond this is a jump, metres. */
+    private static final double JUMP = 0.045;
+
     /** The maximum share of such differences. */
     private static final double MAX_SCATTER = 0.25;
 
@@ -56,6 +59,7 @@ final class SignalTest {
     private double scatter;
     private double lastSpike = Double.NaN;
     private double flips;
+    private boolean jumped;
     private double spikes;
     /** Whether motion explains the last surface that came and went. */
     private boolean explained;
@@ -87,6 +91,7 @@ final class SignalTest {
         double newFirst = reading - before;
         double newSecond = newFirst - first;
         // False for differences that are not numbers.
+        jumped = Math.abs(newSecond) > JUMP && Math.abs(newSecond) < Reading.NOTHING;
         boolean smooth = unremarkable
                 && newFirst != 0
                 && Math.abs(first) <= SPIKE
@@ -100,6 +105,11 @@ final class SignalTest {
             second = newSecond;
         }
         return smooth;
+    }
+
+    /** Returns whether the last reading jumped: it differs from what the two before it let expect. */
+    boolean jumped() {
+        return jumped;
     }
 
     private SensorFinding testAll(double reading, double rolled, double turned) {

@@ -16,7 +16,15 @@ final class Verdicts {
     private static final double SUSPICIOUS = 0.3;
     private static final double FORGIVEN = 0.5;
     private static final int CONFIRMATIONS = 12;
+
+    /** The inspections after which one of two that stand alone against each other is not trusted. */
     private static final int MAX_STANDOFF = 25;
+
+    /** The same where the reading of one of them, but not that of the other, jumped a short time ago. */
+    private static final int MAX_STANDOFF_AFTER_JUMP = 3;
+
+    /** A jump this long ago explains a contradiction, seconds. */
+    private static final double JUMP_MEMORY = 4;
 
     /** A sensor that was contradicted less than this time ago may have been right, seconds. */
     private static final double EXONERATION = 6;
@@ -98,8 +106,9 @@ final class Verdicts {
             lastSuspicion = time;
         }
         if (sensor.isTrusted()) {
-            int standoff = sensor.countStandoff(hasStandoff(sensor));
-            if (against > THRESHOLD && isWorst(against) || standoff > MAX_STANDOFF) {
+            int standoff = sensor.countStandoff(hasStandoff(sensor, time));
+            int most = hasJumped(sensor, time) ? MAX_STANDOFF_AFTER_JUMP : MAX_STANDOFF;
+            if (against > THRESHOLD && isWorst(against) || standoff > most) {
                 boolean own = conflicts.pair(sensor.index(), sensor.index()) > against / 2;
                 boolean blind = own && time - sensor.blindAt() < BLINDNESS;
                 distrust(
@@ -113,16 +122,26 @@ final class Verdicts {
         }
     }
 
-    /** Returns whether a sensor and a better confirmed one contradict each other, but no other sensor. */
-    private boolean hasStandoff(InspectedSensor sensor) {
+    /**
+     * Returns whether a sensor and another contradict each other, but no other sensor, and the other is more credible:
+     * it alone has not jumped, or others confirm it more.
+     */
+    private boolean hasStandoff(InspectedSensor sensor, double time) {
         for (InspectedSensor other : sensors) {
-            if (other.isTrusted()
-                    && conflicts.isStandoff(sensor.index(), other.index())
-                    && sensor.confirmations() <= other.confirmations()) {
-                return true;
+            if (other.isTrusted() && conflicts.isStandoff(sensor.index(), other.index())) {
+                boolean jumped = hasJumped(sensor, time);
+                boolean guilty =
+                        jumped == hasJumped(other, time) ? sensor.confirmations() <= other.confirmations() : jumped;
+                if (guilty) {
+                    return true;
+                }
             }
         }
         return false;
+    }
+
+    private static boolean hasJumped(InspectedSensor sensor, double time) {
+        return time - sensor.jumpedAt() < JUMP_MEMORY;
     }
 
     /** Trusts sensors again that were contradicted only by sensors that are no longer trusted. */
