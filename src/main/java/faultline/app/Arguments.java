@@ -1,7 +1,9 @@
 package faultline.app;
 
+import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
 import faultline.io.MessageText;
+import java.math.BigDecimal;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -9,6 +11,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.function.Predicate;
 
 /** The arguments of one command: files, and options that each take a value, as {@code --seed 7} or {@code --seed=7}. */
 final class Arguments {
@@ -131,6 +136,30 @@ final class Arguments {
     /** Returns the value of an option, or empty if it is not given. */
     Optional<String> value(String option) {
         return Optional.ofNullable(options.get(option));
+    }
+
+    /** Returns the value of an option as a whole number from 1 to a greatest one, or empty if it is not given. */
+    OptionalInt positive(String option, int max) throws UsageException {
+        Optional<String> text = value(option);
+        if (text.isEmpty()) {
+            return OptionalInt.empty();
+        }
+        if (!text.get().matches("\\d{1,9}") || Integer.parseInt(text.get()) < 1 || Integer.parseInt(text.get()) > max) {
+            throw UsageException.ofValue(option, text.get(), "a whole number from 1 to " + max);
+        }
+        return OptionalInt.of(Integer.parseInt(text.get()));
+    }
+
+    /** Returns the value of an option as a number, or empty if it is not given. */
+    OptionalDouble number(String option, Predicate<BigDecimal> allowed, String expected) throws UsageException {
+        Optional<String> text = value(option);
+        if (text.isEmpty()) {
+            return OptionalDouble.empty();
+        }
+        return OptionalDouble.of(DecimalText.parse(text.get())
+                .filter(allowed)
+                .orElseThrow(() -> UsageException.ofValue(option, text.get(), expected))
+                .doubleValue());
     }
 
     /** Returns the file that an option names, or empty if it is not given. */

@@ -6,7 +6,6 @@ import faultline.campaign.run.CampaignFolder;
 import faultline.campaign.run.CampaignMerge;
 import faultline.campaign.run.CampaignRunner;
 import faultline.campaign.run.Shard;
-import faultline.io.MessageText;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -35,14 +34,12 @@ final class CampaignCommand {
         List<String> valued = new ArrayList<>(arguments);
         boolean resume = valued.removeIf("--resume"::equals);
         Arguments sorted = new Arguments(valued, List.of("--out", "--jobs", "--shard"));
-        if (sorted.files().size() != 1) {
-            throw new UsageException("campaign takes one plan, not "
-                    + (sorted.files().isEmpty() ? "none" : sorted.files().size()));
-        }
+        Path file = sorted.singleFile("campaign", "plan");
         Path folder = folder(sorted);
-        int jobs = jobs(sorted);
+        int jobs =
+                sorted.positive("--jobs", MAX_JOBS).orElse(Runtime.getRuntime().availableProcessors());
         Shard shard = shard(sorted);
-        CampaignPlan plan = PlanFiles.read(Arguments.parsePath(sorted.files().get(0)));
+        CampaignPlan plan = PlanFiles.read(file);
         CampaignRunner runner = new CampaignRunner(plan, new CampaignFolder(folder), shard, jobs);
         return run(runner, resume, folder);
     }
@@ -111,25 +108,13 @@ final class CampaignCommand {
                 .orElseThrow(() -> new UsageException("--out DIR is missing, the folder that the tables go to"));
     }
 
-    private static int jobs(Arguments arguments) throws UsageException {
-        Optional<String> text = arguments.value("--jobs");
-        if (text.isEmpty()) {
-            return Runtime.getRuntime().availableProcessors();
-        }
-        if (!text.get().matches("[1-9]\\d{0,3}") || Integer.parseInt(text.get()) > MAX_JOBS) {
-            throw new UsageException(
-                    "--jobs is " + MessageText.quoted(text.get()) + "; expected a whole number from 1 to " + MAX_JOBS);
-        }
-        return Integer.parseInt(text.get());
-    }
-
     private static Shard shard(Arguments arguments) throws UsageException {
         Optional<String> text = arguments.value("--shard");
         if (text.isEmpty()) {
             return Shard.ALL;
         }
         return Shard.parse(text.get())
-                .orElseThrow(() -> new UsageException("--shard is " + MessageText.quoted(text.get())
-                        + "; expected I/N with I from 1 to N, such as 2/4"));
+                .orElseThrow(
+                        () -> UsageException.ofValue("--shard", text.get(), "I/N with I from 1 to N, such as 2/4"));
     }
 }

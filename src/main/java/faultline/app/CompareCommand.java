@@ -18,7 +18,6 @@ import faultline.gui.GuiLauncher;
 import faultline.gui.document.ControllerSelection;
 import faultline.io.AtomicFile;
 import faultline.io.FileTarget;
-import faultline.io.MessageText;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -79,7 +78,7 @@ final class CompareCommand {
         if (open) {
             WindowCommand.requireDisplay("--open");
         }
-        int seeds = seeds(arguments);
+        int seeds = arguments.positive("--seeds", MAX_SEEDS).orElse(1);
         Scenario loaded = Scenario.load(file);
         Scenario scenario = loaded.withSetup(RunOptions.duration(arguments).apply(loaded.setup()));
         List<ControllerRuns> compared = new ArrayList<>();
@@ -120,15 +119,6 @@ final class CompareCommand {
                         + ShellText.quoted(choices.get(0)) + " " + WindowCommand.GHOST_OPTION + " "
                         + ShellText.quoted(ghost) + jar)
                 .toList();
-    }
-
-    private static int seeds(Arguments arguments) throws UsageException {
-        String text = arguments.value("--seeds").orElse("1");
-        if (!text.matches("[0-9]{1,5}") || Integer.parseInt(text) < 1 || Integer.parseInt(text) > MAX_SEEDS) {
-            throw new UsageException(
-                    "--seeds is " + MessageText.quoted(text) + "; expected a whole number from 1 to " + MAX_SEEDS);
-        }
-        return Integer.parseInt(text);
     }
 
     private static String baseName(Path page) {

@@ -2,7 +2,6 @@ package faultline.app;
 
 import faultline.external.ChildSource;
 import faultline.external.ExternalController;
-import faultline.io.DecimalText;
 import faultline.io.MessageText;
 import java.io.IOException;
 import java.math.BigDecimal;
@@ -60,18 +59,14 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
     }
 
     private static double patience(Arguments given) throws UsageException {
-        Optional<String> text = given.value("--patience");
-        if (text.isEmpty()) {
-            return ExternalController.Timeouts.DEFAULT.answer();
-        }
-        if (text.get().equals("none")) {
+        if (given.value("--patience").filter("none"::equals).isPresent()) {
             return Double.POSITIVE_INFINITY;
         }
-        return DecimalText.parse(text.get())
-                .filter(value -> value.signum() > 0 && value.compareTo(MAX_PATIENCE) <= 0)
-                .orElseThrow(() -> new UsageException("--patience is " + MessageText.quoted(text.get())
-                        + "; expected none or a number of seconds above 0, up to " + MAX_PATIENCE))
-                .doubleValue();
+        return given.number(
+                        "--patience",
+                        value -> value.signum() > 0 && value.compareTo(MAX_PATIENCE) <= 0,
+                        "none or a number of seconds above 0, up to " + MAX_PATIENCE)
+                .orElse(ExternalController.Timeouts.DEFAULT.answer());
     }
 
     /** Returns how children are treated in the runs of a scenario. */

@@ -1,7 +1,6 @@
 package faultline.app;
 
 import faultline.io.DidYouMean;
-import faultline.io.MessageText;
 import faultline.paint.surface.SvgTheme;
 import faultline.studies.Figures;
 import java.io.IOException;
@@ -38,8 +37,7 @@ final class FiguresCommand {
                 .map(value -> value.name().toLowerCase(Locale.ROOT))
                 .toList();
         if (!allowed.contains(text)) {
-            throw new UsageException("--theme is " + MessageText.quoted(text) + "; expected light, dark or adaptive"
-                    + DidYouMean.hint(text, allowed));
+            throw UsageException.ofValue("--theme", text, "light, dark or adaptive" + DidYouMean.hint(text, allowed));
         }
         return SvgTheme.valueOf(text.toUpperCase(Locale.ROOT));
     }

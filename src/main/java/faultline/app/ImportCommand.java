@@ -6,7 +6,6 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.io.DecimalText;
 import faultline.io.FileTarget;
-import faultline.io.MessageText;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.io.IOException;
@@ -62,7 +61,7 @@ final class ImportCommand {
         }
         BigDecimal side = number("--resolution", resolution.get(), "a number of metres above 0");
         if (side.signum() <= 0 || side.compareTo(MAX_COORDINATE) > 0) {
-            throw wrong("--resolution", resolution.get(), "a number of metres above 0");
+            throw UsageException.ofValue("--resolution", resolution.get(), "a number of metres above 0");
         }
         return FloorPlan.readImage(map, side, options);
     }
@@ -70,16 +69,16 @@ final class ImportCommand {
     private static FloorPlan.Options options(Arguments parsed) throws UsageException {
         String unknown = parsed.value("--unknown").orElse("free");
         if (!List.of("free", "wall").contains(unknown)) {
-            throw wrong("--unknown", unknown, "free or wall");
+            throw UsageException.ofValue("--unknown", unknown, "free or wall");
         }
         String cells = parsed.value("--min-cells").orElse("1");
         if (!cells.matches("\\d{1,9}")) {
-            throw wrong("--min-cells", cells, "a whole number of cells");
+            throw UsageException.ofValue("--min-cells", cells, "a whole number of cells");
         }
         String smoothing = parsed.value("--smooth").orElse("0");
         BigDecimal bound = number("--smooth", smoothing, "a number of cells, 0 or more");
         if (bound.signum() < 0) {
-            throw wrong("--smooth", smoothing, "a number of cells, 0 or more");
+            throw UsageException.ofValue("--smooth", smoothing, "a number of cells, 0 or more");
         }
         return new FloorPlan.Options(unknown.equals("wall"), Integer.parseInt(cells), bound.doubleValue());
     }
@@ -88,7 +87,7 @@ final class ImportCommand {
         String[] parts = text.split(",", -1);
         String allowed = "x,y,heading in metres and degrees";
         if (parts.length != 3) {
-            throw wrong("--start", text, allowed);
+            throw UsageException.ofValue("--start", text, allowed);
         }
         double x = number("--start", parts[0], allowed).doubleValue();
         double y = number("--start", parts[1], allowed).doubleValue();
@@ -98,11 +97,7 @@ final class ImportCommand {
     private static BigDecimal number(String option, String text, String allowed) throws UsageException {
         return DecimalText.parse(text)
                 .filter(value -> value.abs().compareTo(MAX_COORDINATE) <= 0)
-                .orElseThrow(() -> wrong(option, text, allowed));
-    }
-
-    private static UsageException wrong(String option, String given, String allowed) {
-        return new UsageException(option + " is " + MessageText.quoted(given) + "; expected " + allowed);
+                .orElseThrow(() -> UsageException.ofValue(option, text, allowed));
     }
 
     private void print(Path target, FloorPlan plan, Scenario scenario) {

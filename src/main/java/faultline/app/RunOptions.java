@@ -4,10 +4,8 @@ import faultline.engine.ControllerMode;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.TraceFormat;
 import faultline.external.ControllerChoice;
-import faultline.io.DecimalText;
 import faultline.io.DidYouMean;
 import faultline.io.FileTarget;
-import faultline.io.MessageText;
 import faultline.scenario.Scenario;
 import java.math.BigDecimal;
 import java.nio.file.Path;
@@ -16,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
 
 /**
@@ -94,16 +93,11 @@ record RunOptions(
 
     /** Returns what the option {@code --until} makes of a setup. */
     static UnaryOperator<SimulationSetup> duration(Arguments arguments) throws UsageException {
-        Optional<String> text = arguments.value("--until");
-        if (text.isEmpty()) {
-            return UnaryOperator.identity();
-        }
-        double seconds = DecimalText.parse(text.get())
-                .filter(value -> value.signum() >= 0 && value.compareTo(MAX_DURATION) <= 0)
-                .orElseThrow(() -> new UsageException("--until is " + MessageText.quoted(text.get())
-                        + "; expected a number from 0 to " + MAX_DURATION + " seconds"))
-                .doubleValue();
-        return setup -> setup.withDuration(seconds);
+        OptionalDouble seconds = arguments.number(
+                "--until",
+                value -> value.signum() >= 0 && value.compareTo(MAX_DURATION) <= 0,
+                "a number from 0 to " + MAX_DURATION + " seconds");
+        return setup -> seconds.isPresent() ? setup.withDuration(seconds.getAsDouble()) : setup;
     }
 
     private static UnaryOperator<SimulationSetup> seed(Arguments arguments) throws UsageException {
@@ -116,8 +110,8 @@ record RunOptions(
             long seed = Long.parseLong(text.get().matches("\\p{ASCII}*") ? text.get() : "");
             return setup -> setup.withSeed(seed);
         } catch (NumberFormatException e) {
-            throw new UsageException("--seed is " + MessageText.quoted(text.get()) + "; expected a whole number from "
-                    + Long.MIN_VALUE + " to " + Long.MAX_VALUE);
+            throw UsageException.ofValue(
+                    "--seed", text.get(), "a whole number from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE);
         }
     }
 
@@ -126,8 +120,8 @@ record RunOptions(
             case "controller" -> ControllerMode.OWN_THREAD;
             case "none" -> ControllerMode.DIRECT;
             default ->
-                throw new UsageException("--threads is " + MessageText.quoted(text) + "; expected controller or none"
-                        + DidYouMean.hint(text, List.of("controller", "none")));
+                throw UsageException.ofValue(
+                        "--threads", text, "controller or none" + DidYouMean.hint(text, List.of("controller", "none")));
         };
     }
 
@@ -150,7 +144,7 @@ record RunOptions(
         return switch (text) {
             case "1" -> TraceFormat.ONE;
             case "2" -> TraceFormat.TWO;
-            default -> throw new UsageException("--trace-format is " + MessageText.quoted(text) + "; expected 1 or 2");
+            default -> throw UsageException.ofValue("--trace-format", text, "1 or 2");
         };
     }
 
@@ -160,15 +154,12 @@ record RunOptions(
     }
 
     private static double pace(Arguments arguments) throws UsageException {
-        Optional<String> text = arguments.value("--pace");
-        if (text.isEmpty()) {
-            return Double.POSITIVE_INFINITY;
-        }
-        return DecimalText.parse(text.get())
-                .filter(value -> value.compareTo(MIN_PACE) >= 0 && value.compareTo(MAX_PACE) <= 0)
-                .orElseThrow(() -> new UsageException("--pace is " + MessageText.quoted(text.get())
-                        + "; expected a multiple of real time from " + MIN_PACE + " to " + MAX_PACE))
-                .doubleValue();
+        return arguments
+                .number(
+                        "--pace",
+                        value -> value.compareTo(MIN_PACE) >= 0 && value.compareTo(MAX_PACE) <= 0,
+                        "a multiple of real time from " + MIN_PACE + " to " + MAX_PACE)
+                .orElse(Double.POSITIVE_INFINITY);
     }
 
     private void checkFilesDiffer() throws UsageException {

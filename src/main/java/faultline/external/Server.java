@@ -1,5 +1,6 @@
 package faultline.external;
 
+import faultline.control.Decision;
 import faultline.control.Observation;
 import faultline.engine.CommandListener;
 import faultline.engine.ControllerMode;
@@ -48,17 +49,18 @@ public final class Server {
 
     /** One run and what drives it. */
     private static final class Episode implements AutoCloseable {
-        private final ManualController controller;
         private final DriveTelemetry telemetry = new DriveTelemetry("EXTERN");
+        /** The one that was last given from outside. */
+        private Decision decision = telemetry.decide(new DriveMessage(0, 0, "", ""), 0);
+
         private final Simulation simulation;
 
         Episode(SimulationSetup setup) {
-            controller = new ManualController(telemetry.decide(new DriveMessage(0, 0, "", ""), 0));
-            simulation = new Simulation(setup, controller, ControllerMode.DIRECT, CommandListener.NONE);
+            simulation = new Simulation(setup, observation -> decision, ControllerMode.DIRECT, CommandListener.NONE);
         }
 
         void drive(DriveMessage drive, long ticks) {
-            controller.set(telemetry.decide(drive, simulation.ticks()));
+            decision = telemetry.decide(drive, simulation.ticks());
             for (long i = 0; i < ticks && !isOver(); i++) {
                 simulation.tick();
             }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -26,36 +27,28 @@ record AttributePath(List<Step> steps, String attribute) {
     private static final Pattern STEP = Pattern.compile("([a-zA-Z]+)(?:\\[([^\\[\\]]+)])?");
     private static final Pattern ATTRIBUTE = Pattern.compile("@([a-zA-Z]+)");
 
-    /** The units of attributes but thresholds, by the suffix that a column's name gets. */
-    private static final Map<String, String> UNITS = Map.ofEntries(
-            Map.entry("width", "m"),
-            Map.entry("height", "m"),
-            Map.entry("length", "m"),
-            Map.entry("track", "m"),
-            Map.entry("x", "m"),
-            Map.entry("y", "m"),
-            Map.entry("range", "m"),
-            Map.entry("noise", "m"),
-            Map.entry("radius", "m"),
-            Map.entry("rx", "m"),
-            Map.entry("ry", "m"),
-            Map.entry("distance", "m"),
-            Map.entry("heading", "deg"),
-            Map.entry("bearing", "deg"),
-            Map.entry("cone", "deg"),
-            Map.entry("specular", "deg"),
-            Map.entry("speed", "m/s"),
-            Map.entry("turnRate", "deg/s"),
-            Map.entry("duration", "s"),
-            Map.entry("tick", "s"),
-            Map.entry("period", "s"),
-            Map.entry("timeConstant", "s"),
-            Map.entry("at", "s"),
-            Map.entry("until", "s"),
-            Map.entry("left", "V"),
-            Map.entry("right", "V"),
-            Map.entry("maxVoltage", "V"),
-            Map.entry("speedConstant", "m/s/V"));
+    /** The attributes but thresholds by their units, of which a column's name gets a suffix. */
+    private static final Map<String, Set<String>> UNITS = Map.of(
+            "m",
+                    Set.of(
+                            "width",
+                            "height",
+                            "length",
+                            "track",
+                            "x",
+                            "y",
+                            "range",
+                            "noise",
+                            "radius",
+                            "rx",
+                            "ry",
+                            "distance"),
+            "deg", Set.of("heading", "bearing", "cone", "specular"),
+            "m/s", Set.of("speed"),
+            "deg/s", Set.of("turnRate"),
+            "s", Set.of("duration", "tick", "period", "timeConstant", "at", "until"),
+            "V", Set.of("left", "right", "maxVoltage"),
+            "m/s/V", Set.of("speedConstant"));
 
     AttributePath {
         steps = List.copyOf(steps);
@@ -93,7 +86,10 @@ record AttributePath(List<Step> steps, String attribute) {
                 .filter(threshold -> threshold.fileName().equals(attribute))
                 .map(threshold -> threshold.quantity().unit())
                 .findFirst()
-                .orElse(UNITS.getOrDefault(attribute, ""));
+                .or(() -> UNITS.keySet().stream()
+                        .filter(unit -> UNITS.get(unit).contains(attribute))
+                        .findFirst())
+                .orElse("");
     }
 
     /** Returns the name of its column, such as {@code front_cone_deg}. */

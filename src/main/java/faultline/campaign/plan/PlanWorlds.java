@@ -4,6 +4,7 @@ import faultline.scenario.xml.XmlElement;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiFunction;
 
 /** All worlds of a plan under one numbering. Trees of generated worlds are kept for a while; safe on any thread. */
 final class PlanWorlds {
@@ -35,25 +36,19 @@ final class PlanWorlds {
     }
 
     String label(int index) {
-        int rest = index;
-        for (WorldSource source : sources) {
-            if (rest < source.count()) {
-                return source.label(rest);
-            }
-            rest -= source.count();
-        }
-        throw new IndexOutOfBoundsException(index);
+        return at(index, WorldSource::label);
     }
 
     synchronized XmlElement root(int index) {
-        return kept.computeIfAbsent(index, this::makeRoot);
+        return kept.computeIfAbsent(index, missing -> at(missing, WorldSource::root));
     }
 
-    private XmlElement makeRoot(int index) {
+    /** Calls the source of a world with the number that the world has there. */
+    private <T> T at(int index, BiFunction<WorldSource, Integer, T> property) {
         int rest = index;
         for (WorldSource source : sources) {
             if (rest < source.count()) {
-                return source.root(rest);
+                return property.apply(source, rest);
             }
             rest -= source.count();
         }
