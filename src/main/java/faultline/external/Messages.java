@@ -5,6 +5,7 @@ import faultline.engine.Simulation;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.io.JsonWriter;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
@@ -132,6 +133,7 @@ final class Messages {
                 robot.number("speed_m_s"),
                 robot.number("turn_rate_rad_s"),
                 motor,
+                DriveScale.NONE,
                 sensors);
     }
 

@@ -33,8 +33,15 @@ public record RobotSpec(
         List<SensorSpec> sensors) {
 
     /** The robot of a scenario that gives no values. */
-    public static final RobotSpec DEFAULT =
-            new RobotSpec(0.25, 0.20, 0.18, 0.3, Degrees.toRadians(60), MotorSpec.DEFAULT, standardSensors(0.25, 0.20));
+    public static final RobotSpec DEFAULT = new RobotSpec(
+            0.25,
+            0.20,
+            0.18,
+            0.3,
+            Degrees.toRadians(60),
+            MotorSpec.DEFAULT,
+            DriveScale.NONE,
+            standardSensors(0.25, 0.20));
 
     /**
      * Creates a robot.
@@ -62,28 +69,6 @@ public record RobotSpec(
                 throw new IllegalArgumentException("two sensors have the id " + sensor.id());
             }
         }
-    }
-
-    /**
-     * Creates a robot whose drive is what the controller believes.
-     *
-     * @param length the length of the platform, in metres, positive
-     * @param width the width of the platform, in metres, positive
-     * @param track the distance between the left and the right wheels, in metres, positive
-     * @param speed the linear velocity, in metres per second, positive
-     * @param turnRate the turn rate, in radians per second, positive
-     * @param motor the motors of both sides
-     * @param sensors the sensors, with different ids
-     */
-    public RobotSpec(
-            double length,
-            double width,
-            double track,
-            double speed,
-            double turnRate,
-            MotorSpec motor,
-            List<SensorSpec> sensors) {
-        this(length, width, track, speed, turnRate, motor, DriveScale.NONE, sensors);
     }
 
     private static void requirePositive(String name, double value) {

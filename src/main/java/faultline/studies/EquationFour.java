@@ -35,23 +35,21 @@ final class EquationFour {
                         "Wanted distance to the wall",
                         "distance (m)",
                         steps(0.08, 0.04, 19),
-                        (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
-                                .withDistance(value)
+                        (value, trial, variant) -> trial.withDistance(value)
                                 .withSetup(WallScenes.endless(AlignmentTrial.BASE, value, variant))),
                 sweep(
                         "range",
                         "Range of the sensor",
                         "range (m)",
                         steps(0.3, 0.1, 13),
-                        (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
-                                .withRobot(AlignmentTrial.robot(value, CONE, RATE, TAU))),
+                        (value, trial, variant) -> trial.withRobot(AlignmentTrial.robot(value, CONE, RATE, TAU))),
                 sweep(
                         "cone",
                         "Cone of the sensor",
                         "full cone angle (degrees)",
                         steps(2, 4, 15),
-                        (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
-                                .withRobot(AlignmentTrial.robot(RANGE, Degrees.toRadians(value), RATE, TAU))));
+                        (value, trial, variant) ->
+                                trial.withRobot(AlignmentTrial.robot(RANGE, Degrees.toRadians(value), RATE, TAU))));
     }
 
     private static List<ParameterSweep> timeSweeps() {
@@ -61,22 +59,21 @@ final class EquationFour {
                         "Spin rate",
                         "spin rate (degrees/s)",
                         steps(15, 15, 10),
-                        (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
-                                .withRobot(AlignmentTrial.robot(RANGE, CONE, Degrees.toRadians(value), TAU))),
+                        (value, trial, variant) ->
+                                trial.withRobot(AlignmentTrial.robot(RANGE, CONE, Degrees.toRadians(value), TAU))),
                 sweep(
                         "period",
                         "Control period",
                         "control period (ms)",
                         steps(2, 6, 14),
-                        (value, timing, variant) ->
-                                AlignmentTrial.standard(timing, variant).withPeriod(value / 1000)),
+                        (value, trial, variant) -> trial.withPeriod(value / 1000)),
                 sweep(
                         "motor",
                         "Time constant of the motors",
                         "time constant (ms)",
                         steps(0, 20, 11),
-                        (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
-                                .withRobot(AlignmentTrial.robot(RANGE, CONE, RATE, value / 1000))));
+                        (value, trial, variant) ->
+                                trial.withRobot(AlignmentTrial.robot(RANGE, CONE, RATE, value / 1000))));
     }
 
     private static List<ParameterSweep> mountingSweeps() {
@@ -86,22 +83,19 @@ final class EquationFour {
                         "Mounting position along the axis of the sensor",
                         "mounting position left of the centre (mm)",
                         steps(0, 10, 11),
-                        (value, timing, variant) ->
-                                AlignmentTrial.standard(timing, variant).withRobot(withMountPosition(0, value / 1000))),
+                        (value, trial, variant) -> trial.withRobot(withMountPosition(0, value / 1000))),
                 sweep(
                         "position-ahead",
                         "Axis that misses the centre",
                         "mounting position ahead of the centre (mm)",
                         steps(-60, 10, 13),
-                        (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
-                                .withRobot(withMountPosition(value / 1000, 0.1))),
+                        (value, trial, variant) -> trial.withRobot(withMountPosition(value / 1000, 0.1))),
                 sweep(
                         "noise",
                         "Noise of the sensors",
                         "standard deviation of the noise (mm)",
                         steps(0, 1, 13),
-                        (value, timing, variant) ->
-                                AlignmentTrial.standard(timing, variant).withRobot(withNoise(value / 1000))));
+                        (value, trial, variant) -> trial.withRobot(withNoise(value / 1000))));
     }
 
     private static List<ParameterSweep> wallSweeps() {
@@ -111,23 +105,22 @@ final class EquationFour {
                         "Wall that ends ahead",
                         "wall ahead of the robot (m)",
                         steps(0.12, 0.06, 16),
-                        (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
-                                .withSetup(WallScenes.ending(AlignmentTrial.BASE, value, 0.25, variant))),
+                        (value, trial, variant) ->
+                                trial.withSetup(WallScenes.ending(AlignmentTrial.BASE, value, 0.25, variant))),
                 sweep(
                         "corner",
                         "Inner corner",
                         "angle between the walls (degrees)",
                         steps(40, 5, 22),
-                        (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
-                                .withSetup(WallScenes.corner(CORNER, Degrees.toRadians(value), 0.25, variant))
+                        (value, trial, variant) -> trial.withSetup(
+                                        WallScenes.corner(CORNER, Degrees.toRadians(value), 0.25, variant))
                                 .withHandOver(2)),
                 sweep(
                         "corner-short-range",
                         "Inner corner, sensors of 0.3 m",
                         "angle between the walls (degrees)",
                         steps(40, 5, 22),
-                        (value, timing, variant) -> AlignmentTrial.standard(timing, variant)
-                                .withRobot(AlignmentTrial.robot(0.3, CONE, RATE, TAU))
+                        (value, trial, variant) -> trial.withRobot(AlignmentTrial.robot(0.3, CONE, RATE, TAU))
                                 .withSetup(WallScenes.corner(CORNER, Degrees.toRadians(value), 0.25, variant))
                                 .withHandOver(2)));
     }

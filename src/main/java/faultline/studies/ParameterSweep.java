@@ -41,9 +41,9 @@ record ParameterSweep(
             Lines: the closed form; shaded: half of what the robot turns in a control period T, since the exact rule \
             sees each edge up to T late.""";
 
-    /** Creates the trial at a value of the quantity. */
+    /** Creates the trial at a value of the quantity from one with all quantities at their defaults. */
     interface TrialFactory {
-        AlignmentTrial create(double value, TimingRule timing, int variant);
+        AlignmentTrial create(double value, AlignmentTrial standard, int variant);
     }
 
     private record TrialPoint(
@@ -76,7 +76,7 @@ record ParameterSweep(
     }
 
     private Optional<TrialPoint> measure(double value, TimingRule timing, int variant) {
-        AlignmentTrial trial = trialFactory.create(value, timing, variant);
+        AlignmentTrial trial = trialFactory.create(value, AlignmentTrial.standard(timing, variant), variant);
         return trial.run()
                 .map(outcome ->
                         new TrialPoint(value, timing, variant, outcome, AlignmentTheory.of(trial, outcome.position())));

@@ -9,6 +9,7 @@ import faultline.control.TimingRule;
 import faultline.control.WallSide;
 import faultline.geometry.Angles;
 import faultline.geometry.Pose;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
@@ -105,6 +106,7 @@ class AlignmentTest {
                     standard.speed(),
                     rate,
                     new MotorSpec(tau, 0.1, 6),
+                    DriveScale.NONE,
                     standard.sensors());
             for (SensorSpec sensor : standard.sensors()) {
                 robot = robot.withSensor(sensor.withRange(range).withCone(cone));

@@ -7,6 +7,7 @@ import faultline.geometry.OrientedBox;
 import faultline.geometry.Pose;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.world.Obstacle;
@@ -49,7 +50,14 @@ final class RandomWorlds {
         WorldSpec world = new WorldSpec(WIDTH, HEIGHT, true, 3, obstacles);
         MotorSpec motor = new MotorSpec(random.nextBoolean() ? 0 : random.nextDouble(0.2), 1, topSpeed);
         RobotSpec driven = new RobotSpec(
-                robot.length(), robot.width(), robot.track(), robot.speed(), robot.turnRate(), motor, robot.sensors());
+                robot.length(),
+                robot.width(),
+                robot.track(),
+                robot.speed(),
+                robot.turnRate(),
+                motor,
+                DriveScale.NONE,
+                robot.sensors());
         double dt = random.nextBoolean() ? 0.01 : random.nextDouble(0.001, 0.05);
         return SimulationSetup.of(world, start)
                 .withRobot(driven)

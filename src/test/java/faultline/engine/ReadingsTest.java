@@ -8,6 +8,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Sector;
 import faultline.geometry.SectorDistanceOracle;
 import faultline.geometry.Vector2;
+import faultline.robot.DriveScale;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import faultline.world.Obstacle;
@@ -109,6 +110,7 @@ class ReadingsTest {
                 standard.speed(),
                 standard.turnRate(),
                 standard.motor(),
+                DriveScale.NONE,
                 sensors);
     }
 }

@@ -6,6 +6,7 @@ import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Sector;
 import faultline.geometry.Vector2;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorFaults;
 import faultline.robot.RobotSpec;
 import faultline.robot.WheelSpeeds;
@@ -28,7 +29,7 @@ public final class SampleFrames {
 
     /** A robot of the default size without sensors. */
     public static final RobotSpec SENSORLESS =
-            new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), List.of());
+            new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), DriveScale.NONE, List.of());
 
     /** Reads nothing within range. */
     public static final Reading NOTHING = new Reading(Reading.NOTHING);

@@ -10,6 +10,7 @@ import faultline.geometry.OrientedBox;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.robot.DifferentialDrive;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
@@ -35,7 +36,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class SweptCollisionTest {
 
     private static final RobotSpec SENSORLESS =
-            new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), List.of());
+            new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), DriveScale.NONE, List.of());
     private static final double CONTACT_TOLERANCE = 1e-10;
     private static final double PENETRATION_TOLERANCE = 1e-9;
     private static final int TICKS = 30;
@@ -224,7 +225,7 @@ class SweptCollisionTest {
     void aWallWithoutThicknessStopsARobotAtFiftyMetresASecondInOneTick() {
         Obstacle wall = new Obstacle(
                 "wall", new ObstacleShape.Wall(List.of(new Vector2(0, -1), new Vector2(0, 1))), new Pose(3, 2, 0));
-        RobotSpec fast = new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, new MotorSpec(0, 1, 50), List.of());
+        RobotSpec fast = new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, new MotorSpec(0, 1, 50), DriveScale.NONE, List.of());
         SimulationSetup dash = SimulationSetup.of(new WorldSpec(6, 4, true, 0, List.of(wall)), new Pose(1, 2, 0))
                 .withRobot(fast)
                 .withController(new ControllerSpec.Drive(50, 50))

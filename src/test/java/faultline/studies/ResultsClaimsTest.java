@@ -12,6 +12,7 @@ import faultline.engine.metrics.HeadlessRun;
 import faultline.engine.metrics.RunResult;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.FaultKind;
@@ -58,6 +59,7 @@ class ResultsClaimsTest {
                         between(0, 0.12),
                         standard.motor().speedConstant(),
                         standard.motor().maxVoltage()),
+                DriveScale.NONE,
                 sensors);
     }
 

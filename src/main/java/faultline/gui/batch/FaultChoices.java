@@ -1,7 +1,7 @@
 package faultline.gui.batch;
 
-import faultline.gui.panel.ReadingText;
 import faultline.gui.panel.FormConstraints;
+import faultline.gui.panel.ReadingText;
 import faultline.gui.panel.TextListener;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;

@@ -13,6 +13,7 @@ import faultline.gui.canvas.tool.ToolContext;
 import faultline.gui.canvas.tool.Viewport;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.AccessibleComponent;
 import faultline.gui.theme.FocusRing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.paint.export.RenderRequest;
@@ -30,15 +31,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 
 /**
  * Shows the newest frame, with the report of the first collision, and sends what the user does to obstacles and sensors
  * as commands; their effect shows when a frame brings it back.
  */
-public final class SimulationCanvas extends JComponent {
+public final class SimulationCanvas extends AccessibleComponent {
 
     private static final double ZOOM_STEP = 1.25;
 
@@ -61,6 +60,7 @@ public final class SimulationCanvas extends JComponent {
 
     /** Creates a canvas with a clock, in nanoseconds, that limits the time to paint a frame. */
     SimulationCanvas(UndoController editor, LongSupplier clock) {
+        super(AccessibleRole.CANVAS);
         renderer = new CachedSceneRenderer(clock);
         CanvasListeners listeners = new CanvasListeners();
         mouse = new CanvasMouse(viewport, new GesturePicker(model, viewport, editor, listeners), listeners);
@@ -226,21 +226,6 @@ public final class SimulationCanvas extends JComponent {
         if (model.frame().isPresent() && paintListener != null) {
             EventQueue.invokeLater(paintListener);
             paintListener = null;
-        }
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new Accessibility();
-        }
-        return accessibleContext;
-    }
-
-    private final class Accessibility extends AccessibleJComponent {
-        @Override
-        public AccessibleRole getAccessibleRole() {
-            return AccessibleRole.CANVAS;
         }
     }
 }

@@ -3,6 +3,7 @@ package faultline.gui.instrument;
 import faultline.control.TimingRule;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.AccessibleComponent;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
@@ -17,14 +18,13 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.util.List;
 import java.util.stream.Collectors;
-import javax.accessibility.AccessibleContext;
-import javax.swing.JComponent;
+import javax.accessibility.AccessibleRole;
 
 /**
  * Shows eq. (4) of the paper: the newest turn past a wall with its frames F3 and F4, t_D and t_p, and the error of the
  * resulting heading.
  */
-public final class AlignmentView extends JComponent {
+public final class AlignmentView extends AccessibleComponent {
 
     private static final Dimension MIN_SIZE = new Dimension(560, 150);
     private static final int LEFT_MARGIN = 50;
@@ -42,6 +42,7 @@ public final class AlignmentView extends JComponent {
 
     /** Creates an empty view. */
     public AlignmentView() {
+        super(AccessibleRole.SWING_COMPONENT);
         setMinimumSize(MIN_SIZE);
         setPreferredSize(MIN_SIZE);
         setOpaque(true);
@@ -137,13 +138,5 @@ public final class AlignmentView extends JComponent {
                             + 50),
                     y);
         }
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {};
-        }
-        return accessibleContext;
     }
 }

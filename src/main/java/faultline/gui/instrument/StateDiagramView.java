@@ -8,6 +8,7 @@ import faultline.control.wallfollower.StateDiagram.Arrow;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
 import faultline.gui.text.StateText;
+import faultline.gui.theme.AccessibleComponent;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
@@ -22,12 +23,11 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import java.util.Locale;
-import javax.accessibility.AccessibleContext;
-import javax.swing.JComponent;
+import javax.accessibility.AccessibleRole;
 import javax.swing.ToolTipManager;
 
 /** The live state diagram, with tool tips for its boxes and arrows. */
-public final class StateDiagramView extends JComponent {
+public final class StateDiagramView extends AccessibleComponent {
 
     private static final int MESSAGE_INSET = 14;
     private static final Dimension MIN_SIZE = new Dimension(330, 150);
@@ -38,6 +38,7 @@ public final class StateDiagramView extends JComponent {
 
     /** Creates an empty diagram. */
     public StateDiagramView() {
+        super(AccessibleRole.SWING_COMPONENT);
         setMinimumSize(MIN_SIZE);
         setPreferredSize(MIN_SIZE);
         setOpaque(true);
@@ -143,13 +144,5 @@ public final class StateDiagramView extends JComponent {
                 StateText.name(arrow.to()),
                 StateText.condition(arrow),
                 String.format(Locale.ROOT, "%d", count));
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {};
-        }
-        return accessibleContext;
     }
 }

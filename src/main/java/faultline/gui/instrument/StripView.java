@@ -2,6 +2,7 @@ package faultline.gui.instrument;
 
 import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
+import faultline.gui.theme.AccessibleComponent;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
@@ -16,11 +17,10 @@ import java.awt.geom.AffineTransform;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import javax.accessibility.AccessibleContext;
-import javax.swing.JComponent;
+import javax.accessibility.AccessibleRole;
 
 /** The plot area of a strip chart. It follows the newest frame, or is held over a past time span. */
-final class StripView extends JComponent {
+final class StripView extends AccessibleComponent {
 
     /** No x coordinate. */
     static final double NOWHERE = Double.NaN;
@@ -49,6 +49,7 @@ final class StripView extends JComponent {
      * @param named returns whether the lines are named elsewhere; if not, the plot names them
      */
     StripView(BooleanSupplier named) {
+        super(AccessibleRole.SWING_COMPONENT);
         this.named = named;
         setMinimumSize(MIN_SIZE);
         setPreferredSize(MIN_SIZE);
@@ -195,13 +196,5 @@ final class StripView extends JComponent {
                 g.draw(Antialiasing.roundedRectangle(0, 0, getWidth(), getHeight()));
             }
         });
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {};
-        }
-        return accessibleContext;
     }
 }

@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.gui.text.Messages;
+import faultline.gui.theme.AccessibleComponent;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.RefreshSteps;
@@ -16,16 +17,14 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.function.Function;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import javax.swing.UIManager;
 
 /**
  * Shows a true or reported reading as a number on a bar of its share of the range, the reported one in the sensor's
  * colour, with an icon if the sensor is faulty.
  */
-final class ReadingBar extends JComponent {
+final class ReadingBar extends AccessibleComponent {
 
     private static final int HEIGHT = 20;
     private static final int ARC = 6;
@@ -60,6 +59,7 @@ final class ReadingBar extends JComponent {
 
     /** Creates the bar of a sensor, given its index in the robot and its id. */
     ReadingBar(int index, String sensor, ReadingKind side) {
+        super(AccessibleRole.PROGRESS_BAR);
         this.index = index;
         this.sensor = sensor;
         this.readingKind = side;
@@ -140,18 +140,5 @@ final class ReadingBar extends JComponent {
                 text,
                 barWidth - PADDING - metrics.stringWidth(text),
                 (getHeight() + metrics.getAscent() - metrics.getDescent()) / 2);
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.PROGRESS_BAR;
-                }
-            };
-        }
-        return accessibleContext;
     }
 }

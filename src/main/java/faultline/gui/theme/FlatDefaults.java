@@ -3,6 +3,7 @@ package faultline.gui.theme;
 import java.awt.Color;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.function.Function;
 import javax.swing.border.Border;
 import javax.swing.border.CompoundBorder;
 import javax.swing.border.EmptyBorder;
@@ -13,6 +14,9 @@ import javax.swing.plaf.InsetsUIResource;
 
 /** The UI defaults that make Metal flat. */
 final class FlatDefaults {
+
+    private static final int LIST_ICON_SIZE = 16;
+    private static final int DIALOG_ICON_SIZE = 32;
 
     private final ThemeColours colours;
     private final Map<Object, Object> table = new HashMap<>();
@@ -29,6 +33,7 @@ final class FlatDefaults {
         defaults.addMenus();
         defaults.addBars();
         defaults.addContainers();
+        defaults.addIcons();
         return defaults.table;
     }
 
@@ -125,6 +130,32 @@ final class FlatDefaults {
         table.put("SplitPane.border", padding(0, 0, 0, 0));
         table.put("SplitPaneDivider.border", padding(0, 0, 0, 0));
         table.put("OptionPane.buttonPadding", 12);
+    }
+
+    /** Adds the icons of file choosers and option panes. */
+    private void addIcons() {
+        table.put("FileView.directoryIcon", small(Glyph.FOLDER));
+        table.put("FileView.fileIcon", small(Glyph.FILE));
+        table.put("FileView.computerIcon", small(Glyph.DRIVE));
+        table.put("FileView.hardDriveIcon", small(Glyph.DRIVE));
+        table.put("FileView.floppyDriveIcon", small(Glyph.DRIVE));
+        table.put("FileChooser.newFolderIcon", Glyph.NEW_FOLDER.icon());
+        table.put("FileChooser.upFolderIcon", Glyph.UP.icon());
+        table.put("FileChooser.homeFolderIcon", Glyph.HOME.icon());
+        table.put("FileChooser.listViewIcon", Glyph.LIST.icon());
+        table.put("FileChooser.detailsViewIcon", Glyph.DETAILS.icon());
+        table.put("OptionPane.errorIcon", large(Glyph.WARNING, ThemeColours::warning));
+        table.put("OptionPane.warningIcon", large(Glyph.WARNING, ThemeColours::warning));
+        table.put("OptionPane.informationIcon", large(Glyph.NOTE, ThemeColours::accent));
+        table.put("OptionPane.questionIcon", large(Glyph.QUESTION, ThemeColours::accent));
+    }
+
+    private static GlyphIcon small(Glyph glyph) {
+        return new GlyphIcon(glyph, LIST_ICON_SIZE, null);
+    }
+
+    private static GlyphIcon large(Glyph glyph, Function<ThemeColours, Color> colour) {
+        return new GlyphIcon(glyph, DIALOG_ICON_SIZE, colour);
     }
 
     private Border separatorBorder(int above, int below, Border inner) {

@@ -44,7 +44,6 @@ final class FlatLook {
         defaults.put("ToggleButtonUI", FlatButtonUI.class.getName());
         defaults.put("CheckBoxMenuItemUI", FlatMenuItemUI.class.getName());
         FlatDefaults.table(theme.colours()).forEach(defaults::put);
-        FlatIcons.table().forEach(defaults::put);
         enableTextAntialiasing(defaults);
     }
 

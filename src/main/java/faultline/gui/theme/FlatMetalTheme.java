@@ -68,11 +68,6 @@ final class FlatMetalTheme extends DefaultMetalTheme {
     }
 
     @Override
-    public ColorUIResource getTextHighlightColor() {
-        return resource(colours.accent());
-    }
-
-    @Override
     public ColorUIResource getInactiveControlTextColor() {
         return resource(colours.muted());
     }
@@ -80,10 +75,5 @@ final class FlatMetalTheme extends DefaultMetalTheme {
     @Override
     public ColorUIResource getMenuDisabledForeground() {
         return resource(colours.muted());
-    }
-
-    @Override
-    public ColorUIResource getSystemTextColor() {
-        return resource(colours.text());
     }
 }

@@ -1,6 +1,7 @@
 package faultline.gui.timeline;
 
 import faultline.gui.text.Messages;
+import faultline.gui.theme.AccessibleComponent;
 import faultline.gui.theme.Antialiasing;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
@@ -14,14 +15,12 @@ import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import javax.swing.JViewport;
 import javax.swing.Scrollable;
 
 /** The lanes of the time line: one for each sensor, and one for everything else. */
-public final class LaneView extends JComponent implements Scrollable {
+public final class LaneView extends AccessibleComponent implements Scrollable {
 
     private static final int MIN_ROW_HEIGHT = 12;
     private static final int MAX_ROW_HEIGHT = 17;
@@ -40,6 +39,7 @@ public final class LaneView extends JComponent implements Scrollable {
 
     /** Creates a view without a scenario; {@code editor} makes the changes. */
     LaneView(TimelineEditor editor) {
+        super(AccessibleRole.LIST);
         this.editor = editor;
         setFocusable(true);
         setOpaque(true);
@@ -243,18 +243,5 @@ public final class LaneView extends JComponent implements Scrollable {
     @Override
     public boolean getScrollableTracksViewportHeight() {
         return getParent().getHeight() >= getMinimumSize().height;
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.LIST;
-                }
-            };
-        }
-        return accessibleContext;
     }
 }

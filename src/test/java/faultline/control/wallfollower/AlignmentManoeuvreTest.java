@@ -8,6 +8,7 @@ import faultline.control.FollowerState;
 import faultline.control.Telemetry;
 import faultline.control.TimingRule;
 import faultline.geometry.Degrees;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import org.junit.jupiter.api.Test;
@@ -30,6 +31,7 @@ class AlignmentManoeuvreTest {
                 0.3,
                 Degrees.toRadians(TURN_RATE),
                 new MotorSpec(timeConstant, 0.1, 6),
+                DriveScale.NONE,
                 RobotSpec.DEFAULT.sensors());
         WallFollowing follower = WallFollowing.DEFAULT.withTimingRule(timing);
         return new StraightWallFixture(robot, follower, 1.2, headingDegrees).runUntil(FollowerState.FOLLOW);

@@ -2,6 +2,7 @@ package faultline.control.wallfollower;
 
 import faultline.control.ControllerSpec;
 import faultline.control.Observation;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
@@ -15,7 +16,14 @@ public final class Observations {
 
     /** The standard robot with motors that follow at once: 0.3 m/s, 60 degrees per second. */
     static final RobotSpec LAG_FREE_ROBOT = new RobotSpec(
-            0.25, 0.20, 0.18, 0.3, RobotSpec.DEFAULT.turnRate(), new MotorSpec(0, 0.1, 6), RobotSpec.DEFAULT.sensors());
+            0.25,
+            0.20,
+            0.18,
+            0.3,
+            RobotSpec.DEFAULT.turnRate(),
+            new MotorSpec(0, 0.1, 6),
+            DriveScale.NONE,
+            RobotSpec.DEFAULT.sensors());
 
     private Observations() {}
 

@@ -3,6 +3,7 @@ package faultline.control.wallfollower;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import java.util.List;
@@ -18,7 +19,7 @@ class OdometerTest {
     private final Odometer odometer = new Odometer();
 
     private static RobotSpec robot(double timeConstant) {
-        return new RobotSpec(0.25, 0.2, 0.18, 0.3, 1, new MotorSpec(timeConstant, 0.1, 6), List.of());
+        return new RobotSpec(0.25, 0.2, 0.18, 0.3, 1, new MotorSpec(timeConstant, 0.1, 6), DriveScale.NONE, List.of());
     }
 
     @Test

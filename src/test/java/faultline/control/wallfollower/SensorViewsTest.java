@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import faultline.control.WallSide;
 import faultline.geometry.Vector2;
+import faultline.robot.DriveScale;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import faultline.sensor.SensorSpec;
@@ -22,7 +23,7 @@ class SensorViewsTest {
     }
 
     private static RobotSpec robot(SensorSpec... sensors) {
-        return new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), List.of(sensors));
+        return new RobotSpec(0.25, 0.20, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), DriveScale.NONE, List.of(sensors));
     }
 
     @Test

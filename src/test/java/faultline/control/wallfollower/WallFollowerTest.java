@@ -11,6 +11,7 @@ import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
 import faultline.control.WallSide;
+import faultline.robot.DriveScale;
 import faultline.robot.RobotSpec;
 import faultline.sensor.Reading;
 import java.util.EnumSet;
@@ -192,7 +193,7 @@ class WallFollowerTest {
 
     @Test
     void withoutAnySensorsItSearchesForEver() {
-        RobotSpec blind = new RobotSpec(0.25, 0.2, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), List.of());
+        RobotSpec blind = new RobotSpec(0.25, 0.2, 0.18, 0.3, 1, RobotSpec.DEFAULT.motor(), DriveScale.NONE, List.of());
         for (int i = 0; i < 2000; i++) {
             assertEquals(
                     FollowerState.SEARCH,

@@ -8,6 +8,7 @@ import faultline.engine.ControllerMode;
 import faultline.engine.metrics.WallFollowingRun.Conditions;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.robot.DriveScale;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
 import java.util.ArrayList;
@@ -133,6 +134,7 @@ class HardRoomsTest {
                 ROBOT.speed(),
                 ROBOT.turnRate(),
                 ROBOT.motor(),
+                DriveScale.NONE,
                 ROBOT.sensors().stream()
                         .map(s -> new SensorSpec(
                                 s.id(), s.mountPosition(), s.bearing(), s.range(), s.cone(), s.on(), 0.002))

@@ -7,6 +7,7 @@ import faultline.control.ControllerSpec.WallFollowing;
 import faultline.control.WallSide;
 import faultline.engine.metrics.WallFollowingRun.Conditions;
 import faultline.geometry.Degrees;
+import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.sensor.SensorSpec;
@@ -111,7 +112,8 @@ class RandomRoomsTest {
     }
 
     private static RobotSpec robotDriven(double speed, double turnRate, MotorSpec motor) {
-        return new RobotSpec(ROBOT.length(), ROBOT.width(), ROBOT.track(), speed, turnRate, motor, ROBOT.sensors());
+        return new RobotSpec(
+                ROBOT.length(), ROBOT.width(), ROBOT.track(), speed, turnRate, motor, DriveScale.NONE, ROBOT.sensors());
     }
 
     private static RobotSpec robotSensing(UnaryOperator<SensorSpec> change) {
@@ -122,6 +124,7 @@ class RandomRoomsTest {
                 ROBOT.speed(),
                 ROBOT.turnRate(),
                 ROBOT.motor(),
+                DriveScale.NONE,
                 ROBOT.sensors().stream().map(change).toList());
     }
 
