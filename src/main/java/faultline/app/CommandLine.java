@@ -20,30 +20,30 @@ import java.util.Map;
 final class CommandLine {
 
     /** Runs a command with the arguments after its name. */
-    private interface Command {
+    private interface Handler {
         int run(List<String> arguments) throws UsageException, ScenarioException, IOException;
     }
 
-    /** The commands by their names; the class of one that is not run is not loaded. */
-    private final Map<String, Command> commands = new LinkedHashMap<>();
+    /** What runs each command; the classes of the others are not loaded. */
+    private final Map<String, Handler> handlers = new LinkedHashMap<>();
 
     private final CommandOutput output;
 
     CommandLine(CommandOutput output) {
         this.output = output;
-        commands.put("run", arguments -> new RunCommand(output).run(arguments));
-        commands.put("compare", arguments -> new CompareCommand(output).run(arguments));
-        commands.put("check", arguments -> new CheckCommand(output).run(arguments));
-        commands.put("campaign", arguments -> new CampaignCommand(output).run(arguments));
-        commands.put("merge", arguments -> new CampaignCommand(output).merge(arguments));
-        commands.put("report", arguments -> new ReportCommand(output).run(arguments));
-        commands.put("figures", arguments -> new FiguresCommand(output).run(arguments));
-        commands.put("serve", arguments -> new ProtocolCommands(output).serve(arguments));
-        commands.put("controller", arguments -> new ProtocolCommands(output).controller(arguments));
-        commands.put("import", arguments -> new ImportCommand(output).run(arguments));
-        commands.put("--help", arguments -> println(HelpText.HELP));
-        commands.put("--version", arguments -> println(HelpText.version()));
-        commands.put("--startup-time", arguments -> new WindowCommand(output).measureStartup(arguments));
+        handlers.put("run", arguments -> new RunCommand(output).run(arguments));
+        handlers.put("compare", arguments -> new CompareCommand(output).run(arguments));
+        handlers.put("check", arguments -> new CheckCommand(output).run(arguments));
+        handlers.put("campaign", arguments -> new CampaignCommand(output).run(arguments));
+        handlers.put("merge", arguments -> new CampaignCommand(output).merge(arguments));
+        handlers.put("report", arguments -> new ReportCommand(output).run(arguments));
+        handlers.put("figures", arguments -> new FiguresCommand(output).run(arguments));
+        handlers.put("serve", arguments -> new ProtocolCommands(output).serve(arguments));
+        handlers.put("controller", arguments -> new ProtocolCommands(output).controller(arguments));
+        handlers.put("import", arguments -> new ImportCommand(output).run(arguments));
+        handlers.put("--help", arguments -> println(HelpText.HELP));
+        handlers.put("--version", arguments -> println(HelpText.version()));
+        handlers.put("--startup-time", arguments -> new WindowCommand(output).measureStartup(arguments));
     }
 
     /**
@@ -113,13 +113,13 @@ final class CommandLine {
             return new WindowCommand(output).run();
         }
         String first = args.get(0);
-        if (commands.containsKey(first)) {
-            return commands.get(first).run(args.subList(1, args.size()));
+        if (handlers.containsKey(first)) {
+            return handlers.get(first).run(args.subList(1, args.size()));
         }
         if (!looksLikeFile(first)) {
             throw new UsageException("there is no command " + MessageText.quoted(first) + "; expected "
-                    + String.join(", ", commands.keySet()) + " or a scenario file"
-                    + DidYouMean.hint(first, commands.keySet()));
+                    + String.join(", ", handlers.keySet()) + " or a scenario file"
+                    + DidYouMean.hint(first, handlers.keySet()));
         }
         return new WindowCommand(output).run(args);
     }

@@ -53,13 +53,13 @@ public final class BuiltInChild {
                     return;
                 }
                 if (message.has("robot")) {
-                    robot = Messages.readRobot(message.object("robot"));
+                    robot = ProtocolMessages.readRobot(message.object("robot"));
                 }
                 if (type.equals("hello")) {
                     dt = message.number("dt_s");
                     send(new JsonWriter()
                             .member("type", "ready")
-                            .member("protocol", Messages.PROTOCOL)
+                            .member("protocol", ProtocolMessages.PROTOCOL)
                             .member("name", ControllerFactory.initialState(spec).name()));
                 } else if (type.equals("observe")) {
                     Observation observation = new Observation(message.whole("tick"), dt, robot, readings(message));

@@ -85,11 +85,11 @@ public final class ExternalController implements Controller, TickObserver, AutoC
 
     private String greet(RunDescription run) {
         try {
-            child.send(Messages.hello(run));
+            child.send(ProtocolMessages.hello(run));
             MessageReader ready = receive("ready", timeouts.ready());
-            if (ready.whole("protocol") != Messages.PROTOCOL) {
+            if (ready.whole("protocol") != ProtocolMessages.PROTOCOL) {
                 throw new ProtocolException(
-                        "speaks protocol " + ready.whole("protocol"), "; expected " + Messages.PROTOCOL);
+                        "speaks protocol " + ready.whole("protocol"), "; expected " + ProtocolMessages.PROTOCOL);
             }
             return ready.string("name", "EXTERN");
         } catch (ProtocolException | IOException e) {
@@ -110,9 +110,9 @@ public final class ExternalController implements Controller, TickObserver, AutoC
     public Decision decide(Observation observation) {
         boolean robotChanged = !observation.robot().equals(knownRobot);
         knownRobot = observation.robot();
-        JsonWriter json = Messages.observe(observation, robotChanged);
+        JsonWriter json = ProtocolMessages.observe(observation, robotChanged);
         if (givesTruth && simulation != null) {
-            Messages.writeTruth(json, simulation);
+            ProtocolMessages.writeTruth(json, simulation);
         }
         try {
             child.send(json.finish());
@@ -152,7 +152,7 @@ public final class ExternalController implements Controller, TickObserver, AutoC
      */
     public void finish(String reason, String trajectoryHash, Map<String, String> summary) {
         try {
-            child.send(Messages.end(reason, trajectoryHash, summary).finish());
+            child.send(ProtocolMessages.end(reason, trajectoryHash, summary).finish());
         } catch (ProtocolException gone) {
             // A child that has ended already needs no end.
         }

@@ -92,7 +92,7 @@ public final class Server {
      * @throws RunFailedException if a request breaks the protocol, in one sentence
      */
     public void run(SimulationSetup setup) throws IOException {
-        send(Messages.hello(RunDescription.of(program, scenario, setup, 1)));
+        send(ProtocolMessages.hello(RunDescription.of(program, scenario, setup, 1)));
         Episode episode = new Episode(setup);
         try {
             for (String line = readLine(); line != null; line = readLine()) {
@@ -148,15 +148,15 @@ public final class Server {
         JsonWriter json;
         if (episode.isOver()) {
             String hash = String.format(Locale.ROOT, "%016x", episode.simulation.trajectoryHash());
-            json = Messages.end("duration", hash, Map.of());
-            Messages.writeReadings(json, observation);
+            json = ProtocolMessages.end("duration", hash, Map.of());
+            ProtocolMessages.writeReadings(json, observation);
         } else {
-            json = Messages.observe(
+            json = ProtocolMessages.observe(
                     observation,
                     !observation.robot().equals(episode.simulation.setup().robot()));
         }
         if (givesTruth) {
-            Messages.writeTruth(json, episode.simulation);
+            ProtocolMessages.writeTruth(json, episode.simulation);
         }
         return json.finish();
     }

@@ -55,7 +55,7 @@ public final class CampaignPlan {
     private final PlanFiles files;
     private final PlanWorlds worlds;
     private final Seeds seeds;
-    private final List<Edit> constants;
+    private final List<ScenarioChange> constants;
     private final List<Factor> factors;
     private final Sampler sampler;
     private final long cells;
@@ -66,7 +66,7 @@ public final class CampaignPlan {
             PlanFiles files,
             PlanWorlds worlds,
             Seeds seeds,
-            List<Edit> constants,
+            List<ScenarioChange> constants,
             List<Factor> factors) {
         this.file = file;
         this.header = header;
@@ -173,7 +173,7 @@ public final class CampaignPlan {
      * @throws ScenarioException if the plan's values, each good by itself, make no good scenario together
      */
     public Scenario scenario(PlannedRun run) throws ScenarioException {
-        List<Edit> edits = new ArrayList<>(constants);
+        List<ScenarioChange> edits = new ArrayList<>(constants);
         levels(run.index() % cells).forEach(level -> edits.addAll(level.edits()));
         XmlElement tree = apply(worlds.root(world(run.block())), edits, sampler, run.block());
         return Scenario.of(ScenarioReader.read(file, withSeed(tree, run)));
@@ -187,12 +187,13 @@ public final class CampaignPlan {
     }
 
     /** Makes changes in a tree, in their order. */
-    XmlElement apply(XmlElement root, List<Edit> edits, Value.Uniforms numbers, long block) throws ScenarioException {
+    XmlElement apply(XmlElement root, List<ScenarioChange> edits, Value.Uniforms numbers, long block)
+            throws ScenarioException {
         XmlElement tree = root;
-        for (Edit edit : edits) {
-            if (edit instanceof Edit.SetAttribute set) {
+        for (ScenarioChange edit : edits) {
+            if (edit instanceof ScenarioChange.SetAttribute set) {
                 tree = ScenarioTree.set(tree, set.path(), set.value().text(numbers, block), file, set.location());
-            } else if (edit instanceof Edit.AddFault fault) {
+            } else if (edit instanceof ScenarioChange.AddFault fault) {
                 Map<String, String> attributes = new LinkedHashMap<>();
                 fault.attributes().forEach((name, value) -> attributes.put(name, value.text(numbers, block)));
                 tree = ScenarioTree.addFault(tree, attributes, fault.location());

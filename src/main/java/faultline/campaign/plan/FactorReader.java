@@ -51,7 +51,7 @@ final class FactorReader {
         }
         List<Factor.Level> levels = values.get().stream()
                 .map(value -> new Factor.Level(
-                        List.of(value), List.of(new Edit.SetAttribute(path.get(), value, node.location()))))
+                        List.of(value), List.of(new ScenarioChange.SetAttribute(path.get(), value, node.location()))))
                 .toList();
         String meaning = path.get() + " of the scenario" + (isDrawn(values.get()) ? ", drawn for each block" : "");
         return Optional.of(
@@ -105,18 +105,18 @@ final class FactorReader {
             fields.report("name", name, "each name once");
         }
         fields.reportUnknownAndMissing();
-        List<Edit> edits = new ArrayList<>();
+        List<ScenarioChange> edits = new ArrayList<>();
         node.childrenNamed("set").forEach(child -> readLiteral(child).ifPresent(edits::add));
         return new Factor.Level(List.of(new Value.Fixed(name)), edits);
     }
 
-    private Optional<Edit> readLiteral(XmlElement node) {
+    private Optional<ScenarioChange> readLiteral(XmlElement node) {
         ElementRules.checkChildren(node, List.of(), problems);
         AttributeReader fields = new AttributeReader(node, problems);
         Optional<AttributePath> path = readPath(fields);
         String value = fields.requiredText("value", "what the attribute of the scenario may be");
         fields.reportUnknownAndMissing();
-        return path.map(found -> new Edit.SetAttribute(found, new Value.Fixed(value), node.location()));
+        return path.map(found -> new ScenarioChange.SetAttribute(found, new Value.Fixed(value), node.location()));
     }
 
     /** Reads a factor of sensors that are on: every combination of the given ones, or the listed ones. */
@@ -155,8 +155,8 @@ final class FactorReader {
     }
 
     private static Factor.Level maskLevel(List<String> on, List<String> sensors, XmlElement node) {
-        List<Edit> edits = sensors.stream()
-                .<Edit>map(sensor -> new Edit.SetAttribute(
+        List<ScenarioChange> edits = sensors.stream()
+                .<ScenarioChange>map(sensor -> new ScenarioChange.SetAttribute(
                         new AttributePath(
                                 List.of(new AttributePath.Step("robot", ""), new AttributePath.Step("sensor", sensor)),
                                 "on"),

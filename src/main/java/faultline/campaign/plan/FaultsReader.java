@@ -131,7 +131,8 @@ final class FaultsReader {
         }
         Map<String, Value> fault = new LinkedHashMap<>(draft.attributes);
         fault.remove(LABEL);
-        List<Edit> edits = fault.isEmpty() ? List.of() : List.of(new Edit.AddFault(fault, draft.node.location()));
+        List<ScenarioChange> edits =
+                fault.isEmpty() ? List.of() : List.of(new ScenarioChange.AddFault(fault, draft.node.location()));
         return new Factor.Level(cells, edits);
     }
 }

@@ -26,14 +26,14 @@ final class PlanCheck {
         this.problems = new Problems(file);
     }
 
-    void check(PlanWorlds worlds, List<Edit> constants, List<Factor> factors) throws ScenarioException {
+    void check(PlanWorlds worlds, List<ScenarioChange> constants, List<Factor> factors) throws ScenarioException {
         Set<String> reported = new HashSet<>();
         for (WorldSource source : worlds.sources()) {
             XmlElement root = source.root(0);
             check(source.label(0), root, constants, reported);
             for (Factor factor : factors) {
                 for (Factor.Level level : factor.levels()) {
-                    List<Edit> edits = new ArrayList<>(constants);
+                    List<ScenarioChange> edits = new ArrayList<>(constants);
                     edits.addAll(level.edits());
                     check(source.label(0), root, edits, reported);
                 }
@@ -42,7 +42,7 @@ final class PlanCheck {
         problems.throwIfAny();
     }
 
-    private void check(String world, XmlElement root, List<Edit> edits, Set<String> reported) {
+    private void check(String world, XmlElement root, List<ScenarioChange> edits, Set<String> reported) {
         for (double uniform : uniforms(edits)) {
             try {
                 ScenarioReader.read("", plan.apply(root, edits, (stream, block) -> uniform, 0));
@@ -55,7 +55,7 @@ final class PlanCheck {
     }
 
     /** Returns the draws that give both ends of every interval and every word of every choice. */
-    private static Set<Double> uniforms(List<Edit> edits) {
+    private static Set<Double> uniforms(List<ScenarioChange> edits) {
         Set<Double> uniforms = new TreeSet<>(Set.of(0.0, Math.nextDown(1.0)));
         edits.forEach(edit -> values(edit).forEach(value -> {
             if (value instanceof Value.Drawn drawn && drawn.range() instanceof DrawRange.Choice choice) {
@@ -67,14 +67,14 @@ final class PlanCheck {
         return uniforms;
     }
 
-    private static List<Value> values(Edit edit) {
-        return edit instanceof Edit.SetAttribute set
+    private static List<Value> values(ScenarioChange edit) {
+        return edit instanceof ScenarioChange.SetAttribute set
                 ? List.of(set.value())
-                : List.copyOf(((Edit.AddFault) edit).attributes().values());
+                : List.copyOf(((ScenarioChange.AddFault) edit).attributes().values());
     }
 
     /** Reports a problem; one whose place is in the scenario, not in the plan, at the level's first change. */
-    private void report(String world, Problem problem, List<Edit> edits, Set<String> reported) {
+    private void report(String world, Problem problem, List<ScenarioChange> edits, Set<String> reported) {
         boolean inPlan = edits.stream().anyMatch(edit -> edit.location().equals(problem.location()));
         SourceLocation location = inPlan || edits.isEmpty()
                 ? problem.location()

@@ -31,7 +31,7 @@ final class PlanReader {
 
     private final Problems problems;
     private final Map<String, byte[]> scenarios = new LinkedHashMap<>();
-    private final List<Edit> constants = new ArrayList<>();
+    private final List<ScenarioChange> constants = new ArrayList<>();
     private final List<Factor> factors = new ArrayList<>();
 
     private PlanReader(Problems problems) {

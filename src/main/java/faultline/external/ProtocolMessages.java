@@ -15,12 +15,12 @@ import java.util.List;
 import java.util.Map;
 
 /** The messages of the protocol as JSON objects. Lengths are metres, angles radians, times seconds. */
-final class Messages {
+final class ProtocolMessages {
 
     /** The version of the protocol. */
     static final int PROTOCOL = 1;
 
-    private Messages() {}
+    private ProtocolMessages() {}
 
     /** Returns the first message of a run. */
     static String hello(RunDescription run) {

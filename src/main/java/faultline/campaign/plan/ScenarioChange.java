@@ -5,16 +5,16 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /** One change of a scenario that a plan asks for. */
-sealed interface Edit {
+sealed interface ScenarioChange {
 
     /** Returns where the plan asks for it. */
     SourceLocation location();
 
     /** Sets an attribute. */
-    record SetAttribute(AttributePath path, Value value, SourceLocation location) implements Edit {}
+    record SetAttribute(AttributePath path, Value value, SourceLocation location) implements ScenarioChange {}
 
     /** Adds a {@code fault} with these attributes at the end of the timeline. */
-    record AddFault(Map<String, Value> attributes, SourceLocation location) implements Edit {
+    record AddFault(Map<String, Value> attributes, SourceLocation location) implements ScenarioChange {
         public AddFault {
             attributes = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
         }
