@@ -36,7 +36,13 @@ public final class TimeBar extends JPanel {
             return markAt(event.getX()).map(SliderMark::text).orElseGet(super::getToolTipText);
         }
     };
-    private final JLabel currentTimeLabel = new JLabel(timeText(0));
+    private final JLabel currentTimeLabel = new JLabel(timeText(0)) {
+        @Override
+        public Dimension getPreferredSize() {
+            Dimension size = super.getPreferredSize();
+            return new Dimension(Math.max(leadingWidth, size.width), size.height);
+        }
+    };
     private final JLabel endTimeLabel = new JLabel(timeText(0));
     private final transient LongConsumer seekHandler;
     private final transient Consumer<Frame> previewHandler;
@@ -44,6 +50,7 @@ public final class TimeBar extends JPanel {
     private transient SessionFrame newestFrame;
 
     private double dt;
+    private int leadingWidth;
     private boolean updating;
     private transient List<SliderMark> marks = List.of();
     /** Null if the run does not differ from the reference run. */
@@ -70,11 +77,8 @@ public final class TimeBar extends JPanel {
 
     /** Sets the least width of the label before the slider, pixels. */
     void setLeadingWidth(int width) {
-        currentTimeLabel.setMinimumSize(new Dimension(width, 0));
-        currentTimeLabel.setPreferredSize(null);
-        currentTimeLabel.setPreferredSize(new Dimension(
-                Math.max(width, currentTimeLabel.getPreferredSize().width),
-                currentTimeLabel.getPreferredSize().height));
+        leadingWidth = width;
+        currentTimeLabel.revalidate();
     }
 
     /** Returns the axis of the slider's track, in the coordinates of this bar. */

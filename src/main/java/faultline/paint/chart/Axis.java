@@ -115,7 +115,7 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
     /** Returns the label of a tick: no more digits than necessary, with a true minus sign. */
     public static String formatTick(double tick) {
         BigDecimal rounded =
-                new BigDecimal(tick).round(new java.math.MathContext(6)).stripTrailingZeros();
+                new BigDecimal(tick).round(new java.math.MathContext(12)).stripTrailingZeros();
         String text = rounded.abs().compareTo(new BigDecimal("1e-9")) < 0 ? "0" : rounded.toPlainString();
         return text.replace('-', '\u2212');
     }

@@ -82,6 +82,17 @@ class TimeBarTest {
     }
 
     @Test
+    void theTimeOfARunOfDaysIsNotClipped() {
+        runOnEdt(() -> {
+            bar.setLeadingWidth(20);
+            JLabel time = ComponentFinder.findAll(bar, JLabel.class).findFirst().orElseThrow();
+            time.setText("1576110.61 s");
+            assertTrue(time.getPreferredSize().width
+                    >= time.getFontMetrics(time.getFont()).stringWidth(time.getText()));
+        });
+    }
+
+    @Test
     void draggingTheThumbPreviewsAKeyframeWithoutSeeking() {
         runOnEdt(() -> {
             slider.setValueIsAdjusting(true);

@@ -15,6 +15,7 @@ import faultline.geometry.Vector2;
 import faultline.gui.ComponentFinder;
 import faultline.world.Refusal;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
 
@@ -88,6 +89,16 @@ class StatusBarTest {
         assertEquals(4, shown());
         runOnEdt(() -> bar.showNote("box cannot be put there: it would overlap the robot"));
         assertEquals(2, shown());
+    }
+
+    @Test
+    void aCellGrowsForATextThatIsLongerThanUsual() {
+        runOnEdt(() -> {
+            StatusCell cell = new StatusCell("status.time", () -> Stream.of("t 0.000 s"));
+            cell.setStatusText("t 1576110.610 s");
+            int text = cell.getFontMetrics(cell.getFont()).stringWidth(cell.getText());
+            assertTrue(cell.getPreferredSize().width >= text, "clips its text");
+        });
     }
 
     private long shown() {

@@ -40,6 +40,17 @@ class ChartPainterTest {
     }
 
     @Test
+    void ticksOfARunOfDaysHaveAllTheirDigits() {
+        assertEquals(
+                List.of(
+                        "1576100", "1576101", "1576102", "1576103", "1576104", "1576105", "1576106", "1576107",
+                        "1576108"),
+                Axis.linear("", 1_576_100, 1_576_108).ticks().stream()
+                        .map(Axis::formatTick)
+                        .toList());
+    }
+
+    @Test
     void labelsWithoutRoomAreLeftOutAndStayAtTheirValues() {
         assertEquals(List.of("0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8"), labels(0, 0.8, 88));
         assertEquals(List.of("0", "0.2", "0.4", "0.6", "0.8"), labels(0, 0.8, 70));
