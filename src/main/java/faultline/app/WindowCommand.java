@@ -31,6 +31,9 @@ final class WindowCommand {
     /** The time after which a window is made for a file that is still being read. */
     private static final long MILLIS_BEFORE_WINDOW = 250;
 
+    /** The size from which a file is not waited for at all, bytes: it takes longer than that. */
+    private static final long LARGE_FILE = 1 << 20;
+
     private final CommandOutput output;
 
     WindowCommand(CommandOutput output) {
@@ -93,7 +96,7 @@ final class WindowCommand {
         if (!display) {
             return runWithoutWindow(await(reading, Long.MAX_VALUE).orElseThrow(), file.toString());
         }
-        await(reading, MILLIS_BEFORE_WINDOW);
+        await(reading, file.toFile().length() < LARGE_FILE ? MILLIS_BEFORE_WINDOW : 0);
         GuiLauncher.open(file, () -> await(reading, Long.MAX_VALUE).orElseThrow());
         await(reading, Long.MAX_VALUE);
         return ExitCode.SUCCESS;
