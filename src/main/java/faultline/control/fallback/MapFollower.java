@@ -1,6 +1,7 @@
 package faultline.control.fallback;
 
 import faultline.control.FollowerState;
+import faultline.control.Telemetry.WallControl;
 import faultline.control.diagnosis.DeadReckoning;
 import faultline.control.diagnosis.MountedCone;
 import faultline.control.diagnosis.SensorDiagnosis;
@@ -34,6 +35,9 @@ public final class MapFollower {
 
     /** The distance to the wall is less than wanted by this, because surfaces are enlarged to whole cells, metres. */
     private static final double COARSENESS = 0.04;
+
+    /** Surfaces that are farther away than wanted by more than this are not the wall, metres. */
+    private static final double NEAR_WALL = 0.35;
 
     /** After this distance without a wall the robot searches, metres. */
     private static final double LOST = 1.2;
@@ -89,6 +93,7 @@ public final class MapFollower {
     private int scans;
     private double scanX;
     private double scanY;
+    private WallControl wallControl = WallControl.NONE;
     private double v;
     private double omega;
 
@@ -137,6 +142,7 @@ public final class MapFollower {
             gear = Gear.of(diagnosis);
             map.refresh(diagnosis, robot.sensors().size(), MEMORY, robot.boundingRadius() + NEAR);
             plan();
+            wallControl = measured();
         }
         act();
     }
@@ -163,12 +169,19 @@ public final class MapFollower {
         wantedDistance = metres;
     }
 
+    /** Returns the distance from the side of the robot to the nearest surface of the map, beside the wanted one. */
+    private WallControl measured() {
+        double distance = map.toSurface(at().x(), at().y()) - robot.width() / 2 + COARSENESS;
+        boolean none = state == FollowerState.SEARCH || distance > wantedDistance + NEAR_WALL;
+        return new WallControl(wantedDistance, none ? Double.NaN : distance, Double.NaN, Double.NaN);
+    }
+
     private double wanted() {
         return wantedDistance + robot.width() / 2 - COARSENESS;
     }
 
     private void plan() {
-        double bearing = map.bearingOfSurface(wall, StrictMath.toRadians(75), wanted() + 0.35);
+        double bearing = map.bearingOfSurface(wall, StrictMath.toRadians(75), wanted() + NEAR_WALL);
         if (!Double.isNaN(bearing)) {
             wall += Angles.difference(wall, bearing);
             sinceWall = 0;
@@ -295,6 +308,11 @@ public final class MapFollower {
     /** {@return the wanted velocity, with a wall on the left} */
     public Velocity velocity() {
         return new Velocity(v, omega);
+    }
+
+    /** {@return the wanted distance and that of the last plan, with the wall's surfaces as the map has them} */
+    public WallControl wallControl() {
+        return wallControl;
     }
 
     /**

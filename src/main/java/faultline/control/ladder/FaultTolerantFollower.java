@@ -109,9 +109,10 @@ public final class FaultTolerantFollower implements Controller {
             case SIX_STATES -> watched(sixStates.decide(masked(observation), verdict()));
             case MAP -> {
                 mapFollower.decide(observation.robot(), dt);
-                yield decision(observation.robot(), mapFollower.velocity(), mapFollower.state());
+                yield decision(
+                        observation.robot(), mapFollower.velocity(), mapFollower.state(), mapFollower.wallControl());
             }
-            case STOP -> decision(observation.robot(), Velocity.ZERO, STOP);
+            case STOP -> decision(observation.robot(), Velocity.ZERO, STOP, Telemetry.WallControl.NONE);
         };
     }
 
@@ -180,7 +181,8 @@ public final class FaultTolerantFollower implements Controller {
         return new Observation(observation.tick(), observation.dt(), observation.robot(), kept);
     }
 
-    private Decision decision(RobotSpec robot, Velocity velocity, ControllerState state) {
-        return Decision.ofVelocity(robot, spec.side(), velocity, Telemetry.ofState(state));
+    private Decision decision(RobotSpec robot, Velocity velocity, ControllerState state, Telemetry.WallControl wall) {
+        Telemetry telemetry = new Telemetry(state, "", 0, 0, wall, Telemetry.EdgeTimes.NONE, Telemetry.Diagnosis.NONE);
+        return Decision.ofVelocity(robot, spec.side(), velocity, telemetry);
     }
 }
