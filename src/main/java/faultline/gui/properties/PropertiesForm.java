@@ -1,5 +1,8 @@
 package faultline.gui.properties;
 
+import javax.swing.JLabel;
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
 import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.panel.TitledSection;
@@ -26,6 +29,9 @@ final class PropertiesForm extends JPanel {
     private final NumberSpinner width = new NumberSpinner("0.0##", MIN_SIZE, MAX_SIZE, 0.5, value -> {});
     private final NumberSpinner height = new NumberSpinner("0.0##", MIN_SIZE, MAX_SIZE, 0.5, value -> {});
     private final JCheckBox enclosed = new JCheckBox(Messages.get("properties.enclosed"));
+    private final NumberSpinner startX = new NumberSpinner("0.00##", -MAX_SIZE, MAX_SIZE, 0.1, value -> {});
+    private final NumberSpinner startY = new NumberSpinner("0.00##", -MAX_SIZE, MAX_SIZE, 0.1, value -> {});
+    private final NumberSpinner startHeading = new NumberSpinner("0.##", -360, 360, 5, value -> {});
     private final NumberSpinner duration = new NumberSpinner("0.##", 0, MAX_DURATION, 10, value -> {});
     private final NumberSpinner tick = new NumberSpinner("0.000##", 0.00001, 1, 0.001, value -> {});
     private final JTextField seed = new JTextField(TEXT_COLUMNS / 2);
@@ -39,11 +45,27 @@ final class PropertiesForm extends JPanel {
         FormConstraints.addRow(fields, 2, "properties.width", width.withColumns(8));
         FormConstraints.addRow(fields, 3, "properties.height", height.withColumns(8));
         fields.add(enclosed, FormConstraints.fillRow(1, 4));
-        FormConstraints.addRow(fields, 5, "properties.duration", duration.withColumns(8));
-        FormConstraints.addRow(fields, 6, "properties.tick", tick.withColumns(8));
-        FormConstraints.addRow(fields, 7, "properties.seed", seed);
+        fields.add(FormConstraints.label("properties.start", startX), FormConstraints.cell(0, 5));
+        fields.add(createStartFields(), FormConstraints.fillRow(1, 5));
+        FormConstraints.addRow(fields, 6, "properties.duration", duration.withColumns(8));
+        FormConstraints.addRow(fields, 7, "properties.tick", tick.withColumns(8));
+        FormConstraints.addRow(fields, 8, "properties.seed", seed);
         add(new TitledSection(fields));
         add(new TitledSection("expect.title", expectation));
+    }
+
+    private JPanel createStartFields() {
+        JPanel fields = new JPanel(new GridBagLayout());
+        fields.add(startX.withName("properties.start.x").withColumns(7), FormConstraints.cell(0, 0));
+        fields.add(startY.withName("properties.start.y").withColumns(7), FormConstraints.cell(1, 0));
+        JLabel heading = FormConstraints.label("properties.start.heading.label", startHeading);
+        fields.add(heading, FormConstraints.cell(2, 0));
+        fields.add(startHeading.withName("properties.start.heading").withColumns(6), FormConstraints.fillCell(3, 0));
+        return fields;
+    }
+
+    private Pose start() {
+        return new Pose(startX.doubleValue(), startY.doubleValue(), Degrees.toRadians(startHeading.doubleValue()));
     }
 
     /** Returns the first field. */
@@ -59,6 +81,10 @@ final class PropertiesForm extends JPanel {
         width.setWorldValue(shown.width());
         height.setWorldValue(shown.height());
         enclosed.setSelected(shown.enclosed());
+        startX.setWorldValue(shown.start().x());
+        startY.setWorldValue(shown.start().y());
+        startHeading.setWorldValue(
+                Double.parseDouble(Degrees.toText(shown.start().heading())));
         duration.setWorldValue(shown.duration());
         tick.setWorldValue(shown.dt());
         seed.setText(Long.toString(shown.seed()));
@@ -73,6 +99,7 @@ final class PropertiesForm extends JPanel {
                 width.doubleValue(),
                 height.doubleValue(),
                 enclosed.isSelected(),
+                start(),
                 duration.doubleValue(),
                 tick.doubleValue(),
                 Long.parseLong(seed.getText().strip()),
@@ -81,7 +108,7 @@ final class PropertiesForm extends JPanel {
 
     /** Commits what is being typed, and returns what is wrong with the fields for a scenario; empty if nothing is. */
     Optional<String> findProblem(Scenario scenario) {
-        for (NumberSpinner field : new NumberSpinner[] {width, height, duration, tick}) {
+        for (NumberSpinner field : new NumberSpinner[] {width, height, startX, startY, startHeading, duration, tick}) {
             if (!field.commitValidEdit()) {
                 return Optional.of(field.getToolTipText());
             }

@@ -1,5 +1,6 @@
 package faultline.gui.properties;
 
+import faultline.geometry.Pose;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
 import faultline.scenario.Scenario;
@@ -13,6 +14,7 @@ import faultline.world.WorldSpec;
  * @param width of the world, metres
  * @param height of the world, metres
  * @param enclosed whether a wall encloses the world
+ * @param start of the robot
  * @param duration seconds
  * @param dt the length of a tick, seconds
  * @param seed of all random numbers
@@ -24,6 +26,7 @@ record ScenarioProperties(
         double width,
         double height,
         boolean enclosed,
+        Pose start,
         double duration,
         double dt,
         long seed,
@@ -39,6 +42,7 @@ record ScenarioProperties(
                 world.width(),
                 world.height(),
                 world.enclosed(),
+                setup.start(),
                 setup.duration(),
                 setup.dt(),
                 setup.seed(),
@@ -50,8 +54,8 @@ record ScenarioProperties(
         SimulationSetup old = scenario.setup();
         WorldSpec world = new WorldSpec(
                 width, height, enclosed, old.world().maxMoving(), old.world().obstacles());
-        SimulationSetup setup = new SimulationSetup(
-                world, old.robot(), old.start(), old.controller(), old.timeline(), dt, seed, duration);
+        SimulationSetup setup =
+                new SimulationSetup(world, old.robot(), start, old.controller(), old.timeline(), dt, seed, duration);
         return new Scenario(name, description, scenario.recorded() && setup.equals(old), setup, expectation);
     }
 }

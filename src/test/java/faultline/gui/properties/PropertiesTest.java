@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
 import faultline.control.FollowerState;
 import faultline.engine.metrics.Expectation;
 import faultline.gui.Await;
@@ -108,6 +110,7 @@ class PropertiesTest {
                 14,
                 before.height(),
                 true,
+                new Pose(1.5, before.start().y(), Degrees.toRadians(30)),
                 42,
                 0.02,
                 99,

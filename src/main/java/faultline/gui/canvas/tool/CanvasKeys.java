@@ -19,13 +19,15 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
 /**
- * Handles the keys of the focused canvas: arrows nudge the selected obstacles, Q and E rotate them, Enter completes a
- * tool, Escape cancels.
+ * Handles the keys of the focused canvas: arrows nudge the selected obstacles, or move the point of the active tool, or
+ * else the view; Q and E rotate obstacles, Insert sets a point of a tool, Enter completes it, Escape cancels.
  */
 public final class CanvasKeys {
 
     private static final double SMALL_NUDGE = 0.01;
     private static final double BIG_NUDGE = 0.1;
+    private static final double SMALL_PAN_PIXELS = 60;
+    private static final double BIG_PAN_PIXELS = 300;
     private static final double TURN_ANGLE = Degrees.toRadians(5);
 
     private final CanvasModel model;
@@ -45,6 +47,7 @@ public final class CanvasKeys {
         bindNudges(canvas, "DOWN", 0, -1);
         bind(canvas, "Q", () -> turn(TURN_ANGLE));
         bind(canvas, "E", () -> turn(-TURN_ANGLE));
+        bind(canvas, "INSERT", mouse::clickKeyPoint);
         bind(canvas, "ENTER", () -> withTool(tool -> tool.confirm(mouse.keyPoint())));
         bind(canvas, "BACK_SPACE", () -> withTool(Tool::removeLastPoint));
         bind(canvas, "shift F10", mouse::requestMenu);
@@ -53,12 +56,16 @@ public final class CanvasKeys {
     }
 
     private void bindNudges(JComponent canvas, String key, int right, int up) {
-        bind(canvas, key, () -> nudge(right * SMALL_NUDGE, up * SMALL_NUDGE));
-        bind(canvas, "shift " + key, () -> nudge(right * BIG_NUDGE, up * BIG_NUDGE));
+        bind(canvas, key, () -> nudge(right * SMALL_NUDGE, up * SMALL_NUDGE, SMALL_PAN_PIXELS));
+        bind(canvas, "shift " + key, () -> nudge(right * BIG_NUDGE, up * BIG_NUDGE, BIG_PAN_PIXELS));
     }
 
-    private void nudge(double dx, double dy) {
+    private void nudge(double dx, double dy, double pixels) {
         Vector2 step = new Vector2(dx, dy);
+        if (mouse.tool().get().isPresent() || model.selected().isEmpty()) {
+            mouse.moveKeyPoint(step, pixels);
+            return;
+        }
         moveSelected(obstacle -> obstacle.pose()
                 .withPosition(Rounding.round(obstacle.pose().position().plus(step))));
     }

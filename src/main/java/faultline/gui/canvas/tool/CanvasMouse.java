@@ -1,5 +1,7 @@
 package faultline.gui.canvas.tool;
 
+import faultline.paint.scene.InteractionPainter;
+import faultline.gui.edit.Rounding;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.SnapSettings;
 import faultline.paint.surface.Camera;
@@ -9,6 +11,7 @@ import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.SwingUtilities;
 
@@ -39,6 +42,8 @@ public final class CanvasMouse extends MouseAdapter {
     private int button;
 
     private SnapSettings snap = SnapSettings.NONE;
+    /** Whether keys have moved or set the point of the tool since the mouse was moved. */
+    private boolean keyed;
 
     public CanvasMouse(Viewport viewport, GesturePicker gesturePicker, CanvasListeners listeners) {
         this.viewport = viewport;
@@ -88,7 +93,12 @@ public final class CanvasMouse extends MouseAdapter {
         if (gesture != null) {
             gesture.paint(brush);
         }
-        tool.get().ifPresent(t -> t.paint(brush));
+        tool.get().ifPresent(t -> {
+            t.paint(brush);
+            if (keyed) {
+                InteractionPainter.paintSketch(brush, List.of(keyPoint()), false);
+            }
+        });
     }
 
     @Override
@@ -158,6 +168,7 @@ public final class CanvasMouse extends MouseAdapter {
 
     @Override
     public void mouseMoved(MouseEvent event) {
+        keyed = false;
         Vector2 at = screenPoint(event);
         cursorPoint.set(Optional.of(toWorld(at)));
         tool.get().ifPresent(t -> {
@@ -189,10 +200,38 @@ public final class CanvasMouse extends MouseAdapter {
         viewport.moveCamera(camera -> camera.panned(-notches * WHEEL_PAN_PIXELS, 0));
     }
 
-    /** Returns the point at which a tool acts when it is confirmed by key: the cursor, or the centre of the view. */
+    /** Returns the point at which a tool acts by key: the cursor, or the centre of the view. */
     Vector2 keyPoint() {
+        return snap.point(unsnappedKeyPoint());
+    }
+
+    private Vector2 unsnappedKeyPoint() {
         Camera camera = viewport.camera().get();
-        return snap.point(cursorPoint.get().orElseGet(() -> new Vector2(camera.x(), camera.y())));
+        return cursorPoint.get().orElseGet(() -> Rounding.round(new Vector2(camera.x(), camera.y())));
+    }
+
+    /** Moves the point of the active tool, metres; without a tool, moves the view to the side of the step instead. */
+    void moveKeyPoint(Vector2 step, double pixels) {
+        if (tool.get().isEmpty()) {
+            Vector2 side = step.times(-pixels / step.length());
+            viewport.moveCamera(camera -> camera.panned(side.x(), -side.y()));
+            return;
+        }
+        keyed = true;
+        cursorPoint.set(Optional.of(Rounding.round(unsnappedKeyPoint().plus(step))));
+        tool.get().ifPresent(t -> t.moveByKey(keyPoint()));
+    }
+
+    /** Uses the active tool at its point, as a click does. */
+    void clickKeyPoint() {
+        keyed = true;
+        Vector2 at = keyPoint();
+        cursorPoint.set(Optional.of(at));
+        tool.get().ifPresent(t -> {
+            t.press(at, false);
+            t.release(at);
+        });
+        clearFinishedTool();
     }
 
     /** Returns the snap settings; Alt turns them off while it is held. */

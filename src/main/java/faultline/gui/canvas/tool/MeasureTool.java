@@ -34,6 +34,11 @@ public final class MeasureTool implements Tool {
     }
 
     @Override
+    public void moveByKey(Vector2 at) {
+        to = at;
+    }
+
+    @Override
     public void release(Vector2 at) {
         to = at;
     }

@@ -18,6 +18,11 @@ public interface Tool {
     /** Handles a release of the button. */
     void release(Vector2 at);
 
+    /** Handles a move of the point that keys move. */
+    default void moveByKey(Vector2 at) {
+        move(at, false);
+    }
+
     /** Completes the tool with the points so far. */
     void finish();
 

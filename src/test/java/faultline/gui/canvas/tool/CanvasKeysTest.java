@@ -14,6 +14,7 @@ import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.edit.ShapePreset;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
+import faultline.paint.surface.Camera;
 import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Obstacle;
@@ -25,6 +26,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import org.junit.jupiter.api.Test;
@@ -93,6 +95,44 @@ class CanvasKeysTest {
                 callOnEdt(() -> new Vector2(canvas.camera().x(), canvas.camera().y()));
         Command.PlaceObstacle placed = (Command.PlaceObstacle) callOnEdt(() -> sent.get(0));
         assertEquals(0, placed.obstacle().pose().position().distanceTo(centre), 1e-3);
+    }
+
+    @Test
+    void aWallIsDrawnPointByPointWithKeysAlone() {
+        runOnEdt(() -> canvas.tools().drawWall());
+        keys("INSERT", "shift RIGHT", "shift RIGHT", "RIGHT", "INSERT", "shift UP", "shift UP", "INSERT");
+        keys("shift LEFT", "shift LEFT", "INSERT", "BACK_SPACE", "ENTER");
+        Command.PlaceObstacle placed = (Command.PlaceObstacle) callOnEdt(() -> sent.get(0));
+        List<Vector2> points = ((ObstacleShape.Wall) placed.obstacle().shape()).points();
+        assertEquals(3, points.size());
+        assertEquals(new Vector2(0.21, 0), rounded(points.get(1).minus(points.get(0))));
+        assertEquals(new Vector2(0, 0.2), rounded(points.get(2).minus(points.get(1))));
+    }
+
+    private static Vector2 rounded(Vector2 offset) {
+        return new Vector2(Math.round(offset.x() * 1e6) / 1e6, Math.round(offset.y() * 1e6) / 1e6);
+    }
+
+    @Test
+    void withoutASelectionTheArrowKeysMoveTheView() {
+        key("ESCAPE");
+        Camera before = callOnEdt(canvas::camera);
+        key("RIGHT");
+        assertEquals(60, pixelsMoved(before, new Vector2(1, 0)), 1e-9);
+        key("shift UP");
+        assertEquals(300, pixelsMoved(before, new Vector2(0, 1)), 1e-9);
+        assertEquals(List.of(), callOnEdt(() -> List.copyOf(sent)));
+    }
+
+    /** Returns how far the view has moved in a direction of the world. */
+    private double pixelsMoved(Camera before, Vector2 direction) {
+        Camera now = callOnEdt(canvas::camera);
+        Vector2 moved = new Vector2(now.x() - before.x(), now.y() - before.y());
+        return (moved.x() * direction.x() + moved.y() * direction.y()) * now.scale();
+    }
+
+    private void keys(String... keys) {
+        Stream.of(keys).forEach(this::key);
     }
 
     @Test

@@ -27,6 +27,14 @@ class MeasureToolTest {
     }
 
     @Test
+    void keysMoveTheEndOfTheMeasurement() {
+        tool.press(new Vector2(1, 1), false);
+        tool.release(new Vector2(1, 1));
+        tool.moveByKey(new Vector2(1, 3));
+        assertEquals(Optional.of("2.000 m   90.0°   Δx 0.000 m   Δy 2.000 m"), tool.measurementText());
+    }
+
+    @Test
     void theMeasurementStaysWhileTheMouseMovesAndRestartsWithTheNextPress() {
         tool.press(new Vector2(0, 0), false);
         tool.release(new Vector2(-1, 0));
