@@ -1,6 +1,5 @@
 package faultline.gui.properties;
 
-import javax.swing.JLabel;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.gui.panel.FormConstraints;
@@ -13,6 +12,7 @@ import java.awt.GridBagLayout;
 import java.util.Optional;
 import javax.swing.BoxLayout;
 import javax.swing.JCheckBox;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 

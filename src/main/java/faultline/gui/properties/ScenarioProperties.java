@@ -1,8 +1,8 @@
 package faultline.gui.properties;
 
-import faultline.geometry.Pose;
 import faultline.engine.SimulationSetup;
 import faultline.engine.metrics.Expectation;
+import faultline.geometry.Pose;
 import faultline.scenario.Scenario;
 import faultline.world.WorldSpec;
 

@@ -255,6 +255,11 @@ public final class MainWindow extends JFrame {
         });
     }
 
+    /** Returns all actions. */
+    ActionRegistry actions() {
+        return actionRegistry;
+    }
+
     /** Ends the run with the window. */
     @Override
     public void dispose() {

@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.geometry.Degrees;
-import faultline.geometry.Pose;
 import faultline.control.FollowerState;
 import faultline.engine.metrics.Expectation;
+import faultline.geometry.Degrees;
+import faultline.geometry.Pose;
 import faultline.gui.Await;
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;

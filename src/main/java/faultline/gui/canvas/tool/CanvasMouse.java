@@ -1,9 +1,9 @@
 package faultline.gui.canvas.tool;
 
-import faultline.paint.scene.InteractionPainter;
-import faultline.gui.edit.Rounding;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.Rounding;
 import faultline.gui.edit.SnapSettings;
+import faultline.paint.scene.InteractionPainter;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.DrawContext;
 import java.awt.Cursor;
