@@ -28,16 +28,43 @@ final class RobotPainter {
 
     private static final int HALO_ALPHA = 70;
 
+    /** The length of the platform below which the arrow on it is too small to be seen, pixels. */
+    private static final double MIN_CLEAR_LENGTH = 30;
+
+    /** The length of the arrowhead on the halo, and how far it reaches beyond it, pixels. */
+    private static final double HEADING_LENGTH = 11;
+
+    private static final double HEADING_REACH = 7;
+
     private RobotPainter() {}
 
     /** Paints a disc with a ring in the colour of the robot around it, so that also a small robot is easy to find. */
     static void paintHalo(DrawContext context, RobotSpec robot, Pose pose) {
-        double radius = context.camera().scale() * Math.hypot(robot.length(), robot.width()) / 2 + HALO_REACH;
+        double radius = haloRadius(context, robot);
         Vector2 centre = context.camera().toScreen(pose.position());
         context.fill(
                 Shapes.circle(centre, radius),
                 Palette.withAlpha(context.palette().robot(), HALO_ALPHA));
         context.drawRing(centre, radius, 1.8, context.palette().robot());
+    }
+
+    private static double haloRadius(DrawContext context, RobotSpec robot) {
+        return context.camera().scale() * Math.hypot(robot.length(), robot.width()) / 2 + HALO_REACH;
+    }
+
+    /**
+     * Paints an arrowhead on the halo where the robot is heading, if the arrow on the robot is too small to be seen.
+     */
+    static void paintHeading(DrawContext context, RobotSpec robot, Pose pose) {
+        if (context.camera().scale() * robot.length() < MIN_CLEAR_LENGTH) {
+            Vector2 ahead = new Vector2(Math.cos(pose.heading()), -Math.sin(pose.heading()));
+            Vector2 tip = context.camera()
+                    .toScreen(pose.position())
+                    .plus(ahead.times(haloRadius(context, robot) + HEADING_REACH));
+            Shape head = Shapes.arrowhead(tip, ahead, HEADING_LENGTH, HEADING_LENGTH);
+            context.draw(head, context.palette().canvas(), DrawContext.HALO_STROKE);
+            context.fill(head, context.palette().robotOutline());
+        }
     }
 
     static void paint(DrawContext context, RobotSpec robot, Pose pose) {

@@ -101,6 +101,7 @@ public record ScenePainter(Set<Layer> layers, SceneLabels labels) {
         RobotPainter.paintHalo(context, world.robot(), world.pose());
         paintSensors(context, world.sensors());
         RobotPainter.paint(context, world.robot(), world.pose());
+        RobotPainter.paintHeading(context, world.robot(), world.pose());
         if (layers.contains(Layer.INTERSECTIONS)) {
             paintIntersections(context, world.sensors());
         }

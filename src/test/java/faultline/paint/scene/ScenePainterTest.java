@@ -32,6 +32,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -67,11 +68,31 @@ class ScenePainterTest {
         Camera camera = FrameRenderer.fitCamera(frame.snapshot(), width, height);
         BufferedImage image = FrameRenderer.render(frame, LIGHT, width, height);
         int y = (int) camera.toScreen(AT_2_1.position()).y();
-        int platform = (int) camera.toScreen(new Vector2(2.2, 1)).x();
-        long onTheRight = IntStream.range(platform, platform + 25)
+        int platform = (int) camera.toScreen(new Vector2(1.8, 1)).x();
+        long behind = IntStream.range(platform - 25, platform)
                 .filter(x -> Pixels.isSimilar(LIGHT.robot(), new Color(image.getRGB(x, y))))
                 .count();
-        assertTrue(onTheRight >= 1 && onTheRight <= 4, onTheRight + " pixels of the ring");
+        assertTrue(behind >= 1 && behind <= 4, behind + " pixels of the ring");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"200, 0, true", "200, 90, true", "200, -90, true", "900, 0, false"})
+    void anArrowheadOnTheRingShowsWhereASmallRobotIsHeading(int width, double heading, boolean small) {
+        Pose pose = new Pose(2, 1, Math.toRadians(heading));
+        Frame frame = SampleFrames.frameOf(pose);
+        int height = FrameRenderer.heightFor(frame, width);
+        Camera camera = FrameRenderer.fitCamera(frame.snapshot(), width, height);
+        BufferedImage image = FrameRenderer.render(frame, LIGHT, width, height);
+        Vector2 centre = camera.toScreen(pose.position());
+        double ring = camera.scale() * Math.hypot(0.25, 0.2) / 2 + 11;
+        Vector2 ahead = new Vector2(Math.cos(pose.heading()), -Math.sin(pose.heading()));
+        assertEquals(small, isOutline(image, centre.plus(ahead.times(ring))));
+        assertFalse(isOutline(image, centre.minus(ahead.times(ring))));
+    }
+
+    private static boolean isOutline(BufferedImage image, Vector2 at) {
+        return Pixels.isSimilar(
+                LIGHT.robotOutline(), new Color(image.getRGB((int) Math.round(at.x()), (int) Math.round(at.y()))));
     }
 
     @ParameterizedTest
