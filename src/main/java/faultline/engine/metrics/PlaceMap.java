@@ -27,6 +27,7 @@ final class PlaceMap {
     private final double distance;
     private final double spacing;
     private final double joinDistance;
+    private final List<Vector2> circle;
     private final Map<ConvexShape, Integer> numbers = new IdentityHashMap<>();
     private final Map<Integer, List<PlaceRun>> sampled = new TreeMap<>();
     private final Map<Long, List<Place>> cells = new HashMap<>();
@@ -40,6 +41,7 @@ final class PlaceMap {
         this.distance = distance;
         this.spacing = spacing;
         this.joinDistance = joinDistance;
+        this.circle = PlaceRow.circle(distance, spacing);
         CandidateBuffer all = walls.walls();
         for (int i = 0; i < all.size(); i++) {
             numbers.put(all.shape(i), i);
@@ -64,7 +66,7 @@ final class PlaceMap {
         }
         ConvexShape wall = walls.walls().shape(number);
         List<PlaceRun> runs = new ArrayList<>();
-        for (PlaceRow row : PlaceRow.of(wall, distance, spacing, 0)) {
+        for (PlaceRow row : PlaceRow.of(wall, distance, spacing, 0, circle)) {
             for (int from = 0; from < row.size(); from += PlaceRun.LONG) {
                 addRuns(wall, row, from, Math.min(from + PlaceRun.LONG, row.size()), runs);
             }

@@ -6,6 +6,7 @@ import faultline.geometry.Ellipse;
 import faultline.geometry.Segment;
 import faultline.geometry.Vector2;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Places at a distance from one wall, in a row along it. Whether they are nearer to another wall is not considered.
@@ -37,13 +38,13 @@ sealed interface PlaceRow {
      * @param distance of the places, metres
      * @param spacing of the places, metres
      * @param reach how far outside of an ellipse the places have that spacing, metres
+     * @param circle the places around the origin, see {@link #circle}
      */
-    static List<PlaceRow> of(ConvexShape wall, double distance, double spacing, double reach) {
+    static List<PlaceRow> of(ConvexShape wall, double distance, double spacing, double reach, List<Vector2> circle) {
         if (wall instanceof Segment segment) {
-            int around = (int) Math.ceil(2 * StrictMath.PI * distance / spacing);
             int along = Math.max(1, (int) Math.ceil(segment.length() / spacing));
-            PlaceRow start = new Arc(segment.a(), distance, around, 2L * along);
-            PlaceRow end = new Arc(segment.b(), distance, around, 2L * along + around);
+            PlaceRow start = new Arc(segment.a(), circle, 2L * along);
+            PlaceRow end = new Arc(segment.b(), circle, 2L * along + circle.size());
             return segment.length() > 0
                     ? List.of(Side.of(segment, 1, distance, along), Side.of(segment, -1, distance, along), start, end)
                     : List.of(start, end);
@@ -51,6 +52,14 @@ sealed interface PlaceRow {
         Ellipse oval = wall instanceof Disc disc ? disc.toEllipse() : (Ellipse) wall;
         double around = 2 * StrictMath.PI * (oval.boundingRadius() + reach);
         return List.of(new Ring(oval, distance, Math.max(8, (int) Math.ceil(around / spacing))));
+    }
+
+    /** Returns the places around the origin, computed once for all ends of segments. */
+    static List<Vector2> circle(double distance, double spacing) {
+        int size = (int) Math.ceil(2 * StrictMath.PI * distance / spacing);
+        return IntStream.range(0, size)
+                .mapToObj(i -> Vector2.direction(2 * StrictMath.PI * i / size).times(distance))
+                .toList();
     }
 
     /** The places on one side of a segment. */
@@ -84,7 +93,12 @@ sealed interface PlaceRow {
     }
 
     /** The places around an end of a segment, which are free just where a corner juts out. */
-    record Arc(Vector2 corner, double distance, int size, long firstRank) implements PlaceRow {
+    record Arc(Vector2 corner, List<Vector2> circle, long firstRank) implements PlaceRow {
+
+        @Override
+        public int size() {
+            return circle.size();
+        }
 
         @Override
         public long rank(int index) {
@@ -93,8 +107,7 @@ sealed interface PlaceRow {
 
         @Override
         public Vector2 place(int index) {
-            return corner.plus(
-                    Vector2.direction(2 * StrictMath.PI * index / size).times(distance));
+            return corner.plus(circle.get(index));
         }
 
         @Override
@@ -104,7 +117,7 @@ sealed interface PlaceRow {
 
         @Override
         public int shared(double joinDistance) {
-            return size;
+            return circle.size();
         }
     }
 

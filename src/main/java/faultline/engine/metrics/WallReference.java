@@ -104,8 +104,9 @@ public final class WallReference {
 
     private List<Sample> samples(double distance, double spacing, double reach) {
         List<Sample> places = new ArrayList<>();
+        List<Vector2> circle = PlaceRow.circle(distance, spacing);
         for (int i = 0; i < walls().size(); i++) {
-            List<PlaceRow> rows = PlaceRow.of(walls().shape(i), distance, spacing, reach);
+            List<PlaceRow> rows = PlaceRow.of(walls().shape(i), distance, spacing, reach, circle);
             boolean bothSides = rows.get(0) instanceof PlaceRow.Side;
             if (bothSides) {
                 addInTurn(rows.get(0), rows.get(1), distance, places);
