@@ -23,7 +23,7 @@ class JumpOfBiasTest {
 
     @ParameterizedTest
     @CsvSource({"front-left, 0.12", "front-left, 0.2", "left, 0.12", "left, -0.1", "rear-left, 0.12"})
-    void isFoundWithinThreeSeconds(String sensor, double bias) {
+    void isFoundWithinTwoSeconds(String sensor, double bias) {
         double onset = 9;
         SimulationSetup setup = new SimulationSetup(
                 new WorldSpec(9, 4, true, 3, List.of()),
@@ -38,7 +38,7 @@ class JumpOfBiasTest {
         List<String> distrusted = List.of();
         while (distrusted.isEmpty()) {
             simulation.tick();
-            assertTrue(simulation.time() < onset + 3, "not found for 3 s");
+            assertTrue(simulation.time() < onset + 2, "not found for 2 s");
             distrusted = simulation.telemetry().diagnosis().health().stream()
                     .filter(health -> !health.isTrusted())
                     .map(SensorHealth::sensor)
