@@ -40,6 +40,12 @@ public sealed interface ControllerState permits FollowerState, ControllerState.N
             }
         }
 
+        /** Written out because the virtual machine takes milliseconds to make that of a record. */
+        @Override
+        public int hashCode() {
+            return name.hashCode();
+        }
+
         @Override
         public String toString() {
             return name;

@@ -34,6 +34,11 @@ public record DriveScale(double left, double right, double track) {
         requireScale("track", track);
     }
 
+    /** {@return whether the drive is as the controller believes it to be} */
+    public boolean isNone() {
+        return left == 1 && right == 1 && track == 1;
+    }
+
     private static void requireScale(String name, double value) {
         if (!(value >= MIN && value <= MAX)) {
             throw new IllegalArgumentException(

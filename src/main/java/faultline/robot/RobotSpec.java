@@ -207,7 +207,7 @@ public record RobotSpec(
 
     /** {@return this robot as the controller believes it to be: with a drive scale of 1} */
     public RobotSpec believed() {
-        return driveScale.equals(DriveScale.NONE) ? this : withDriveScale(DriveScale.NONE);
+        return driveScale.isNone() ? this : withDriveScale(DriveScale.NONE);
     }
 
     /** {@return the true distance between the left and the right wheels, metres} */

@@ -53,7 +53,7 @@ final class InspectedSensor {
 
     /** Applies changed settings. */
     void refit(MountedCone newCone) {
-        if (!newCone.equals(cone)) {
+        if (cone == null || !newCone.equals(cone)) {
             cone = newCone;
             table = new ConeTable(newCone);
             looksAway = Math.abs(newCone.bearing()) > AHEAD && newCone.bearing() < BESIDE || newCone.bearing() > BACK;
