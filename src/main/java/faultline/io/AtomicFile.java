@@ -22,6 +22,9 @@ import java.nio.file.attribute.BasicFileAttributes;
  */
 public final class AtomicFile implements AutoCloseable {
 
+    /** Large, because long traces are written through it. */
+    private static final int BUFFER = 1 << 16;
+
     private final Path target;
     private final TemporaryFile temporary;
     private final FailureReportingStream stream;
@@ -54,7 +57,7 @@ public final class AtomicFile implements AutoCloseable {
             }
             TemporaryFile temporary = TemporaryFile.create(target);
             FileChannel channel = temporary.open();
-            OutputStream stream = new BufferedOutputStream(Channels.newOutputStream(channel));
+            OutputStream stream = new BufferedOutputStream(Channels.newOutputStream(channel), BUFFER);
             return new AtomicFile(target, temporary, new FailureReportingStream(file, stream));
         } catch (FileSystemException e) {
             throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.CANNOT_WRITE.with(), e);
