@@ -36,6 +36,9 @@ final class ApproachTest {
      * predicted.
      */
     static double expectedAhead(MountedCone cone, ClaimRing claims) {
+        if (across(cone, claims.reading(0)) > BESIDE) {
+            return Reading.NOTHING;
+        }
         for (int i = 0; i < POINTS; i++) {
             if (!claims.has(i) || claims.reading(i) < 0 || Math.abs(claims.axis(i) - claims.axis(0)) > STRAIGHT) {
                 return Reading.NOTHING;
@@ -45,6 +48,15 @@ final class ApproachTest {
         double sin = StrictMath.sin(claims.axis(0) - cone.bearing());
         double driven = way(claims, 0, cos, sin) - way(claims, POINTS - 1, cos, sin);
         return driven < MIN_WAY ? Reading.NOTHING : ahead(cone, -slope(claims, cos, sin), claims.reading(0));
+    }
+
+    /** Returns the distance of a point on the cone's inner edge from the path. */
+    private static double across(MountedCone cone, double reading) {
+        return Math.abs(cone.y()) + reading * StrictMath.sin(edge(cone));
+    }
+
+    private static double edge(MountedCone cone) {
+        return Math.abs(cone.bearing()) - cone.half();
     }
 
     private static double way(ClaimRing claims, int age, double cos, double sin) {
@@ -70,14 +82,13 @@ final class ApproachTest {
     }
 
     private static double ahead(MountedCone cone, double rate, double reading) {
-        double edge = Math.abs(cone.bearing()) - cone.half();
-        double across = Math.abs(cone.y()) + reading * StrictMath.sin(edge);
-        if (rate < StrictMath.cos(edge) + MARGIN || across > BESIDE) {
+        double edge = edge(cone);
+        if (rate < StrictMath.cos(edge) + MARGIN) {
             return Reading.NOTHING;
         }
         // tan(phi) = (1 / rate - cos e) / sin e; the surface extends from its point on the edge to the middle of the
         // path.
         double tan = (1 / rate - StrictMath.cos(edge)) / StrictMath.sin(edge);
-        return reading * StrictMath.cos(edge) + across * tan;
+        return reading * StrictMath.cos(edge) + across(cone, reading) * tan;
     }
 }

@@ -51,7 +51,7 @@ public final class SensorDiagnosis {
     private RobotSpec robot;
     private InspectedSensor[] sensors = {};
     /** The sensors in the order in which they are inspected. */
-    private List<InspectedSensor> inspectionOrder = List.of();
+    private InspectedSensor[] inspectionOrder = {};
 
     private WallLine wallLine;
     private EvidenceGrid grid;
@@ -114,9 +114,9 @@ public final class SensorDiagnosis {
     }
 
     private void inspectNext() {
-        InspectedSensor sensor = inspectionOrder.get(next);
+        InspectedSensor sensor = inspectionOrder[next];
         inspect(sensor, lastReadings[sensor.index()]);
-        next = (next + 1) % sensors.length;
+        next = next + 1 < sensors.length ? next + 1 : 0;
         if (next == 0 && (alert || reckoning.way() - bodyMarkedWay > MARKING)) {
             bodyMarkedWay = reckoning.way();
             grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), robot.width() / 2, clock.moment());
@@ -147,13 +147,13 @@ public final class SensorDiagnosis {
     }
 
     /** Returns sensors in order of bearing from the front by way of the wall, so that both sides work alike. */
-    private static List<InspectedSensor> inOrder(InspectedSensor[] sensors) {
+    private static InspectedSensor[] inOrder(InspectedSensor[] sensors) {
         return Arrays.stream(sensors)
                 .sorted(Comparator.comparingDouble(sensor -> {
                     double bearing = sensor.cone().bearing();
                     return bearing < 0 ? bearing + 2 * StrictMath.PI : bearing;
                 }))
-                .toList();
+                .toArray(InspectedSensor[]::new);
     }
 
     private void testSignals() {
