@@ -8,6 +8,7 @@ import faultline.gui.panel.TitledSection;
 import faultline.gui.text.Messages;
 import faultline.scenario.Scenario;
 import faultline.world.Clearance;
+import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.util.Optional;
 import javax.swing.BoxLayout;
@@ -60,7 +61,9 @@ final class PropertiesForm extends JPanel {
         fields.add(startY.withName("properties.start.y").withColumns(7), FormConstraints.cell(1, 0));
         JLabel heading = FormConstraints.label("properties.start.heading.label", startHeading);
         fields.add(heading, FormConstraints.cell(2, 0));
-        fields.add(startHeading.withName("properties.start.heading").withColumns(6), FormConstraints.fillCell(3, 0));
+        GridBagConstraints last = FormConstraints.fillCell(3, 0);
+        last.fill = GridBagConstraints.NONE;
+        fields.add(startHeading.withName("properties.start.heading").withColumns(6), last);
         return fields;
     }
 

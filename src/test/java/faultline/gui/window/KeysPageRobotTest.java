@@ -37,6 +37,7 @@ import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
+import javax.swing.JScrollPane;
 import javax.swing.JSlider;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
@@ -263,6 +264,7 @@ class KeysPageRobotTest {
     private static boolean hasOwnKeys(Component part) {
         return part instanceof JComponent component
                 && !(part instanceof JTabbedPane)
+                && !(part instanceof JScrollPane)
                 && component.getInputMap(JComponent.WHEN_FOCUSED).keys() != null
                 && component.getInputMap(JComponent.WHEN_FOCUSED).keys().length > 0;
     }
