@@ -66,6 +66,9 @@ public final class MapFollower {
 
     private static final double QUARTER = StrictMath.PI / 2;
 
+    /** A direction that is this far clockwise from the wall leads back, radians. */
+    private static final double TURNED_BACK = StrictMath.toRadians(240);
+
     /** The maximum number of scans in a row. */
     private static final int MAX_SCANS = 4;
 
@@ -202,8 +205,22 @@ public final class MapFollower {
             open = direction;
         }
         direction = open;
+        leaveDeadEnd();
         checkKnown();
         state = scanning ? FollowerState.MEASURE : FollowerState.FOLLOW;
+    }
+
+    /**
+     * Takes the surface on the left for the wall once the robot has turned back: in a narrow dead end the wall by which
+     * it came in stays the nearest, and would lead it in again.
+     */
+    private void leaveDeadEnd() {
+        double turn = wall - direction;
+        boolean turned = Math.abs(Angles.difference(gear.leading(at().heading()), direction)) < ASIDE;
+        if (turned && turn > TURNED_BACK) {
+            double left = map.bearingOfSurface(direction + QUARTER, StrictMath.toRadians(75), wanted() + NEAR_WALL);
+            wall = Double.isNaN(left) ? wall : left;
+        }
     }
 
     /** Drives straight ahead, because there is no wall. */

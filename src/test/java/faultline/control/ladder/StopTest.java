@@ -19,9 +19,11 @@ import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A robot that cannot go on stops and gives the reason. */
 class StopTest {
@@ -97,6 +99,23 @@ class StopTest {
                 new WorldSpec(4, 3, true, 3, List.of()),
                 new Pose(0.6, 0.6, 0.3),
                 robotWithOnly(Set.of("front-left", "left", "rear-left")),
+                WallSide.LEFT,
+                List.of());
+        assertEquals(300, runUntilStop(setup).time(), 0.02);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"left", "front", "front left"})
+    void outOfANarrowDeadEndItDrivesOn(String failing) {
+        Obstacle box = new Obstacle("box", new ObstacleShape.Rectangle(0.9, 0.9), new Pose(3.72, 3.55, 0));
+        Set<String> on = RobotSpec.DEFAULT.sensors().stream()
+                .map(SensorSpec::id)
+                .filter(id -> !List.of(failing.split(" ")).contains(id))
+                .collect(Collectors.toSet());
+        SimulationSetup setup = setup(
+                new WorldSpec(5, 4, true, 3, List.of(box)),
+                new Pose(0.6, 3.6, 0.1),
+                robotWithOnly(on),
                 WallSide.LEFT,
                 List.of());
         assertEquals(300, runUntilStop(setup).time(), 0.02);
