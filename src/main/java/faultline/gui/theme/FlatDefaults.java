@@ -48,7 +48,7 @@ final class FlatDefaults {
         table.put("Button.border", padding(6, 14, 6, 14));
         table.put("ToggleButton.border", padding(6, 7, 6, 7));
         table.put("Button.rollover", true);
-        table.put("Button.defaultButtonFollowsFocus", false);
+        table.put("Button.defaultButtonFollowsFocus", true);
         table.put("CheckBox.icon", new CheckBoxIcon());
         table.put("CheckBox.background", colours.background());
         table.put("CheckBox.textIconGap", 7);

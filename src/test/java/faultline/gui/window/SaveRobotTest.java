@@ -11,11 +11,13 @@ import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
 import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.swing.JButton;
 import javax.swing.JDialog;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -162,6 +164,28 @@ class SaveRobotTest {
                 "all is as it was",
                 frame -> frame.snapshot().obstacles().get(0).pose().equals(before));
         assertArrayEquals(original, Files.readAllBytes(file));
+    }
+
+    @Test
+    void enterGivesTheFocusedAnswer() throws IOException {
+        byte[] original = Files.readAllBytes(file);
+        driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Q);
+        driver.dialog("Unsaved changes");
+        waitForFocus("Save");
+        driver.robot().pressKeys(KeyEvent.VK_TAB);
+        waitForFocus("Don't save");
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("the window is closed", () -> !driver.window().isShowing());
+        assertArrayEquals(original, Files.readAllBytes(file));
+    }
+
+    private void waitForFocus(String button) {
+        KeyboardFocusManager manager = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        driver.robot()
+                .waitFor(
+                        button + " has the focus",
+                        () -> manager.getFocusOwner() instanceof JButton focused
+                                && focused.getText().equals(button));
     }
 
     @Test
