@@ -184,7 +184,7 @@ public final class MapFollower {
     }
 
     private void plan() {
-        double bearing = map.bearingOfSurface(wall, StrictMath.toRadians(75), wanted() + NEAR_WALL);
+        double bearing = bearingOfWall(wall);
         if (!Double.isNaN(bearing)) {
             wall += Angles.difference(wall, bearing);
             sinceWall = 0;
@@ -218,9 +218,14 @@ public final class MapFollower {
         double turn = wall - direction;
         boolean turned = Math.abs(Angles.difference(gear.leading(at().heading()), direction)) < ASIDE;
         if (turned && turn > TURNED_BACK) {
-            double left = map.bearingOfSurface(direction + QUARTER, StrictMath.toRadians(75), wanted() + NEAR_WALL);
+            double left = bearingOfWall(direction + QUARTER);
             wall = Double.isNaN(left) ? wall : left;
         }
+    }
+
+    /** Returns the direction of the nearest surface that can be the wall near a direction, NaN if there is none. */
+    private double bearingOfWall(double near) {
+        return map.bearingOfSurface(near, StrictMath.toRadians(75), wanted() + NEAR_WALL);
     }
 
     /** Drives straight ahead, because there is no wall. */

@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Queue;
+import java.util.UUID;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.stream.Stream;
 
@@ -164,9 +165,8 @@ final class BatchRun {
      * @throws IOException if a file cannot be written
      */
     void saveResults(Path target) throws IOException {
-        Path part = target.resolveSibling("." + target.getFileName() + ".tmp");
+        Path part = target.resolveSibling(".faultline-" + UUID.randomUUID() + ".tmp");
         try {
-            deleteTree(part);
             Files.createDirectories(part);
             for (Path file : new CampaignFolder(results()).files()) {
                 Path copy = part.resolve(results().relativize(file).toString());

@@ -22,6 +22,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -151,6 +154,20 @@ class BatchRunTest {
         CampaignRunner rest = new CampaignRunner(run.planOrNull(), new CampaignFolder(saved), Shard.ALL, 2);
         assertTrue(rest.run(true, (made, runs) -> {}, () -> false).isComplete());
         run.delete();
+    }
+
+    @Test
+    void savingResultsLeavesOtherFilesAlone() throws Exception {
+        BatchRun run = new BatchRun(plan(DiagnosisChoice.SCENARIO, 2), 1);
+        run.make();
+        Path hidden = Files.createDirectory(folder.resolve(".results.tmp"));
+        Path other = Files.writeString(hidden.resolve("note.txt"), "mine");
+        run.saveResults(folder.resolve("results"));
+        run.delete();
+        assertEquals("mine", Files.readString(other));
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(Set.of(hidden, folder.resolve("results")), files.collect(Collectors.toSet()));
+        }
     }
 
     @Test
