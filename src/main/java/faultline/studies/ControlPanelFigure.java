@@ -8,6 +8,7 @@ import faultline.gui.document.Workspace;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.panel.ControlPanel;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.SvgTheme;
 import faultline.studies.figure.Figure;
@@ -20,12 +21,14 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 
-/** Fig. 1: the control panel during a run, painted without a display. */
+/**
+ * Fig. 1: the control panel during a run, painted without a display. Its text is large rather than the picture scaled,
+ * because letters are wider in a scaled picture than in the layout.
+ */
 final class ControlPanelFigure implements Figure {
 
     private static final String SCENARIO = "every-fault.xml";
     private static final double SECONDS = 46;
-    private static final int SCALE = 2;
 
     @Override
     public void write(FigureFolder folder) throws IOException {
@@ -47,7 +50,7 @@ final class ControlPanelFigure implements Figure {
     private static BufferedImage renderOnEdt(Snapshot world, Theme theme) throws IOException {
         BufferedImage[] painted = new BufferedImage[1];
         try {
-            EventQueue.invokeAndWait(() -> painted[0] = render(world, theme));
+            EventQueue.invokeAndWait(() -> painted[0] = renderLarge(world, theme));
             return painted[0];
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -57,8 +60,19 @@ final class ControlPanelFigure implements Figure {
         }
     }
 
-    private static BufferedImage render(Snapshot world, Theme theme) {
-        theme.install();
+    private static BufferedImage renderLarge(Snapshot world, Theme theme) {
+        TextSize before = TextSize.current();
+        TextSize.LARGEST.install();
+        try {
+            theme.install();
+            return render(world);
+        } finally {
+            before.install();
+            theme.install();
+        }
+    }
+
+    private static BufferedImage render(Snapshot world) {
         UndoController editor = new UndoController((commands, results) -> {}, () -> {});
         ControlPanel panel = new ControlPanel(
                 editor,
@@ -69,9 +83,8 @@ final class ControlPanelFigure implements Figure {
         Dimension size = panel.getPreferredSize();
         panel.setSize(size);
         panel.validate();
-        BufferedImage image = new BufferedImage(SCALE * size.width, SCALE * size.height, BufferedImage.TYPE_INT_RGB);
+        BufferedImage image = new BufferedImage(size.width, size.height, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
-        graphics.scale(SCALE, SCALE);
         panel.printAll(graphics);
         graphics.dispose();
         panel.removeNotify();

@@ -13,6 +13,7 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
+import java.awt.Rectangle;
 import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.BorderFactory;
@@ -22,6 +23,8 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.Scrollable;
+import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 
 /**
@@ -31,7 +34,9 @@ import javax.swing.SwingUtilities;
 public final class ControlPanel extends JPanel {
 
     private static final int WHEEL_STEP = 16;
-    private static final int WIDTH = 458;
+    /** The width that fits the sensor rows and the scroll bar, pixels at the normal text size. */
+    public static final int WIDTH = 458;
+
     private static final int MIN_WIDTH = 240;
 
     private final RobotPanel robot;
@@ -81,7 +86,7 @@ public final class ControlPanel extends JPanel {
         for (JComponent section : sections) {
             column.add(section);
         }
-        JPanel top = new JPanel(new BorderLayout());
+        JPanel top = new NarrowingColumn();
         top.add(column, BorderLayout.NORTH);
         JScrollPane scroll =
                 new JScrollPane(
@@ -99,9 +104,40 @@ public final class ControlPanel extends JPanel {
                     }
                 };
         scroll.setBorder(BorderFactory.createEmptyBorder());
-        scroll.getVerticalScrollBar().setUnitIncrement(WHEEL_STEP);
-        scroll.getHorizontalScrollBar().setUnitIncrement(WHEEL_STEP);
         UiText.addTab(tabs, key, scroll);
+    }
+
+    /** Sections that are laid out to the width they have, and scroll sideways only below their minimum width. */
+    private static final class NarrowingColumn extends JPanel implements Scrollable {
+
+        NarrowingColumn() {
+            super(new BorderLayout());
+        }
+
+        @Override
+        public Dimension getPreferredScrollableViewportSize() {
+            return getPreferredSize();
+        }
+
+        @Override
+        public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+            return WHEEL_STEP;
+        }
+
+        @Override
+        public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+            return orientation == SwingConstants.VERTICAL ? visible.height : visible.width;
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+            return getParent().getWidth() >= getMinimumSize().width;
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportHeight() {
+            return getParent().getHeight() > getPreferredSize().height;
+        }
     }
 
     /** Returns a width at which the sections scroll sideways. */

@@ -27,6 +27,11 @@ public final class MutedLabel extends JLabel {
     }
 
     @Override
+    public Dimension getMinimumSize() {
+        return getPreferredSize();
+    }
+
+    @Override
     public void updateUI() {
         super.updateUI();
         setForeground(Theme.currentColours().muted());

@@ -197,7 +197,7 @@ public final class NumberSpinner extends JSpinner {
         return ((JSpinner.DefaultEditor) getEditor()).getTextField();
     }
 
-    /** Sets the width in digits. */
+    /** Sets the width in digits; where there is too little room, the field is one digit narrower. */
     public NumberSpinner withColumns(int digits) {
         columns = digits;
         textField().setColumns(0);
@@ -208,9 +208,10 @@ public final class NumberSpinner extends JSpinner {
     private void updateWidth() {
         if (columns > 0) {
             setPreferredSize(null);
-            int width = getFontMetrics(getFont()).stringWidth("0".repeat(columns)) + 32;
-            setPreferredSize(new Dimension(width, getPreferredSize().height));
-            setMinimumSize(getPreferredSize());
+            int digit = getFontMetrics(getFont()).stringWidth("0");
+            Dimension size = new Dimension(columns * digit + 32, getPreferredSize().height);
+            setPreferredSize(size);
+            setMinimumSize(new Dimension(size.width - digit, size.height));
         }
     }
 

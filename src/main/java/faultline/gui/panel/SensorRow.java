@@ -90,8 +90,10 @@ final class SensorRow {
         enabledBox.setOpaque(false);
         RefreshSteps.add(enabledBox, box -> {
             box.setPreferredSize(null);
-            box.setPreferredSize(new Dimension(TextSize.scaled(NAME_WIDTH), box.getPreferredSize().height));
-            box.setMinimumSize(box.getPreferredSize());
+            Dimension natural = box.getPreferredSize();
+            int width = TextSize.scaled(NAME_WIDTH);
+            box.setPreferredSize(new Dimension(width, natural.height));
+            box.setMinimumSize(new Dimension(Math.min(width, natural.width), natural.height));
             box.setToolTipText(Messages.get("sensor.switch", id));
             box.getAccessibleContext().setAccessibleName(Messages.get("sensor.switch", id));
         });

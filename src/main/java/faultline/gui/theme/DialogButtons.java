@@ -1,22 +1,78 @@
 package faultline.gui.theme;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.FlowLayout;
+import java.awt.event.ActionEvent;
+import java.awt.event.FocusEvent;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.swing.AbstractAction;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import javax.swing.plaf.ComponentUI;
+import javax.swing.plaf.basic.BasicOptionPaneUI;
 
 /** The buttons and keys that dialogs have in common. */
 public final class DialogButtons {
 
     private DialogButtons() {}
 
+    /** Option panes whose buttons the left and right arrow keys move between. */
+    public static final class FlatOptionPaneUI extends BasicOptionPaneUI {
+
+        /** Called by Swing to create a delegate. */
+        public static ComponentUI createUI(JComponent component) {
+            return new FlatOptionPaneUI();
+        }
+
+        @Override
+        protected Container createButtonArea() {
+            Container row = super.createButtonArea();
+            if (row instanceof JComponent buttons) {
+                moveByArrows(buttons);
+            }
+            return row;
+        }
+    }
+
     /** Runs an action if Escape is pressed in a dialog. */
     public static void onEscape(JDialog dialog, Runnable action) {
         dialog.getRootPane()
                 .registerKeyboardAction(
                         event -> action.run(), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+    }
+
+    /** Lets the left and right arrow keys move the focus between the buttons of a row, from the last to the first. */
+    public static void moveByArrows(JComponent row) {
+        bind(row, "LEFT", -1);
+        bind(row, "RIGHT", 1);
+    }
+
+    private static void bind(JComponent row, String key, int step) {
+        String name = "focus" + key;
+        row.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), name);
+        row.getActionMap().put(name, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                moveFocus(row, step);
+            }
+        });
+    }
+
+    private static void moveFocus(JComponent row, int step) {
+        List<Component> buttons = Stream.of(row.getComponents())
+                .filter(part -> part instanceof JButton && part.isShowing() && part.isEnabled())
+                .toList();
+        IntStream.range(0, buttons.size())
+                .filter(i -> buttons.get(i).isFocusOwner())
+                .forEach(i -> buttons.get(Math.floorMod(i + step, buttons.size()))
+                        .requestFocusInWindow(
+                                step > 0 ? FocusEvent.Cause.TRAVERSAL_FORWARD : FocusEvent.Cause.TRAVERSAL_BACKWARD));
     }
 
     /**

@@ -20,6 +20,7 @@ final class FlatLook {
             FlatSliderUI.class,
             FlatSpinnerUI.class,
             FlatComboBoxUI.class,
+            DialogButtons.FlatOptionPaneUI.class,
             FlatSplitPaneUI.class,
             FlatTabbedPaneUI.class,
             FlatMenuUI.class,

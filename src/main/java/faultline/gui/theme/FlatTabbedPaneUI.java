@@ -38,6 +38,12 @@ public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
         return super.calculateTabWidth(placement, index, bold);
     }
 
+    /** Keeps the titles on one line, whichever tab is selected. */
+    @Override
+    protected int getTabLabelShiftY(int placement, int index, boolean selected) {
+        return super.getTabLabelShiftY(placement, index, false);
+    }
+
     @Override
     protected void paintTabBackground(
             Graphics graphics, int placement, int index, int x, int y, int width, int height, boolean selected) {

@@ -196,13 +196,13 @@ final class LanePainter {
     }
 
     private void paintHint() {
-        double width = lanes.axis().right() - lanes.axis().left();
         int lane = Math.min(1, lanes.lanes().size() - 1);
+        double x = lanes.axis().left() + LABEL_ROOM;
         paintText(
                 Messages.get("timeline.hint"),
-                lanes.axis().left() + LABEL_ROOM,
+                x,
                 lane,
-                width - LABEL_ROOM,
+                view.getWidth() - x,
                 theme.palette().muted());
     }
 

@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JDialog;
 import javax.swing.JList;
@@ -111,6 +112,29 @@ class DialogAccessRobotTest {
         check("Revert");
         driver.chooseLater("quit");
         check("Unsaved changes");
+    }
+
+    @Test
+    void theArrowKeysMoveBetweenTheAnswersOfAQuestion() {
+        driver.drag(0, 0, 30);
+        driver.waitForTitle("office.xml*");
+        driver.chooseLater("quit");
+        JDialog dialog = driver.dialog("Unsaved changes");
+        List<JButton> answers =
+                callOnEdt(() -> ComponentFinder.findAll(dialog, JButton.class).toList());
+        driver.robot()
+                .waitFor("the first answer has the focus", () -> answers.get(0).isFocusOwner());
+        for (int next : new int[] {1, 2, 0}) {
+            driver.robot().pressKeys(KeyEvent.VK_RIGHT);
+            driver.robot().waitFor("Right moves to answer " + next, () -> answers.get(next)
+                    .isFocusOwner());
+        }
+        driver.robot().pressKeys(KeyEvent.VK_LEFT);
+        driver.robot()
+                .waitFor("Left moves to the last answer", () -> answers.get(2).isFocusOwner());
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitFor("Enter gives the focused answer", () -> !dialog.isShowing());
+        assertTrue(callOnEdt(driver.window()::isShowing), "the last answer is to cancel");
     }
 
     @Test

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.panel.ControlPanel;
 import faultline.gui.text.Language;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
@@ -17,6 +18,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
+import javax.swing.JScrollPane;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.condition.DisabledIf;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -75,6 +77,13 @@ class LayoutRobotTest {
                     .filter(button -> !button.getVisibleRect().getSize().equals(button.getSize()))
                     .toList());
             assertTrue(hidden.isEmpty(), hidden.toString());
+            assertTrue(width < 1366 || !scrollsSideways(driver), "the control panel scrolls sideways");
         }
+    }
+
+    private static boolean scrollsSideways(WindowDriver driver) {
+        return callOnEdt(() -> ComponentFinder.findAll(driver.window(), ControlPanel.class)
+                .flatMap(panel -> ComponentFinder.findAll(panel, JScrollPane.class))
+                .anyMatch(scroll -> scroll.getHorizontalScrollBar().isShowing()));
     }
 }

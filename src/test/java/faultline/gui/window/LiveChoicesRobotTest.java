@@ -12,6 +12,7 @@ import faultline.gui.text.Language;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -226,13 +227,16 @@ class LiveChoicesRobotTest {
             driver.robot()
                     .waitFor("the guide is Polish", () -> !guide.getTitle().equals("User guide"));
             waitUntilSettled(driver);
-            int width = callOnEdt(preferences::getWidth);
+            Dimension before = callOnEdt(preferences::getSize);
+            int width = before.width;
             javax.swing.JComboBox<?> size =
                     ComponentFinder.find(preferences, javax.swing.JComboBox.class, "Wielkość tekstu");
             runOnEdt(() -> size.setSelectedIndex(2));
             driver.robot().waitFor("the dialog has grown", () -> preferences.getWidth() > 1.2 * width);
             runOnEdt(() -> size.setSelectedIndex(0));
             driver.robot().waitFor("the dialog has shrunk", () -> preferences.getWidth() < 1.2 * width);
+            waitUntilSettled(driver);
+            assertEquals(before, callOnEdt(preferences::getSize), "as large as before");
             driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
             driver.robot().waitFor("the dialog is gone", () -> !preferences.isShowing());
         }

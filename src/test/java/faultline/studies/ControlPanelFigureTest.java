@@ -1,0 +1,31 @@
+package faultline.studies;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.gui.GuiRobot;
+import faultline.gui.panel.ControlPanel;
+import faultline.gui.theme.TextSize;
+import faultline.paint.surface.SvgTheme;
+import faultline.studies.figure.FigureFolder;
+import java.io.IOException;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ControlPanelFigureTest {
+
+    /** In a scaled picture letters are wider than in the layout, which cut the ends of labels off. */
+    @Test
+    void thePictureIsPaintedAtTheScaleOfItsLayout(@TempDir Path folder) throws IOException {
+        new ControlPanelFigure().write(new FigureFolder(folder, SvgTheme.LIGHT));
+        int width = ImageIO.read(folder.resolve("fig1-panel.png").toFile()).getWidth();
+        assertEquals(TextSize.NORMAL, GuiRobot.callOnEdt(TextSize::current));
+        GuiRobot.runOnEdt(TextSize.LARGEST::install);
+        try {
+            assertEquals(TextSize.scaled(ControlPanel.WIDTH), width);
+        } finally {
+            GuiRobot.runOnEdt(TextSize.NORMAL::install);
+        }
+    }
+}
