@@ -1,27 +1,19 @@
 package faultline.gui.batch;
 
+import faultline.gui.panel.RowTable;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.KeyboardFocusManager;
-import java.awt.event.ActionEvent;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
-import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
-import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JTable;
-import javax.swing.KeyStroke;
-import javax.swing.ListSelectionModel;
 import javax.swing.RowFilter;
 import javax.swing.SwingConstants;
 import javax.swing.border.Border;
@@ -31,7 +23,7 @@ import javax.swing.table.TableColumn;
 import javax.swing.table.TableRowSorter;
 
 /** A sortable table of results, which grows while they are made. A double click or Enter opens a row. */
-final class ResultTable extends JTable {
+final class ResultTable extends RowTable {
 
     private static final int ROW_HEIGHT = 22;
     private static final int MAX_SAMPLED_ROWS = 40;
@@ -84,30 +76,22 @@ final class ResultTable extends JTable {
      * @param onOpen receives the index of the row that is opened, in the order in which rows were added
      */
     ResultTable(String key, List<String> columns, IntConsumer onOpen) {
-        model = new Model(columns);
+        super(new Model(columns));
+        model = (Model) getModel();
         sorter = new TableRowSorter<>(model);
-        setModel(model);
         sorter.setSortsOnUpdates(true);
         setRowSorter(sorter);
         UiText.tip(UiText.name(this, key), key + ".tip");
-        setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         setDefaultRenderer(ResultCell.class, new Renderer());
-        setShowVerticalLines(false);
         setIntercellSpacing(new Dimension(0, 1));
         setAutoResizeMode(AUTO_RESIZE_OFF);
-        setFillsViewportHeight(true);
-        // Tab moves on to the buttons, not to the next cell: cells cannot be edited.
-        setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
-        setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
-        installOpening(onOpen);
+        onOpen(row -> onOpen.accept(convertRowIndexToModel(row)));
         RefreshSteps.add(this, ResultTable::refresh);
     }
 
     private void refresh() {
         setRowHeight(TextSize.scaled(ROW_HEIGHT));
-        if (getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
-            headings.setHorizontalAlignment(SwingConstants.LEADING);
-        }
+        alignHeadings();
         for (int column = 0; column < getColumnCount(); column++) {
             TableColumn shown = getColumnModel().getColumn(column);
             shown.setHeaderValue(model.getColumnName(shown.getModelIndex()));
@@ -118,25 +102,6 @@ final class ResultTable extends JTable {
     private static String title(String column) {
         String key = "batch.column." + column;
         return Messages.contains(key) ? Messages.get(key) : column.replace('_', ' ');
-    }
-
-    private void installOpening(IntConsumer onOpen) {
-        addMouseListener(new MouseAdapter() {
-            @Override
-            public void mouseClicked(MouseEvent event) {
-                int row = rowAtPoint(event.getPoint());
-                if (event.getClickCount() == 2 && row >= 0) {
-                    onOpen.accept(convertRowIndexToModel(row));
-                }
-            }
-        });
-        getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ENTER"), "open");
-        getActionMap().put("open", new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                selectedIndex().ifPresent(onOpen::accept);
-            }
-        });
     }
 
     /** Returns the index of the selected row, in the order in which rows were added. */

@@ -1,11 +1,11 @@
 package faultline.gui.dialog;
 
+import faultline.gui.panel.RowTable;
 import faultline.gui.theme.DialogButtons;
 import faultline.gui.theme.EmptyToolTips;
 import faultline.gui.theme.ScreenFit;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.awt.KeyboardFocusManager;
 import java.awt.Window;
 import java.util.List;
 import javax.swing.BorderFactory;
@@ -15,7 +15,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
-import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableModel;
 
 /** A modal dialog with a heading, a read-only table and a button. Escape and Enter close it. */
@@ -59,21 +58,15 @@ final class TableDialog extends JDialog {
     }
 
     private static JTable createTable(List<String> columns, List<List<String>> rows) {
-        JTable table = new JTable(new DefaultTableModel(columns.toArray(), 0) {
+        DefaultTableModel model = new DefaultTableModel(columns.toArray(), 0) {
             @Override
             public boolean isCellEditable(int row, int column) {
                 return false;
             }
-        });
-        rows.forEach(row -> ((DefaultTableModel) table.getModel()).addRow(row.toArray()));
-        table.setShowVerticalLines(false);
-        // Tab moves on to the button, not to the next cell: cells cannot be edited.
-        table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
-        table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
+        };
+        rows.forEach(row -> model.addRow(row.toArray()));
+        JTable table = new RowTable(model);
         table.getTableHeader().setReorderingAllowed(false);
-        if (table.getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
-            headings.setHorizontalAlignment(SwingConstants.LEADING);
-        }
         return table;
     }
 

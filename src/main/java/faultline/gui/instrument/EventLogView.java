@@ -1,5 +1,7 @@
 package faultline.gui.instrument;
 
+import faultline.gui.theme.KeyBindings;
+import faultline.gui.panel.RowTable;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.theme.RefreshSteps;
@@ -9,20 +11,11 @@ import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Point;
-import java.awt.event.ActionEvent;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.util.function.LongConsumer;
-import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
-import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
-import javax.swing.KeyStroke;
-import javax.swing.ListSelectionModel;
-import javax.swing.SwingConstants;
 import javax.swing.table.TableColumn;
 
 /**
@@ -34,12 +27,10 @@ public final class EventLogView extends JPanel {
     private static final int[] COLUMN_WIDTHS = {100, 130, 700};
     private static final int[] MIN_COLUMN_WIDTHS = {62, 98, 120};
     private static final int ROW_HEIGHT = 22;
-    private static final String JUMP_ACTION = "jump";
 
     private final EventTableModel events = new EventTableModel();
-    private final JTable table = new JTable(events);
+    private final RowTable table = new RowTable(events);
     private final JScrollPane scroll = new JScrollPane(table);
-    private final transient LongConsumer seekHandler;
 
     /**
      * Creates an empty log.
@@ -48,9 +39,9 @@ public final class EventLogView extends JPanel {
      */
     public EventLogView(LongConsumer jump) {
         super(new BorderLayout());
-        this.seekHandler = jump;
         configureTable();
-        installListeners();
+        table.onOpen(row -> jump.accept(events.eventAt(row).tick()));
+        KeyBindings.bind(table, "ESCAPE", table::clearSelection);
         scroll.setColumnHeaderView(table.getTableHeader());
         scroll.setBorder(BorderFactory.createEmptyBorder());
         add(scroll, BorderLayout.CENTER);
@@ -75,10 +66,7 @@ public final class EventLogView extends JPanel {
 
     private void configureTable() {
         UiText.tip(UiText.name(table, "events"), "events.tip");
-        table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.setDefaultRenderer(Object.class, new EventCellRenderer(events));
-        table.setShowVerticalLines(false);
-        table.setFillsViewportHeight(true);
         table.getTableHeader().setReorderingAllowed(false);
         RefreshSteps.add(table, self -> refreshTable());
     }
@@ -97,38 +85,7 @@ public final class EventLogView extends JPanel {
                 column.setPreferredWidth(TextSize.scaled(COLUMN_WIDTHS[i]));
             }
         }
-        if (table.getTableHeader().getDefaultRenderer() instanceof JLabel headings) {
-            headings.setHorizontalAlignment(SwingConstants.LEADING);
-        }
-    }
-
-    private void installListeners() {
-        table.addMouseListener(new MouseAdapter() {
-            @Override
-            public void mouseClicked(MouseEvent event) {
-                if (event.getClickCount() == 2) {
-                    seekToRow(table.rowAtPoint(event.getPoint()));
-                }
-            }
-        });
-        bindKey("ENTER", JUMP_ACTION, () -> seekToRow(table.getSelectedRow()));
-        bindKey("ESCAPE", "release", table::clearSelection);
-    }
-
-    private void bindKey(String key, String name, Runnable action) {
-        table.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), name);
-        table.getActionMap().put(name, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.run();
-            }
-        });
-    }
-
-    private void seekToRow(int row) {
-        if (row >= 0) {
-            seekHandler.accept(events.eventAt(row).tick());
-        }
+        table.alignHeadings();
     }
 
     /** Shows the moment at which the run differs from the reference run, null for never. */

@@ -1,15 +1,12 @@
 package faultline.gui.instrument;
 
-import java.awt.event.ActionEvent;
+import faultline.gui.theme.KeyBindings;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.function.Consumer;
-import javax.swing.AbstractAction;
-import javax.swing.JComponent;
-import javax.swing.KeyStroke;
 
 /**
  * The mouse and keyboard input of a strip chart: the wheel zooms at the cursor, dragging and the arrow keys scroll
@@ -49,13 +46,7 @@ final class StripChartMouse extends MouseAdapter implements FocusListener {
     }
 
     private void bindKey(String key, Runnable action) {
-        view.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(key), key);
-        view.getActionMap().put(key, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.run();
-            }
-        });
+        KeyBindings.bind(view, key, action);
     }
 
     private void zoom(double factor, double share) {

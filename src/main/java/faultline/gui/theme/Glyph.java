@@ -2,7 +2,9 @@ package faultline.gui.theme;
 
 import java.awt.Color;
 import java.awt.Graphics;
+import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
+import java.util.Scanner;
 
 /**
  * The shapes of icons, on a square of 18 by 18. A shape is written as strokes and filled areas, in {@code M x y} move,
@@ -83,8 +85,8 @@ public enum Glyph {
     private final Path2D areas;
 
     Glyph(String strokes, String areas) {
-        this.strokes = GlyphParser.parse(strokes);
-        this.areas = GlyphParser.parse(areas);
+        this.strokes = Parser.parse(strokes);
+        this.areas = Parser.parse(areas);
     }
 
     /** Paints the shape in a square of the given size with the given upper left corner. */
@@ -102,5 +104,43 @@ public enum Glyph {
     /** Returns an icon in the foreground colour of its component, pale if that is disabled. */
     public GlyphIcon icon() {
         return new GlyphIcon(this, SIZE, null);
+    }
+
+    /** Parses the strokes or the areas of a glyph. */
+    static final class Parser {
+        private final Path2D path = new Path2D.Double();
+        private final Scanner scanner;
+
+        private Parser(String drawing) {
+            scanner = new Scanner(drawing);
+        }
+
+        static Path2D parse(String drawing) {
+            Parser parser = new Parser(drawing);
+            while (parser.scanner.hasNext()) {
+                parser.addCommand(parser.scanner.next());
+            }
+            return parser.path;
+        }
+
+        private void addCommand(String verb) {
+            switch (verb) {
+                case "M" -> path.moveTo(nextNumber(), nextNumber());
+                case "L" -> path.lineTo(nextNumber(), nextNumber());
+                case "C" ->
+                    path.curveTo(nextNumber(), nextNumber(), nextNumber(), nextNumber(), nextNumber(), nextNumber());
+                case "O" -> addCircle(nextNumber(), nextNumber(), nextNumber());
+                case "Z" -> path.closePath();
+                default -> throw new IllegalArgumentException("no such verb in a glyph: " + verb);
+            }
+        }
+
+        private void addCircle(double x, double y, double radius) {
+            path.append(new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius), false);
+        }
+
+        private double nextNumber() {
+            return Double.parseDouble(scanner.next());
+        }
     }
 }

@@ -1,10 +1,7 @@
 package faultline.gui.timeline;
 
-import java.awt.event.ActionEvent;
+import faultline.gui.theme.KeyBindings;
 import java.util.List;
-import javax.swing.AbstractAction;
-import javax.swing.JComponent;
-import javax.swing.KeyStroke;
 
 /**
  * The keys of the lanes: arrow keys select a lane and an item; with Shift they move the end of the item, with Alt its
@@ -44,14 +41,8 @@ final class LaneKeys {
         bind("shift F10", this::showMenu);
     }
 
-    private void bind(String stroke, Runnable action) {
-        view.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(stroke), stroke);
-        view.getActionMap().put(stroke, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.run();
-            }
-        });
+    private void bind(String key, Runnable action) {
+        KeyBindings.bind(view, key, action);
     }
 
     private void selectLane(int lane) {

@@ -1,15 +1,12 @@
 package faultline.gui.window;
 
-import faultline.gui.action.Keystrokes;
+import faultline.gui.theme.KeyBindings;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.text.Messages;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
 import java.awt.Dimension;
-import java.awt.event.ActionEvent;
-import java.awt.event.KeyEvent;
 import java.util.function.IntUnaryOperator;
-import javax.swing.AbstractAction;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
@@ -30,8 +27,8 @@ final class SpeedSlider extends JSlider {
         setMinimumSize(new Dimension(MIN_WIDTH, size.height));
         UiText.tip(UiText.name(this, "speed"), "speed.tip");
         // Each key press selects the next speed of the scale; the model alone would need three presses around 1x.
-        bindKey(KeyEvent.VK_LEFT, SpeedScale::nextSlower);
-        bindKey(KeyEvent.VK_RIGHT, SpeedScale::nextFaster);
+        bindKey("LEFT", SpeedScale::nextSlower);
+        bindKey("RIGHT", SpeedScale::nextFaster);
         addChangeListener(event -> updateNumberLabel());
         RefreshSteps.add(numberLabel, label -> {
             fitNumberLabel();
@@ -39,15 +36,8 @@ final class SpeedSlider extends JSlider {
         });
     }
 
-    private void bindKey(int key, IntUnaryOperator next) {
-        String name = "speed" + key;
-        getInputMap().put(Keystrokes.unmodified(key), name);
-        getActionMap().put(name, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                SpeedSlider.this.setValue(next.applyAsInt(SpeedSlider.this.getValue()));
-            }
-        });
+    private void bindKey(String key, IntUnaryOperator next) {
+        KeyBindings.bind(this, key, () -> setValue(next.applyAsInt(getValue())));
     }
 
     private void fitNumberLabel() {

@@ -5,7 +5,6 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Insets;
-import java.awt.LayoutManager;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
@@ -15,7 +14,7 @@ import java.util.stream.Stream;
  * hidden, the last one first, so that those before them never move. Components that are not optional get the remaining
  * width.
  */
-final class StatusLayout implements LayoutManager {
+final class StatusLayout extends BarLayout {
 
     private final int unscaledGap;
     private final Predicate<Component> optional;
@@ -71,20 +70,5 @@ final class StatusLayout implements LayoutManager {
                 .max()
                 .orElse(0);
         return new Dimension(insets.left + width + insets.right, insets.top + height + insets.bottom);
-    }
-
-    @Override
-    public Dimension minimumLayoutSize(Container parent) {
-        return new Dimension(0, preferredLayoutSize(parent).height);
-    }
-
-    @Override
-    public void addLayoutComponent(String name, Component component) {
-        // Components have no names.
-    }
-
-    @Override
-    public void removeLayoutComponent(Component component) {
-        // No state is kept.
     }
 }

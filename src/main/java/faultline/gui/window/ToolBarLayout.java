@@ -4,7 +4,6 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Insets;
-import java.awt.LayoutManager;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -12,7 +11,7 @@ import java.util.List;
  * Lays out components side by side at their preferred sizes, centred in their row, and continues in another row where
  * the width is too small. The preferred height is that for the present width.
  */
-final class ToolBarLayout implements LayoutManager {
+final class ToolBarLayout extends BarLayout {
 
     private static final int ROW_GAP = 4;
 
@@ -63,20 +62,5 @@ final class ToolBarLayout implements LayoutManager {
         int width = rows.stream().mapToInt(Row::width).max().orElse(0);
         int height = rows.stream().mapToInt(row -> row.height() + ROW_GAP).sum() - ROW_GAP;
         return new Dimension(insets.left + width + insets.right, insets.top + height + insets.bottom);
-    }
-
-    @Override
-    public Dimension minimumLayoutSize(Container bar) {
-        return new Dimension(0, preferredLayoutSize(bar).height);
-    }
-
-    @Override
-    public void addLayoutComponent(String name, Component component) {
-        // Components have no names.
-    }
-
-    @Override
-    public void removeLayoutComponent(Component component) {
-        // No state is kept.
     }
 }

@@ -57,7 +57,7 @@ class ResultTableTest {
             table.getRowSorter().toggleSortOrder(1);
             table.setRowSelectionInterval(0, 0);
             SwingUtilities.notifyAction(
-                    table.getActionMap().get("open"),
+                    table.getActionMap().get("ENTER"),
                     KeyStroke.getKeyStroke("ENTER"),
                     new KeyEvent(table, 0, 0, 0, KeyEvent.VK_ENTER, '\n'),
                     table,

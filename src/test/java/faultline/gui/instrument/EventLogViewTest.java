@@ -94,7 +94,7 @@ class EventLogViewTest {
         runOnEdt(() -> {
             view.setFrame(frame);
             view.table().setRowSelectionInterval(1, 1);
-            view.table().getActionMap().get("jump").actionPerformed(null);
+            view.table().getActionMap().get("ENTER").actionPerformed(null);
             view.table().setSize(600, 400);
             view.table()
                     .dispatchEvent(new MouseEvent(

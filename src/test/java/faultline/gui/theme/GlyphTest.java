@@ -40,9 +40,10 @@ class GlyphTest {
     void aGlyphIsParsedCommandByCommand() {
         assertEquals(
                 new Rectangle2D.Double(1, 2, 3, 4),
-                GlyphParser.parse("M 1 2 L 4 2 L 4 6 Z").getBounds2D());
+                Glyph.Parser.parse("M 1 2 L 4 2 L 4 6 Z").getBounds2D());
         assertEquals(
-                new Rectangle2D.Double(3, 3, 4, 4), GlyphParser.parse("O 5 5 2").getBounds2D());
-        assertThrows(IllegalArgumentException.class, () -> GlyphParser.parse("Q 1 2"));
+                new Rectangle2D.Double(3, 3, 4, 4),
+                Glyph.Parser.parse("O 5 5 2").getBounds2D());
+        assertThrows(IllegalArgumentException.class, () -> Glyph.Parser.parse("Q 1 2"));
     }
 }

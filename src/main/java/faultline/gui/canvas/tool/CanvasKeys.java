@@ -1,5 +1,6 @@
 package faultline.gui.canvas.tool;
 
+import faultline.gui.theme.KeyBindings;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
@@ -8,15 +9,12 @@ import faultline.gui.edit.UndoController;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.world.Command;
 import faultline.world.Obstacle;
-import java.awt.event.ActionEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import javax.swing.AbstractAction;
 import javax.swing.JComponent;
-import javax.swing.KeyStroke;
 
 /**
  * Handles the keys of the focused canvas: arrows nudge the selected obstacles, or move the point of the active tool, or
@@ -99,13 +97,9 @@ public final class CanvasKeys {
     }
 
     private static void bind(JComponent canvas, String key, Runnable action) {
-        canvas.getInputMap(JComponent.WHEN_FOCUSED).put(KeyStroke.getKeyStroke(key), key);
-        canvas.getActionMap().put(key, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.run();
-                canvas.repaint();
-            }
+        KeyBindings.bind(canvas, key, () -> {
+            action.run();
+            canvas.repaint();
         });
     }
 }

@@ -1,0 +1,25 @@
+package faultline.gui.window;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.LayoutManager;
+
+/** A layout of a bar that may be as narrow as its window and needs no names or state of its components. */
+abstract class BarLayout implements LayoutManager {
+
+    @Override
+    public Dimension minimumLayoutSize(Container bar) {
+        return new Dimension(0, preferredLayoutSize(bar).height);
+    }
+
+    @Override
+    public void addLayoutComponent(String name, Component component) {
+        // Components have no names.
+    }
+
+    @Override
+    public void removeLayoutComponent(Component component) {
+        // No state is kept.
+    }
+}
