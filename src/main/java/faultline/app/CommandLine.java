@@ -46,12 +46,7 @@ final class CommandLine {
         handlers.put("--startup-time", arguments -> new WindowCommand(output).measureStartup(arguments));
     }
 
-    /**
-     * Runs a command.
-     *
-     * @param args the arguments of the process
-     * @return the exit code, see {@link ExitCode}
-     */
+    /** Runs a command, given the arguments of the process, and returns its {@link ExitCode}. */
     int run(String... args) {
         int code = runReportingErrors(List.of(args));
         if (!output.isWritten()) {

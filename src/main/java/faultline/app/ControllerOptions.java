@@ -23,12 +23,7 @@ record ControllerOptions(double patience, boolean truth, List<Path> jars) {
 
     private static final BigDecimal MAX_PATIENCE = new BigDecimal("10000000");
 
-    /**
-     * Reads the options.
-     *
-     * @param given the arguments of the command
-     * @param hasController whether a controller is chosen
-     */
+    /** Reads the options, given whether a controller is chosen. */
     static ControllerOptions parse(Arguments given, boolean hasController) throws UsageException {
         for (String option : List.of("--patience", "--truth")) {
             if (!hasController && given.has(option)) {

@@ -8,10 +8,8 @@ public final class Main {
     private Main() {}
 
     /**
-     * Runs one command. The process ends with the command's exit code; if that is 0, the process may continue until the
-     * window is closed.
-     *
-     * @param args as described by {@code --help}
+     * Runs one command as described by {@code --help}. The process ends with the command's exit code; if that is 0, the
+     * process may continue until the window is closed.
      */
     public static void main(String[] args) {
         if (args.length > 0

@@ -27,10 +27,8 @@ final class PathThinner {
     }
 
     /**
-     * Returns the indexes of the selected points in order, the given first and the last one of the path included. Lines
-     * with different tags stay apart.
-     *
-     * @param tolerance the largest distance of a point to the remaining lines, metres
+     * Returns the indexes of the selected points in order, the given first and the last one of the path included. No
+     * point is farther from the remaining lines than the tolerance, metres. Lines with different tags stay apart.
      */
     static List<Integer> select(RobotPath path, int from, double tolerance) {
         PathThinner thinner = new PathThinner(path, tolerance);

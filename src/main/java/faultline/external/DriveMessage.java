@@ -15,10 +15,8 @@ record DriveMessage(double leftVolts, double rightVolts, String state, String wh
     private static final int MAX_TEXT = 200;
 
     /**
-     * Reads a message, which has either {@code left_v} and {@code right_v} or {@code v_m_s} and {@code omega_rad_s}.
-     *
-     * @param message the received members
-     * @param robot whose track and motors turn velocities into volts
+     * Reads a message, which has either {@code left_v} and {@code right_v} or {@code v_m_s} and {@code omega_rad_s};
+     * velocities become volts by the robot's track and motors.
      */
     static DriveMessage read(MessageReader message, RobotSpec robot) throws ProtocolException {
         String state = limit(message.string("state", ""));

@@ -9,10 +9,8 @@ final class ProtocolException extends Exception {
     private final String details;
 
     /**
-     * Creates an exception from the parts of a sentence.
-     *
-     * @param deed what the other side did, such as "wrote no JSON"
-     * @param details the rest of the sentence, with its punctuation
+     * Creates an exception from what the other side did, such as "wrote no JSON", and the rest of the sentence with its
+     * punctuation.
      */
     ProtocolException(String deed, String details) {
         super(deed + details);
@@ -20,12 +18,7 @@ final class ProtocolException extends Exception {
         this.details = details;
     }
 
-    /**
-     * Returns the sentence.
-     *
-     * @param who the other side
-     * @param when such as "at tick 17"
-     */
+    /** Returns the sentence about the other side at a moment such as "at tick 17". */
     String sentence(String who, String when) {
         return who + " " + deed + " " + when + details;
     }

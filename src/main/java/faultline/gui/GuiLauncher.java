@@ -28,12 +28,7 @@ public final class GuiLauncher {
         open(window -> window.openShipped(DEFAULT_SCENARIO), true);
     }
 
-    /**
-     * Opens the window with a scenario asynchronously on the event dispatch thread. There must be a display.
-     *
-     * @param file the scenario to open
-     * @param reader reads the file on another thread
-     */
+    /** Opens the window asynchronously with a scenario, which is read on another thread. There must be a display. */
     public static void open(Path file, Callable<Scenario> reader) {
         open(window -> window.open(file, reader), false);
     }
@@ -66,9 +61,8 @@ public final class GuiLauncher {
     }
 
     /**
-     * Opens the window with the default scenario and closes it after it has painted its first frame.
-     *
-     * @param painted called on the event dispatch thread after the first frame
+     * Opens the window with the default scenario and closes it after its first frame, when the listener has been
+     * called.
      */
     public static void openUntilFirstPaint(Runnable painted) {
         openUntilFirstPaint(window -> window.openShipped(DEFAULT_SCENARIO), painted);

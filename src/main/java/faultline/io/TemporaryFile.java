@@ -60,9 +60,8 @@ final class TemporaryFile {
     }
 
     /**
-     * Creates an empty file beside a target. It never opens a file or link that exists.
-     *
-     * @param target the file that it may become, which need not exist
+     * Creates an empty file beside the target that it may become, which need not exist. It never opens a file or link
+     * that exists.
      */
     static TemporaryFile create(Path target) throws IOException {
         Path folder = target.getParent();

@@ -23,12 +23,7 @@ public final class Figures {
     @FunctionalInterface
     public interface FigureListener {
 
-        /**
-         * Called on the caller's thread when a figure is written.
-         *
-         * @param done the number of figures written
-         * @param all the number of figures
-         */
+        /** Called on the caller's thread when a figure is written, with the number written so far and that of all. */
         void figureWritten(int done, int all);
     }
 

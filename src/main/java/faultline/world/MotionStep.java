@@ -206,9 +206,7 @@ final class MotionStep {
 
     /**
      * Slides an obstacle, already rotated, along a straight line to a pose at which it would overlap the body, until it
-     * touches the body. The body is at rest meanwhile.
-     *
-     * @return false if the obstacle overlaps the body before it slides
+     * touches the body. The body is at rest meanwhile. Returns false if they overlap before the obstacle slides.
      */
     boolean slideUntilContact(PlacedObstacle placed, Pose target) {
         Pose start = placed.obstacle().pose();

@@ -135,10 +135,8 @@ final class SensorCone {
     }
 
     /**
-     * Returns the distance to the nearest shape in the cone, metres, or positive infinity.
-     *
-     * @param body the robot's body, near the pose of the collected shapes
-     * @param moving moving obstacles near the robot
+     * Returns the distance to the nearest shape in the cone, metres, or positive infinity, given the robot's body, near
+     * the pose of the collected shapes, and the moving obstacles near it.
      */
     double measure(RobotBody body, List<MovingObstacle> moving) {
         if (near.isEmpty() && moving.isEmpty()) {

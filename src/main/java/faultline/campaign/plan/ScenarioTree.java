@@ -31,10 +31,8 @@ final class ScenarioTree {
     }
 
     /**
-     * Sets an attribute. The changed element gets the location, so that a problem about its value is one about the
-     * plan.
-     *
-     * @param file the plan's name, for messages
+     * Sets an attribute. The changed element gets the location in the plan, whose file messages name, so that a problem
+     * about its value is one about the plan.
      */
     static XmlElement set(XmlElement root, AttributePath path, String text, String file, SourceLocation location)
             throws ScenarioException {

@@ -10,12 +10,7 @@ sealed interface Value {
     /** Nothing, as in the columns of a fault in a run without one. */
     Value NONE = new Fixed("");
 
-    /**
-     * Returns the text for a block of runs.
-     *
-     * @param numbers makes the draws of the plan
-     * @param block the number of the block, from 0
-     */
+    /** Returns the text for a block of runs, counted from 0, with the draws of the plan. */
     String text(Uniforms numbers, long block);
 
     /** A text that is the same in every run. */

@@ -12,10 +12,8 @@ public record Interval(double low, double high) {
     private static final double Z = 1.959963984540054;
 
     /**
-     * Returns the interval of a share by Wilson (1927), which stays within [0, 1] and is right for few runs.
-     *
-     * @param successes in [0, n], not necessarily whole
-     * @param n positive
+     * Returns the interval of a share, given the successes, not necessarily whole, and the positive number of trials,
+     * by Wilson (1927): it stays within [0, 1] and is right for few runs.
      */
     static Interval wilson(double successes, double n) {
         double p = successes / n;

@@ -31,12 +31,7 @@ final class RunData {
     private final List<RunRow> rows = new ArrayList<>();
     private final List<Integer> damagedRows = new ArrayList<>();
 
-    /**
-     * Creates the data of a table.
-     *
-     * @param plan the campaign's plan
-     * @param lines the cells of the header and of the rows; a row that is not ended is left out
-     */
+    /** Creates the data of a table from the cells of its header and rows; a row that is not ended is left out. */
     RunData(CampaignPlan plan, Iterable<List<String>> lines) {
         this.plan = plan;
         int number = 0;

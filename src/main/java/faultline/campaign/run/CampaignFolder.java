@@ -110,9 +110,8 @@ public final class CampaignFolder {
     }
 
     /**
-     * Takes this folder for a process of its own, until the lock is closed or the process ends.
-     *
-     * @throws IOException if another process has it
+     * Takes this folder for a process of its own, until the lock is closed or the process ends; throws an exception if
+     * another process has it.
      */
     FileChannel lock() throws IOException {
         Files.createDirectories(folder);
@@ -132,10 +131,8 @@ public final class CampaignFolder {
     }
 
     /**
-     * Writes the copy of the plan and the manifest, or checks that those that are there are of the same campaign.
-     *
-     * @param resume whether the folder may hold a begun campaign
-     * @throws IOException if the folder cannot be used, in one sentence
+     * Writes the copy of the plan and the manifest, or, to resume, checks that those that are there are of the same
+     * campaign.
      */
     void prepare(CampaignPlan plan, Shard shard, boolean resume) throws IOException {
         String text = CampaignManifest.text(plan, shard);

@@ -38,10 +38,8 @@ final class AlignmentMonitor {
     }
 
     /**
-     * Adds an alignment and returns whether there were too many recently.
-     *
-     * @param way that the robot has rolled in all, metres
-     * @param heading of the robot, radians, not normalised
+     * Adds an alignment, given the way rolled in all, metres, and the heading, radians, not normalised, and returns
+     * whether there were too many recently.
      */
     boolean isRepeated(double way, double heading) {
         ways[next] = way;

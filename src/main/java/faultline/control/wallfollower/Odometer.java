@@ -20,12 +20,7 @@ final class Odometer {
     private double deltaDistance;
     private double deltaHeading;
 
-    /**
-     * Commands a motion until the next decision.
-     *
-     * @param newV metres per second, positive ahead
-     * @param newOmega radians per second, positive to the left
-     */
+    /** Commands velocities until the next decision, metres per second ahead and radians per second to the left. */
     void command(double newV, double newOmega) {
         command = new Velocity(newV, newOmega);
     }

@@ -13,12 +13,7 @@ final class PdController {
     private double proportional;
     private double derivative;
 
-    /**
-     * Creates a controller for a speed.
-     *
-     * @param speed metres per second
-     * @param gains the gains
-     */
+    /** Creates a controller for a speed, metres per second. */
     PdController(double speed, PdGains gains) {
         this.speed = speed;
         this.gains = gains;

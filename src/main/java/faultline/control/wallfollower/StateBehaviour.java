@@ -5,11 +5,7 @@ import faultline.control.FollowerState;
 /** The behaviour of the follower in one of its states. */
 interface StateBehaviour {
 
-    /**
-     * Begins the state.
-     *
-     * @param from the state that was left
-     */
+    /** Begins the state after another was left. */
     default void enter(FollowerState from) {}
 
     /** Processes the reading of a decision, before the transitions are checked. */

@@ -156,10 +156,8 @@ final class WallTracker {
     }
 
     /**
-     * Returns the final innovation at a corner if the tracker takes its two sides for one straight wall, metres:
-     * (MEMORY radius)^2 / radius.
-     *
-     * @param radius from the corner to the robot's centre, metres
+     * Returns the final innovation at a corner, at a radius from the robot's centre, if the tracker takes its two sides
+     * for one straight wall, metres: (MEMORY radius)^2 / radius.
      */
     static double cornerInnovation(double radius) {
         return MEMORY_SHARE * MEMORY_SHARE * radius;

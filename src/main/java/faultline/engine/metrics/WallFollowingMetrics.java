@@ -37,11 +37,7 @@ final class WallFollowingMetrics implements TickObserver {
     private final MeanSquare straightError = new MeanSquare();
     private final MeanSquare followError = new MeanSquare();
 
-    /**
-     * Creates metrics of one run.
-     *
-     * @param setup what is run
-     */
+    /** Creates metrics of one run. */
     WallFollowingMetrics(SimulationSetup setup) {
         this(setup, Coverage::new);
     }

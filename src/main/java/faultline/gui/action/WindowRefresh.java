@@ -40,11 +40,7 @@ final class WindowRefresh {
         events.add(this::restore);
     }
 
-    /**
-     * Refreshes all windows.
-     *
-     * @param growth the new text size divided by the old one
-     */
+    /** Refreshes all windows, given the new text size divided by the old one. */
     static void refreshAll(double growth) {
         Stream.of(Window.getWindows())
                 .filter(WindowRefresh::mayShow)

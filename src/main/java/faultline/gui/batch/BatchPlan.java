@@ -72,11 +72,7 @@ record BatchPlan(
         return OptionalLong.of(cells * seeds * (diagnosis == DiagnosisChoice.BOTH ? 2 : 1));
     }
 
-    /**
-     * Returns the text of the plan.
-     *
-     * @param scenarioFile the name of the scenario's file beside the plan
-     */
+    /** Returns the text of the plan, given the name of the scenario's file beside it. */
     String text(String scenarioFile) {
         StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
         String name = scenario.name().isEmpty() ? "Batch" : "Batch of " + scenario.name();

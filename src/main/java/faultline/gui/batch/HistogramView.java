@@ -60,11 +60,7 @@ final class HistogramView extends JPanel {
         }
     }
 
-    /**
-     * Creates a view.
-     *
-     * @param values returns the values of a number, of those runs that have it
-     */
+    /** Creates a view; the function returns the values of a number, of those runs that have it. */
     HistogramView(Function<Quantity, double[]> values) {
         super(new BorderLayout(0, 6));
         this.values = values;

@@ -37,12 +37,7 @@ record ResultCell(String text, double number) implements Comparable<ResultCell> 
         return ofNumber(metres * MILLIMETRES, 1);
     }
 
-    /**
-     * Returns the cell of a value of {@code runs.csv}.
-     *
-     * @param column the name of its column
-     * @param value empty for none
-     */
+    /** Returns the cell of a value, empty for none, in a column of {@code runs.csv}. */
     static ResultCell of(String column, String value) {
         Optional<BigDecimal> number = column.equals("trajectory_hash") ? Optional.empty() : DecimalText.parse(value);
         if (column.equals("distance_rms_m")) {

@@ -27,12 +27,7 @@ final class FileDialogs {
         this.parent = parent;
     }
 
-    /**
-     * Asks for a file to open; empty if cancelled.
-     *
-     * @param action the name of the action
-     * @param selected the file that is selected at first, null for none
-     */
+    /** Asks for a file to open, given the one that is selected at first, null for none; empty if cancelled. */
     Optional<Path> chooseFileToOpen(String action, Path selected) {
         JFileChooser chooser = createChooser(action, "xml");
         if (selected != null) {

@@ -60,10 +60,7 @@ public final class ComparisonController implements WorkspaceListener {
 
     /**
      * Runs the edited scenario from its start to its duration with another controller and makes that the reference run,
-     * asynchronously.
-     *
-     * @param controller of the reference run
-     * @param errors receives each line that a controller in another process writes to standard error
+     * asynchronously. {@code errors} receives each line that a controller in another process writes to standard error.
      */
     public void compareWith(ControllerSelection controller, Consumer<String> errors) {
         workspace.openDocument().ifPresent(now -> {

@@ -32,11 +32,7 @@ public final class EventLogView extends JPanel {
     private final RowTable table = new RowTable(events);
     private final JScrollPane scroll = new JScrollPane(table);
 
-    /**
-     * Creates an empty log.
-     *
-     * @param jump receives the tick to go to
-     */
+    /** Creates an empty log; {@code jump} receives the tick to go to. */
     public EventLogView(LongConsumer jump) {
         super(new BorderLayout());
         configureTable();

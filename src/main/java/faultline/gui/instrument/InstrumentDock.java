@@ -34,11 +34,7 @@ public final class InstrumentDock extends JTabbedPane {
     private transient List<TimelineItem> shownItems = List.of();
     private int skippedFrames;
 
-    /**
-     * Creates empty instruments.
-     *
-     * @param jump receives the tick of an event to go to
-     */
+    /** Creates empty instruments; {@code jump} receives the tick of an event to go to. */
     public InstrumentDock(LongConsumer jump) {
         events = new EventLogView(jump);
         split = new PositionedSplitPane(JSplitPane.HORIZONTAL_SPLIT, chart, diagram, 0.5);
@@ -60,9 +56,7 @@ public final class InstrumentDock extends JTabbedPane {
     }
 
     /**
-     * Shows a frame, immediately or with one of the next updates.
-     *
-     * @param frame the newest frame; repeated calls with the same frame show it eventually
+     * Shows the newest frame, immediately or with one of the next updates; repeated calls with it show it eventually.
      */
     public void setFrame(SessionFrame frame) {
         assert EventQueue.isDispatchThread();

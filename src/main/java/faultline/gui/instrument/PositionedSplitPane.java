@@ -42,11 +42,7 @@ public final class PositionedSplitPane extends JSplitPane {
         });
     }
 
-    /**
-     * Places the divider.
-     *
-     * @param location maps the size of the pane, less that of the divider, to the divider's position; pixels
-     */
+    /** Places the divider at a function of the size of the pane, less that of the divider, pixels. */
     public void place(IntUnaryOperator location) {
         place = location;
         placedSize = 0;

@@ -43,11 +43,7 @@ final class StripView extends AccessibleComponent {
     private double pointer = NOWHERE;
     private boolean frozen;
 
-    /**
-     * Creates an empty plot.
-     *
-     * @param named returns whether the lines are named elsewhere; if not, the plot names them
-     */
+    /** Creates an empty plot, which names its lines unless {@code named} returns that they are named elsewhere. */
     StripView(BooleanSupplier named) {
         super(AccessibleRole.SWING_COMPONENT);
         this.named = named;

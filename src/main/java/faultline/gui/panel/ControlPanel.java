@@ -74,12 +74,7 @@ public final class ControlPanel extends JPanel {
         add(tabs, BorderLayout.CENTER);
     }
 
-    /**
-     * Adds a tab.
-     *
-     * @param key the key of its name
-     * @param sections shown from top to bottom
-     */
+    /** Adds a tab with the key of its name and its sections from top to bottom. */
     public void addTab(String key, JComponent... sections) {
         JPanel column = new JPanel();
         column.setLayout(new BoxLayout(column, BoxLayout.PAGE_AXIS));
@@ -200,11 +195,7 @@ public final class ControlPanel extends JPanel {
         sensors.selectSensor(null);
     }
 
-    /**
-     * Adds a listener for sensors selected by the user.
-     *
-     * @param listener receives the id of the sensor
-     */
+    /** Adds a listener for the ids of sensors selected by the user. */
     public void addSelectionListener(Consumer<String> listener) {
         sensors.addSelectionListener(listener);
     }

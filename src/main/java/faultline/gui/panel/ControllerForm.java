@@ -71,11 +71,7 @@ public final class ControllerForm {
     private final List<JComponent> sections;
     private ControllerSpec shown = WallFollowing.DEFAULT;
 
-    /**
-     * Creates the fields.
-     *
-     * @param onChange receives the controller with every change that the user makes
-     */
+    /** Creates the fields; the listener receives the controller with every change that the user makes. */
     public ControllerForm(Consumer<ControllerSpec.BuiltIn> onChange) {
         this.onChange = onChange;
         UiText.tip(diagnosis, "controller.diagnosis.tip");

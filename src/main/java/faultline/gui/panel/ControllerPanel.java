@@ -16,12 +16,7 @@ public final class ControllerPanel extends JPanel {
     private final transient ControllerForm form = new ControllerForm(this::send);
     private final DriveFields driveFields;
 
-    /**
-     * Creates a panel.
-     *
-     * @param editor receives changes of the controller
-     * @param scenarioEditor receives changes of the robot's drive, which need a new simulation
-     */
+    /** Creates a panel. The second editor receives changes of the robot's drive, which need a new simulation. */
     ControllerPanel(UndoController editor, ScenarioEditor scenarioEditor) {
         this.editor = editor;
         driveFields = new DriveFields(scenarioEditor);

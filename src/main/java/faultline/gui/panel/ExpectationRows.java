@@ -30,12 +30,7 @@ final class ExpectationRows extends JPanel {
         super(new GridBagLayout());
     }
 
-    /**
-     * Shows how a run stands.
-     *
-     * @param required what is expected
-     * @param ended whether the run is over, so that what does not hold has failed
-     */
+    /** Shows how a run stands beside what is expected. Once it has ended, what does not hold has failed. */
     void setOutcome(List<Expectation.Condition> required, RunOutcome outcome, boolean ended) {
         if (!required.equals(items)) {
             items = required;

@@ -14,12 +14,7 @@ public final class FormConstraints {
 
     private FormConstraints() {}
 
-    /**
-     * Returns the label of a field.
-     *
-     * @param key the key of its text
-     * @param field the field
-     */
+    /** Returns the label of a field, given the key of its text. */
     public static JLabel label(String key, JComponent field) {
         JLabel label = UiText.label(key);
         label.setLabelFor(field);

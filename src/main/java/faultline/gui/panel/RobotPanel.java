@@ -34,12 +34,7 @@ public final class RobotPanel extends JPanel {
 
     private double maxSpeed = RobotSpec.DEFAULT.motor().maxSpeed();
 
-    /**
-     * Creates the robot's controls.
-     *
-     * @param editor receives the changes
-     * @param path shows or hides the path
-     */
+    /** Creates the robot's controls, given the action that shows or hides the path. */
     public RobotPanel(UndoController editor, Action path) {
         super(new GridBagLayout());
         this.editor = editor;

@@ -34,11 +34,7 @@ public final class SensorDetailsPanel extends JPanel {
     private final FaultList faultList;
     private List<String> ids = List.of();
 
-    /**
-     * Creates a panel without sensors.
-     *
-     * @param editor receives changes and faults
-     */
+    /** Creates a panel without sensors. */
     SensorDetailsPanel(UndoController editor) {
         super(new BorderLayout(0, SECTION_GAP));
         this.editor = editor;

@@ -92,11 +92,7 @@ final class SensorMountFields {
         return sensor == null ? Optional.empty() : editor.pendingEdits().robot().sensor(sensor);
     }
 
-    /**
-     * Selects another sensor, after committing the number being typed for the previous one.
-     *
-     * @param id the id of the sensor, null for none
-     */
+    /** Selects another sensor, null for none, after committing the number being typed for the previous one. */
     void setSensor(String id) {
         if (!Objects.equals(id, sensor)) {
             fields().forEach(NumberSpinner::commitPendingEdit);

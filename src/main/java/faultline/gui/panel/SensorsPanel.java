@@ -29,11 +29,7 @@ public final class SensorsPanel extends JPanel {
     /** The id of the highlighted sensor, null for none. */
     private String selected;
 
-    /**
-     * Creates a panel without sensors.
-     *
-     * @param editor receives the changes
-     */
+    /** Creates a panel without sensors. */
     SensorsPanel(UndoController editor) {
         super(new GridBagLayout());
         this.editor = editor;
@@ -52,11 +48,7 @@ public final class SensorsPanel extends JPanel {
         }
     }
 
-    /**
-     * Highlights the row of a sensor.
-     *
-     * @param id the id of the sensor, null for none
-     */
+    /** Highlights the row of a sensor, null for none. */
     void selectSensor(String id) {
         assert EventQueue.isDispatchThread();
         if (!Objects.equals(id, selected)) {
@@ -67,9 +59,8 @@ public final class SensorsPanel extends JPanel {
     }
 
     /**
-     * Adds a listener for rows selected by the user, by a click on the badge or by moving the focus.
-     *
-     * @param listener receives the id of the sensor
+     * Adds a listener for the ids of sensors whose row the user selects, by a click on the badge or by moving the
+     * focus.
      */
     public void addSelectionListener(Consumer<String> listener) {
         listeners.add(listener);

@@ -15,12 +15,7 @@ final class ValueLabel extends JLabel {
 
     private transient List<String> widest = List.of();
 
-    /**
-     * Creates a label without a value.
-     *
-     * @param name returns the accessible name
-     * @param widest returns the texts that must fit
-     */
+    /** Creates a label without a value; the suppliers return its accessible name and the texts that must fit. */
     ValueLabel(Supplier<String> name, Supplier<List<String>> widest) {
         super(NONE, SwingConstants.LEADING);
         RefreshSteps.add(this, label -> {

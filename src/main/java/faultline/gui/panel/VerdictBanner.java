@@ -39,11 +39,7 @@ public final class VerdictBanner extends JPanel {
     /** The language of the verdict. */
     private transient Language language = Messages.language();
 
-    /**
-     * Creates a banner that is not visible.
-     *
-     * @param seek receives the tick to go back to
-     */
+    /** Creates a banner that is not visible; {@code seek} receives the tick to go back to. */
     public VerdictBanner(LongConsumer seek) {
         super(new BorderLayout(GAP, 0));
         JButton close = new JButton(new GlyphIcon(Glyph.REMOVE, 14, null));

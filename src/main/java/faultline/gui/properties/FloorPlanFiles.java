@@ -27,9 +27,7 @@ public final class FloorPlanFiles {
     record Import(FloorPlan plan, Scenario scenario) {}
 
     /**
-     * Reads a floor plan; takes some time.
-     *
-     * @param resolution the side of a pixel of an image, metres; a YAML file gives its own
+     * Reads a floor plan; takes some time. The side of a pixel, metres, is that of an image; a YAML file gives its own.
      */
     static Import read(Path file, double resolution, FloorPlan.Options options) throws IOException {
         FloorPlan plan = FloorPlan.isYaml(file)

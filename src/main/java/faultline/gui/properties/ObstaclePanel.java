@@ -40,12 +40,7 @@ public final class ObstaclePanel extends JPanel {
     private boolean updating;
     private int skippedFrames = FRAMES_PER_UPDATE;
 
-    /**
-     * Creates an empty panel.
-     *
-     * @param editor receives changes
-     * @param tools select on the canvas
-     */
+    /** Creates an empty panel, given what receives changes and what selects on the canvas. */
     public ObstaclePanel(UndoController editor, CanvasTools tools) {
         this.editor = editor;
         this.tools = tools;

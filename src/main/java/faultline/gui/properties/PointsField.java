@@ -22,9 +22,8 @@ final class PointsField extends JTextField {
     private transient List<Vector2> shown = List.of();
 
     /**
-     * Creates a field without points.
-     *
-     * @param onChange receives the points that the user enters, and returns whether they are allowed
+     * Creates a field without points. {@code onChange} receives those that the user enters and returns whether they are
+     * allowed.
      */
     PointsField(String key, Predicate<List<Vector2>> onChange) {
         super(COLUMNS);

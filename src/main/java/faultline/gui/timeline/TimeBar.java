@@ -57,10 +57,8 @@ public final class TimeBar extends JPanel {
     private transient RunEvent.Diverged shownDivergence;
 
     /**
-     * Creates a time bar without a run.
-     *
-     * @param jump receives the tick to go to
-     * @param preview receives keyframes while the thumb is dragged
+     * Creates a time bar without a run. {@code jump} receives the tick to go to, {@code preview} keyframes while the
+     * thumb is dragged.
      */
     TimeBar(LongConsumer jump, Consumer<Frame> preview) {
         super(new BorderLayout(GAP, 0));
@@ -98,11 +96,7 @@ public final class TimeBar extends JPanel {
         return slider.getValueIsAdjusting();
     }
 
-    /**
-     * Shows the current tick and the last known one.
-     *
-     * @param newDt the length of a tick, seconds
-     */
+    /** Shows the current tick and the last known one, given the length of a tick in seconds. */
     void setFrame(SessionFrame frame, long furthest, double newDt) {
         assert EventQueue.isDispatchThread();
         newestFrame = frame;

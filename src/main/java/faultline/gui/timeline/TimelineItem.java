@@ -42,10 +42,8 @@ public record TimelineItem(Command command, double start, double end) {
     }
 
     /**
-     * Returns the colours of this item's sensor or motors, grey for a sensor that is switched off.
-     *
-     * @param palette the colours of the scene
-     * @param sensor the index of the sensor, if it is about one
+     * Returns the colours of this item's sensor, which has the given index, or motors; grey for a sensor that is
+     * switched off.
      */
     public SensorColours colours(Palette palette, int sensor) {
         if (command instanceof Command.SwitchSensor) {

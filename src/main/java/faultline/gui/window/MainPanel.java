@@ -144,11 +144,7 @@ final class MainPanel extends JPanel {
         return shownFrame;
     }
 
-    /**
-     * Shows the progress of the run of a scenario, and at its end the verdict.
-     *
-     * @param furthestTick the last tick that the run has reached
-     */
+    /** Shows the progress of the run of a scenario, whose furthest tick is given, and at its end the verdict. */
     void setRun(SessionFrame frame, Session.Status now, Scenario scenario, long furthestTick) {
         SimulationSetup setup = scenario.setup();
         timeline.setFrame(frame, Math.max(furthestTick, setup.ticks()), setup.ticks(), setup.dt());
@@ -167,9 +163,8 @@ final class MainPanel extends JPanel {
     }
 
     /**
-     * Adds the tour, not yet visible, to the canvas, and the marker of its controls to a frame.
-     *
-     * @param ghostMenu the menu of its last step
+     * Adds the tour, whose last step is about a menu, to the canvas, not yet visible, and the marker of its controls to
+     * a frame.
      */
     TourCard addTour(JFrame frame, JMenu ghostMenu) {
         TourMarker marker = new TourMarker();

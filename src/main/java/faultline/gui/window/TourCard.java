@@ -49,10 +49,7 @@ final class TourCard extends JPanel {
     private int shown;
 
     /**
-     * Creates a card that is not visible.
-     *
-     * @param steps the steps in order
-     * @param marker marks a control in the window, or none if it receives null
+     * Creates a card that is not visible; {@code marker} marks a control in the window, or none if it receives null.
      */
     TourCard(List<Step> steps, Consumer<JComponent> marker) {
         super(new BorderLayout(0, GAP));

@@ -85,10 +85,8 @@ public record Axis(String label, double low, double high, boolean logarithmic) {
     }
 
     /**
-     * Returns every how many ticks of a linear axis there is room for a label; 1 for a logarithmic axis.
-     *
-     * @param length the length of the axis in a picture
-     * @param label the length that a label takes along the axis there
+     * Returns every how many ticks of a linear axis there is room for a label, given their lengths along the axis in a
+     * picture; 1 for a logarithmic axis.
      */
     int labelStride(double length, double label) {
         double distance = niceStep(high - low) / (high - low) * length;

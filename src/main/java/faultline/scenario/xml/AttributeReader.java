@@ -269,11 +269,8 @@ public final class AttributeReader {
     }
 
     /**
-     * Returns closed rings of points, written as those of {@link #points} and separated by {@code |}. The attribute is
-     * required.
-     *
-     * @param name the attribute
-     * @param most the greatest number of points of all rings together
+     * Returns closed rings of points, of a greatest number of all together, written as those of {@link #points} and
+     * separated by {@code |}. The attribute is required.
      */
     List<List<Vector2>> rings(String name, int most) {
         Message allowed = Allowed.RINGS.with(NumberRange.COORDINATE.rule());

@@ -32,11 +32,7 @@ final class ElementPath {
         return openElements.peek().path;
     }
 
-    /**
-     * Enters the next child of a name.
-     *
-     * @param id empty if it has none
-     */
+    /** Enters the next child of a name, whose id is empty if it has none. */
     void enter(String name, String id) {
         int number = openElements.peek().children.merge(name, 1, Integer::sum);
         openElements.push(OpenElement.of(

@@ -65,9 +65,8 @@ public record PathLayer(RobotPath path, PathStyle style) implements LayerContent
     }
 
     /**
-     * Returns the index of the first point to be painted with each frame: the last one in the image.
-     *
-     * @param shown the layer in the image, null for none
+     * Returns the index of the first point to be painted with each frame: the last one of the layer in the image, which
+     * is null for none.
      */
     public int tailStart(PathLayer shown) {
         int painted = shown != null && path.isContinuationOf(shown.path) ? shown.path.size() : path.size();
