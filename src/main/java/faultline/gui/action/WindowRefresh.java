@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JPopupMenu;
+import javax.swing.JRootPane;
 import javax.swing.JViewport;
 
 /**
@@ -110,7 +111,8 @@ final class WindowRefresh {
         window.validate();
         scrolledShares.forEach((viewport, share) -> viewport.setViewPosition(
                 new Point(viewport.getViewPosition().x, (int) Math.round(share * viewport.getViewSize().height))));
-        if (focusOwner != null) {
+        // The root pane only has the focus for a menu, which gives it back itself.
+        if (focusOwner != null && !(focusOwner instanceof JRootPane)) {
             focusOwner.requestFocusInWindow();
         }
         window.repaint();

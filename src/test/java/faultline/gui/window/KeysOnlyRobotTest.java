@@ -9,6 +9,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.instrument.InstrumentDock;
 import faultline.gui.panel.ControlPanel;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.paint.surface.Camera;
 import faultline.world.Obstacle;
@@ -111,6 +112,24 @@ class KeysOnlyRobotTest {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
         driver.waitForFrame(
                 "the wall is gone", frame -> frame.snapshot().obstacles().size() == before + 1);
+    }
+
+    @Test
+    void aThemeAndATextSizeFromTheMenuLeaveTheFocusWhereItWas() {
+        driver.type(KeyEvent.VK_ALT, KeyEvent.VK_V);
+        press(KeyEvent.VK_D);
+        driver.robot().waitFor("the theme is dark", () -> Theme.current() == Theme.DARK);
+        waitForFocus("the canvas", driver.canvas());
+        driver.robot().waitForPaint();
+        driver.type(KeyEvent.VK_ALT, KeyEvent.VK_V);
+        press(KeyEvent.VK_Z, KeyEvent.VK_A);
+        driver.robot().waitFor("the text is large", () -> TextSize.current() == TextSize.LARGEST);
+        for (int i = 0; i < 3; i++) {
+            driver.robot().waitForPaint();
+        }
+        waitForFocus("the canvas", driver.canvas());
+        driver.choose("textSizeNormal");
+        driver.choose("dark");
     }
 
     @Test
