@@ -20,10 +20,15 @@ final class JournalPlayer {
 
     /** Advances a simulation by one tick, with the journal's commands for that tick. */
     void tick(Simulation simulation) {
+        executeCommands(simulation);
+        simulation.tick();
+    }
+
+    /** Executes the journal's commands for the next tick. */
+    void executeCommands(Simulation simulation) {
         while (!pending.isEmpty() && pending.peek().tick() <= simulation.ticks() + 1) {
             simulation.execute(pending.remove().command());
         }
-        simulation.tick();
     }
 
     /** Discards the rest of the journal, because the run now differs from it. */

@@ -49,7 +49,22 @@ public final class Session implements AutoCloseable {
      * @throws java.util.concurrent.CancellationException if the replay was cancelled
      */
     public static Session replay(Journal journal, long tick, LongPredicate shouldContinue) {
-        return new Session(SimulationThread.start(journal, tick, shouldContinue));
+        return new Session(SimulationThread.start(journal, tick, false, shouldContinue));
+    }
+
+    /**
+     * Replays an earlier run as {@link #replay} does, and then executes the journal's commands for the next tick: a run
+     * that is edited while it is paused at a tick has them at the start of the next one.
+     *
+     * @param journal the earlier run, as returned by {@link #fullJournal}
+     * @param tick the tick to replay to, not negative
+     * @param shouldContinue called after each replayed tick with that tick; false cancels the replay
+     * @return the session; its first frame is available at once
+     * @throws RunFailedException if the controller threw an exception or did not answer
+     * @throws java.util.concurrent.CancellationException if the replay was cancelled
+     */
+    public static Session replayEdited(Journal journal, long tick, LongPredicate shouldContinue) {
+        return new Session(SimulationThread.start(journal, tick, true, shouldContinue));
     }
 
     /** {@return the latest frame and requests the next one; frames are made only on request} Wait-free. */

@@ -60,12 +60,16 @@ final class SimulationThread implements Runnable {
 
     /**
      * Replays a journal up to a tick on the calling thread, at full speed, and starts the simulation thread there,
-     * paused.
+     * paused, before or after the commands for the next tick.
      */
-    static SimulationThread start(Journal journal, long tick, LongPredicate shouldContinue) {
+    static SimulationThread start(Journal journal, long tick, boolean edited, LongPredicate shouldContinue) {
         SimulationThread made = new SimulationThread(journal);
         try {
             made.replayTo(tick, shouldContinue);
+            if (edited) {
+                made.player.executeCommands(made.simulation);
+                made.simulation.resample();
+            }
         } catch (RuntimeException e) {
             made.simulation.close();
             throw e;

@@ -28,8 +28,9 @@ public final class RunNavigator implements WorkspaceListener {
     }
 
     /**
-     * Moves the run to the end of a tick, not negative, asynchronously, and pauses it there. Later commands are
-     * executed again at their ticks, unless another command is executed before.
+     * Moves the run to the end of a tick, not negative, asynchronously, and pauses it there, as it was left there: with
+     * the commands that were executed before the next tick. Later commands are executed again at their ticks, unless
+     * another command is executed before.
      */
     public void seek(long tick) {
         endResimulation();
@@ -57,10 +58,11 @@ public final class RunNavigator implements WorkspaceListener {
         workspace.start(task, () -> {
             Journal journal = whole.join();
             long tick = end.applyAsLong(past.join());
-            return new OpenDocument(now.document(), Session.replay(withChosenController(journal), tick, reached -> {
-                task.progress().setFraction((double) reached / tick);
-                return true;
-            }));
+            return new OpenDocument(
+                    now.document(), Session.replayEdited(withChosenController(journal), tick, reached -> {
+                        task.progress().setFraction((double) reached / tick);
+                        return true;
+                    }));
         });
     }
 

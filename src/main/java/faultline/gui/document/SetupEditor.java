@@ -61,9 +61,9 @@ final class SetupEditor implements Command.SetupVisitor<Boolean> {
         result.command().accept(this);
     }
 
-    /** Follows the run to another tick. */
+    /** Follows the run to another tick, where the commands for the next one have been executed. */
     void moveTo(long tick) {
-        moveTo(tick, 0);
+        moveTo(tick + 1, 0);
     }
 
     private void moveTo(long tick, int from) {

@@ -190,13 +190,16 @@ public final class UndoController {
         }
     }
 
-    /** Follows the run to another tick; later edits can be redone, and are redone when the run comes to them. */
+    /**
+     * Follows the run to another tick, where the commands for the next one have been executed; later edits can be
+     * redone, and are redone when the run comes to them.
+     */
     public void runRepositioned(long tick) {
         // A change of the setup repositions the run itself, and the next one may continue it.
         if (!lastTargets.stream().allMatch(target -> target.kind().equals(SETUP))) {
             endEdit();
         }
-        if (history.moveTo(tick)) {
+        if (history.moveTo(tick + 1)) {
             onStateChange.run();
         }
     }

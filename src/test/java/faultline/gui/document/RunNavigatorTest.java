@@ -86,6 +86,15 @@ class RunNavigatorTest {
     }
 
     @Test
+    void theTickAtWhichAnEditWasMadeShowsIt() {
+        seek(10);
+        assertEquals(FIRST, pole());
+        edit(new Command.SwitchSensor("left", false));
+        assertEquals(FIRST, pole(), "a new edit comes after it");
+        assertEquals(List.of(1), forks, "only the edit at tick 20 is ahead");
+    }
+
+    @Test
     void anUndoReportsTheTickOfTheEdit() {
         runOnEdt(edits::undo);
         waitForPole(FIRST);

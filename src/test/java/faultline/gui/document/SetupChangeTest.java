@@ -110,11 +110,7 @@ class SetupChangeTest {
         setTimeline(later);
         assertEquals(later, timeline());
         assertEquals(List.of(new Fault.Stuck(0.13)), faultsOfLeft());
-        assertEquals(new Pose(3.3, 0.35, 0.5), callOnEdt(() -> run.frame().orElseThrow().snapshot().obstacles().stream()
-                .filter(obstacle -> obstacle.id().equals("copier"))
-                .findFirst()
-                .orElseThrow()
-                .pose()));
+        assertEquals(new Pose(3.3, 0.35, 0.5), callOnEdt(() -> pose("copier")));
         assertSaved(later);
     }
 
@@ -124,6 +120,30 @@ class SetupChangeTest {
         runOnEdt(() -> documentStore.save(file, () -> {}));
         Await.until("the save", () -> !workspace.isChanged());
         assertEquals(timeline, Scenario.load(file).setup().timeline());
+    }
+
+    @Test
+    void editsAtThePresentTickStayWhenTheTimelineChanges() {
+        Pose aside = new Pose(3.3, 0.35, 0.5);
+        runOnEdt(() -> edits.send(new Command.MoveObstacle("copier", aside)));
+        Await.until("the edit", () -> edits.undoName().isPresent());
+        setTimeline(List.of(new TimedCommand(0.7, FAULT)));
+        assertEquals(TICKS, tick());
+        assertEquals(aside, callOnEdt(() -> pose("copier")), "it shows before the next tick");
+        runOnEdt(() -> edits.send(new Command.MoveObstacle("cabinet", new Pose(5, 5.7, 0))));
+        Await.until("the second edit", () -> pose("cabinet").y() == 5.7);
+        assertEquals(aside, callOnEdt(() -> pose("copier")), "another edit does not drop it");
+        runOnEdt(edits::undo);
+        runOnEdt(edits::undo);
+        Await.until("the original place", () -> pose("copier").y() == 0.3);
+    }
+
+    private Pose pose(String obstacle) {
+        return run.frame().orElseThrow().snapshot().obstacles().stream()
+                .filter(now -> now.id().equals(obstacle))
+                .findFirst()
+                .orElseThrow()
+                .pose();
     }
 
     @Test
