@@ -48,10 +48,22 @@ public final class DecimalText {
      * @param text the text
      */
     public static double parseShort(String text) {
-        int begin = text.startsWith("-") ? 1 : 0;
+        return parseShort(text, 0, text.length());
+    }
+
+    /**
+     * {@return {@link #parseShort(String)} of a part of a text}
+     *
+     * @param text the text
+     * @param from the index of the first character of the number
+     * @param to the index after its last character
+     */
+    public static double parseShort(String text, int from, int to) {
+        boolean negative = from < to && text.charAt(from) == '-';
+        int begin = negative ? from + 1 : from;
         int point = -1;
         long digits = 0;
-        for (int i = begin; i < text.length(); i++) {
+        for (int i = begin; i < to; i++) {
             char c = text.charAt(i);
             if (c == '.' && point < 0 && i > begin) {
                 point = i;
@@ -61,9 +73,11 @@ public final class DecimalText {
                 return Double.NaN;
             }
         }
-        int decimals = point < 0 ? 0 : text.length() - point - 1;
-        double size = digits / POWERS_OF_TEN[decimals];
-        return text.length() == begin ? Double.NaN : begin == 1 ? -size : size;
+        if (begin == to) {
+            return Double.NaN;
+        }
+        double size = digits / POWERS_OF_TEN[point < 0 ? 0 : to - point - 1];
+        return negative ? -size : size;
     }
 
     /** Returns whether a text is digits with at most one point after the first; most numbers are, and this is fast. */

@@ -84,12 +84,17 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
         @Override
         public List<ConvexShape> visit(ObstacleShape.Plan shape) {
             List<ConvexShape> segments = new ArrayList<>();
-            shape.rings().forEach(ring -> segments.addAll(segments(ring, true)));
+            shape.rings().forEach(ring -> addSegments(ring, true, segments));
             return segments;
         }
 
         private List<ConvexShape> segments(List<Vector2> points, boolean closed) {
             List<ConvexShape> segments = new ArrayList<>(points.size());
+            addSegments(points, closed, segments);
+            return segments;
+        }
+
+        private void addSegments(List<Vector2> points, boolean closed, List<ConvexShape> segments) {
             Vector2 first = frame.toParent(points.get(0));
             Vector2 from = first;
             for (int i = 1; i < points.size(); i++) {
@@ -100,7 +105,6 @@ public record ObstacleGeometry(List<ConvexShape> parts, ObstacleShape shape, Rig
             if (closed) {
                 segments.add(new Segment(from, first));
             }
-            return segments;
         }
     }
 }

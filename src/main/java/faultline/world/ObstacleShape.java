@@ -316,7 +316,7 @@ public sealed interface ObstacleShape {
 
         @Override
         public double boundingRadius() {
-            return maxLength(rings.stream().flatMap(List::stream).toList());
+            return rings.stream().mapToDouble(ObstacleShape::maxLength).max().orElse(0);
         }
 
         @Override
@@ -338,7 +338,11 @@ public sealed interface ObstacleShape {
     }
 
     private static double maxLength(List<Vector2> points) {
-        return points.stream().mapToDouble(Vector2::length).max().orElse(0);
+        double most = 0;
+        for (Vector2 point : points) {
+            most = Math.max(most, point.length());
+        }
+        return most;
     }
 
     private static void requirePositive(String name, double value) {
@@ -351,8 +355,10 @@ public sealed interface ObstacleShape {
         if (points.size() < min) {
             throw new IllegalArgumentException("a " + name + " needs at least " + min + " points: " + points.size());
         }
-        if (!points.stream().allMatch(Vector2::isFinite)) {
-            throw new IllegalArgumentException("the points of a " + name + " must be finite: " + points);
+        for (Vector2 point : points) {
+            if (!point.isFinite()) {
+                throw new IllegalArgumentException("the points of a " + name + " must be finite: " + points);
+            }
         }
         return List.copyOf(points);
     }

@@ -14,6 +14,9 @@ import java.util.stream.IntStream;
  */
 sealed interface PlaceRow {
 
+    /** More than rounding makes of a distance. */
+    double ROUNDED_UP = 1 + 1e-9;
+
     /** Returns the number of places. */
     int size();
 
@@ -27,6 +30,14 @@ sealed interface PlaceRow {
      * Returns the position of a place in the order of all places of the wall, in which those of two sides alternate.
      */
     long rank(int index);
+
+    /** Returns a distance that neighbours among some places do not exceed, metres. */
+    double step(int from, int end);
+
+    /** Returns a distance from the middle one of some places that none of them exceeds, metres. */
+    default double radius(int from, int end) {
+        return step(from, end) * ((end - from) / 2);
+    }
 
     /** Returns how many places at either end may be near to those of another row of the same wall. */
     int shared(double joinDistance);
@@ -85,6 +96,11 @@ sealed interface PlaceRow {
             return segment.length() / size;
         }
 
+        @Override
+        public double step(int from, int end) {
+            return wallLength(0) * ROUNDED_UP;
+        }
+
         /** Places of the arcs count as free up to a little beside their corner. */
         @Override
         public int shared(double joinDistance) {
@@ -113,6 +129,11 @@ sealed interface PlaceRow {
         @Override
         public double wallLength(int index) {
             return 0;
+        }
+
+        @Override
+        public double step(int from, int end) {
+            return circle.get(0).distanceTo(circle.get(circle.size() - 1)) * ROUNDED_UP;
         }
 
         @Override
@@ -150,6 +171,25 @@ sealed interface PlaceRow {
         public double wallLength(int index) {
             Vector2 before = index == 0 ? oval.frame().toParent(new Vector2(oval.rx(), 0)) : foot(unit(index));
             return foot(unit(index + 1)).distanceTo(before);
+        }
+
+        @Override
+        public double step(int from, int end) {
+            double widest = 0;
+            for (int i = from + 1; i < end; i++) {
+                widest = Math.max(widest, place(i).distanceTo(place(i - 1)));
+            }
+            return widest * ROUNDED_UP;
+        }
+
+        @Override
+        public double radius(int from, int end) {
+            Vector2 middle = place(from + (end - from) / 2);
+            double most = 0;
+            for (int i = from; i < end; i++) {
+                most = Math.max(most, place(i).distanceTo(middle));
+            }
+            return most;
         }
 
         @Override

@@ -3,8 +3,10 @@ package faultline.engine.metrics;
 import faultline.geometry.ConvexShape;
 import faultline.geometry.Vector2;
 import faultline.world.CandidateBuffer;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
 
 /**
  * Up to {@link #LONG} neighbouring places of a row. Those that are free carry the number of the piece of way that they
@@ -23,10 +25,16 @@ final class PlaceRun {
     /** The greatest number of places of a run alone. */
     static final int LONG = 4096;
 
+    /** More than the error of a distance, metres. */
+    private static final double ROUNDING = 1e-9;
+
     private final PlaceRow row;
     private final int from;
     private final int size;
     private final Vector2 centre;
+    /** Neighbouring places are no farther apart than this, metres. */
+    private final double step;
+
     private final double radius;
     private final boolean connected;
     private final BitSet passed = new BitSet(0);
@@ -38,18 +46,9 @@ final class PlaceRun {
         this.from = from;
         size = end - from;
         centre = place(size / 2);
-        double most = 0;
-        double widest = 0;
-        Vector2 before = place(0);
-        int step = row instanceof PlaceRow.Side && size > 1 ? size - 1 : 1;
-        for (int i = step == 1 ? 0 : step; i < size; i += step) {
-            Vector2 place = place(i);
-            most = Math.max(most, Math.max(place.distanceTo(centre), before.distanceTo(centre)));
-            widest = Math.max(widest, place.distanceTo(before) / step);
-            before = place;
-        }
-        radius = most;
-        connected = widest <= joinDistance;
+        step = row.step(from, end);
+        radius = row.radius(from, end);
+        connected = step <= joinDistance;
     }
 
     int size() {
@@ -65,7 +64,7 @@ final class PlaceRun {
         return centre;
     }
 
-    /** Returns how far the places are from the centre at most, metres. */
+    /** Returns a distance from the centre that no place exceeds, metres. */
     double radius() {
         return radius;
     }
@@ -105,18 +104,37 @@ final class PlaceRun {
         }
         pieces = new int[size];
         Arrays.fill(pieces, NO_PIECE);
+        List<ConvexShape> close = new ArrayList<>();
+        for (int i = 0; i < near.size(); i++) {
+            if (near.shape(i).distanceTo(centre.x(), centre.y()) <= radius + distance) {
+                close.add(near.shape(i));
+            }
+        }
         int blocker = 0;
         for (int i = 0; i < size; i++) {
             Vector2 place = place(i);
-            for (int j = 0; j < near.size() && pieces[i] != OCCUPIED; j++) {
+            for (int j = 0; j < close.size(); j++) {
                 // The wall that was too near to the last place comes first.
-                int candidate = (blocker + j) % near.size();
-                if (WallReference.isTooNear(near.shape(candidate), place, distance)) {
-                    pieces[i] = OCCUPIED;
+                int candidate = (blocker + j) % close.size();
+                double margin = WallReference.nearness(close.get(candidate), place, distance);
+                if (margin > 0) {
                     blocker = candidate;
+                    i = occupy(i, margin);
+                    break;
                 }
             }
         }
+    }
+
+    /**
+     * Marks a place as occupied, and those after it that must be, too, because they are nearer to it than the margin.
+     *
+     * @return the last place marked
+     */
+    private int occupy(int index, double margin) {
+        int last = (int) Math.min(size - 1, index + Math.max(0, (margin - ROUNDING) / step));
+        Arrays.fill(pieces, index, last + 1, OCCUPIED);
+        return last;
     }
 
     /** Returns whether all places are free, in one piece, and apart from those of any other wall. */

@@ -131,16 +131,19 @@ public final class WallReference {
         Vector2 place = row.place(index);
         CandidateBuffer near = findNear(place, distance);
         for (int i = 0; i < near.size(); i++) {
-            if (isTooNear(near.shape(i), place, distance)) {
+            if (nearness(near.shape(i), place, distance) > 0) {
                 return;
             }
         }
         places.add(new Sample(place, row.wallLength(index)));
     }
 
-    /** Returns whether a wall is nearer to a place than the places of the walls are. */
-    static boolean isTooNear(ConvexShape wall, Vector2 place, double distance) {
-        return wall.nearestTo(place).distanceTo(place) < distance * (1 - 1e-6);
+    /**
+     * Returns by how much a wall is nearer to a place than the places of the walls are, metres; not positive if it is
+     * not nearer.
+     */
+    static double nearness(ConvexShape wall, Vector2 place, double distance) {
+        return distance * (1 - 1e-6) - wall.nearestTo(place).distanceTo(place);
     }
 
     /** Returns the walls near a point, and perhaps others, until the next call. */

@@ -241,7 +241,7 @@ public final class AttributeReader {
     List<Vector2> points(String name, int least, int most) {
         Message allowed = Allowed.POINTS.with(least, NumberRange.COORDINATE.rule());
         List<Vector2> points = required(name, () -> allowed)
-                .map(text -> points(name, text, most, allowed))
+                .map(text -> points(name, new PointParser(text, 0, text.length()), most, allowed))
                 .orElse(PLACEHOLDER_POINTS);
         if (points.size() < least) {
             report(name, text(name).orElse(""), allowed);
@@ -250,19 +250,19 @@ public final class AttributeReader {
         return points;
     }
 
-    private List<Vector2> points(String name, String text, int most, Message allowed) {
+    private List<Vector2> points(String name, PointParser pairs, int most, Message allowed) {
         List<Vector2> points = new ArrayList<>();
-        PointParser pairs = new PointParser(text);
-        while (pairs.hasNext() && points.size() < most) {
-            String pair = pairs.next();
-            Optional<Vector2> point = PointParser.parsePoint(pair);
+        boolean more = pairs.advance();
+        while (more && points.size() < most) {
+            Optional<Vector2> point = pairs.point();
             if (point.isEmpty()) {
-                report(name, pair, allowed);
+                report(name, pairs.pair(), allowed);
                 return PLACEHOLDER_POINTS;
             }
             points.add(point.get());
+            more = pairs.advance();
         }
-        if (pairs.hasNext()) {
+        if (more) {
             problems.add(node, ProblemKind.TOO_MANY_POINTS.with(name, node.name(), ScenarioLimits.MAX_PARTS));
         }
         return points;
@@ -276,14 +276,18 @@ public final class AttributeReader {
         Message allowed = Allowed.RINGS.with(NumberRange.COORDINATE.rule());
         List<List<Vector2>> rings = new ArrayList<>();
         int left = most;
-        for (String text : required(name, () -> allowed).orElse("0,0 1,0 0,1").split("\\|", -1)) {
-            List<Vector2> ring = points(name, text, left, allowed);
+        String text = required(name, () -> allowed).orElse("0,0 1,0 0,1");
+        for (int from = 0; from <= text.length(); ) {
+            int bar = text.indexOf('|', from);
+            int end = bar < 0 ? text.length() : bar;
+            List<Vector2> ring = points(name, new PointParser(text, from, end), left, allowed);
             if (ring.size() < 3) {
-                report(name, XmlText.strip(text), allowed);
+                report(name, XmlText.strip(text.substring(from, end)), allowed);
                 return List.of(PLACEHOLDER_POINTS);
             }
             rings.add(ring);
             left -= ring.size();
+            from = end + 1;
         }
         return rings;
     }

@@ -4,44 +4,70 @@ import faultline.geometry.Vector2;
 import faultline.io.DecimalText;
 import java.math.BigDecimal;
 import java.util.Optional;
-import java.util.StringTokenizer;
 
 /**
  * Parses points in the form of files: x,y pairs with blanks between the pairs. They are read one at a time, because a
- * hostile file may hold millions.
+ * hostile file may hold millions, and without a text of their own, because the plan of a building has tens of
+ * thousands.
  */
 final class PointParser {
 
-    private final StringTokenizer pairs;
+    private static final double LEAST = NumberRange.COORDINATE.min().doubleValue();
+    private static final double MOST = NumberRange.COORDINATE.max().doubleValue();
 
-    PointParser(String text) {
-        pairs = new StringTokenizer(text);
+    private final String text;
+    private final int length;
+    private int begin;
+    private int end;
+
+    /** Creates a parser of the points in a part of a text. */
+    PointParser(String text, int from, int length) {
+        this.text = text;
+        this.length = length;
+        this.end = from;
     }
 
-    boolean hasNext() {
-        return pairs.hasMoreTokens();
+    /** Goes to the next pair, and returns false if there is none. */
+    boolean advance() {
+        begin = end;
+        while (begin < length && isBlank(text.charAt(begin))) {
+            begin++;
+        }
+        end = begin;
+        while (end < length && !isBlank(text.charAt(end))) {
+            end++;
+        }
+        return begin < length;
     }
 
-    String next() {
-        return pairs.nextToken();
+    private static boolean isBlank(char c) {
+        return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\f';
     }
 
-    /** Returns the point of a pair, empty if the pair is invalid. */
-    static Optional<Vector2> parsePoint(String pair) {
-        int comma = pair.indexOf(',');
-        if (comma < 0) {
+    /** Returns the present pair. */
+    String pair() {
+        return text.substring(begin, end);
+    }
+
+    /** Returns the point of the present pair, empty if the pair is invalid. */
+    Optional<Vector2> point() {
+        int comma = text.indexOf(',', begin);
+        if (comma < 0 || comma >= end) {
             return Optional.empty();
         }
-        return parseCoordinate(pair.substring(0, comma))
-                .flatMap(x -> parseCoordinate(pair.substring(comma + 1)).map(y -> new Vector2(x, y)));
+        double x = coordinate(begin, comma);
+        double y = coordinate(comma + 1, end);
+        return Double.isNaN(x) || Double.isNaN(y) ? Optional.empty() : Optional.of(new Vector2(x, y));
     }
 
-    private static Optional<Double> parseCoordinate(String text) {
-        double rounded = DecimalText.parseShort(text);
-        if (NumberRange.COORDINATE.isInside(rounded)) {
-            return Optional.of(rounded);
+    /** Returns the coordinate in a part of the text, NaN if it is invalid. */
+    private double coordinate(int from, int to) {
+        double rounded = DecimalText.parseShort(text, from, to);
+        if (rounded > LEAST && rounded < MOST) {
+            return rounded;
         }
-        Optional<BigDecimal> exact = DecimalText.parse(text).filter(NumberRange.COORDINATE::contains);
-        return exact.map(number -> DecimalText.toDouble(number, text));
+        String number = text.substring(from, to);
+        Optional<BigDecimal> exact = DecimalText.parse(number).filter(NumberRange.COORDINATE::contains);
+        return exact.isPresent() ? DecimalText.toDouble(exact.get(), number) : Double.NaN;
     }
 }
