@@ -13,11 +13,8 @@ import faultline.paint.surface.Palette;
 import faultline.scenario.JournalScenario;
 import faultline.scenario.Scenario;
 import java.awt.image.BufferedImage;
-import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.OutputStreamWriter;
-import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -36,7 +33,8 @@ final class RunOutputs implements AutoCloseable {
     private static final int IMAGE_WIDTH = 1200;
 
     private final Map<Output, AtomicFile> files = new EnumMap<>(Output.class);
-    private Writer traceWriter = Writer.nullWriter();
+    /** Null unless there is a trace. */
+    private TraceWriter traceWriter;
     /** Null unless the trace is compressed. */
     private GZIPOutputStream traceEnd;
 
@@ -68,8 +66,8 @@ final class RunOutputs implements AutoCloseable {
     List<TickObserver> observers() throws IOException {
         List<TickObserver> observers = new ArrayList<>();
         if (files.containsKey(Output.TRACE)) {
-            traceWriter = new BufferedWriter(new OutputStreamWriter(traceStream(), StandardCharsets.UTF_8));
-            observers.add(new TraceWriter(traceWriter, options.traceFormat()));
+            traceWriter = new TraceWriter(traceStream(), options.traceFormat());
+            observers.add(traceWriter);
         }
         if (files.containsKey(Output.TRACE_HEADER)) {
             observers.add(traced -> simulation = traced);
@@ -109,7 +107,9 @@ final class RunOutputs implements AutoCloseable {
 
     /** Writes the remaining outputs and moves every file into place. */
     void finish(Scenario scenario) throws IOException {
-        traceWriter.flush();
+        if (traceWriter != null) {
+            traceWriter.flush();
+        }
         if (traceEnd != null) {
             traceEnd.finish();
         }

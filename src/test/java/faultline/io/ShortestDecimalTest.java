@@ -3,6 +3,7 @@ package faultline.io;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.charset.StandardCharsets;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
@@ -11,10 +12,12 @@ import org.junit.jupiter.api.Test;
 class ShortestDecimalTest {
 
     private static final int NUMBERS = Integer.getInteger("faultline.numbers", 100_000);
-    private static final char[] TEXT = new char[ShortestDecimal.MAX_LENGTH];
+    private static final int START = 5;
+    private static final byte[] TEXT = new byte[START + ShortestDecimal.ROOM];
 
     private static String text(double number) {
-        return new String(TEXT, 0, ShortestDecimal.write(number, TEXT));
+        int end = ShortestDecimal.write(number, TEXT, START);
+        return new String(TEXT, START, end - START, StandardCharsets.ISO_8859_1);
     }
 
     @Test
@@ -46,7 +49,7 @@ class ShortestDecimalTest {
                 .filter(Double::isFinite)
                 .forEach(number -> {
                     assertEquals(Double.toString(number), text(number));
-                    assertTrue(text(number).length() <= ShortestDecimal.MAX_LENGTH);
+                    assertTrue(text(number).length() <= ShortestDecimal.ROOM);
                 });
     }
 }

@@ -3,10 +3,9 @@ package faultline.engine.metrics;
 import faultline.engine.Simulation;
 import faultline.engine.TickObserver;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.io.Writer;
 import java.util.List;
-import java.util.stream.Collectors;
 
 /**
  * Writes the trace: a header, then a CSV row for tick 0 and after every tick. Numbers are the shortest that read back
@@ -14,44 +13,52 @@ import java.util.stream.Collectors;
  */
 public final class TraceWriter implements TickObserver {
 
-    private final Writer out;
+    private final OutputStream out;
     private final TraceFormat format;
-    private final TraceRow row = new TraceRow();
-    private List<TraceColumn> columns = List.of();
+    private final TraceBlock block = new TraceBlock();
+    private List<TraceCells> cells = List.of();
 
     /**
-     * Creates a trace on a writer, which the caller closes.
+     * Creates a trace on a stream, which the caller closes.
      *
-     * @param out where the rows go; buffered
+     * @param out where the rows go, many at a time
      * @param format which columns it has
      */
-    public TraceWriter(Writer out, TraceFormat format) {
+    public TraceWriter(OutputStream out, TraceFormat format) {
         this.out = out;
         this.format = format;
     }
 
     /**
-     * Writes the row of this moment.
+     * Adds the row of this moment.
      *
-     * @throws UncheckedIOException if the writer fails
+     * @throws UncheckedIOException if the stream fails
      */
     @Override
     public void observe(Simulation simulation) {
-        if (columns.isEmpty()) {
-            columns = format.columns(simulation.robot());
-            row.append(columns.stream().map(TraceColumn::name).collect(Collectors.joining(",", "", "\n")));
+        if (cells.isEmpty()) {
+            cells = format.cells(simulation.robot());
+            cells.forEach(some -> some.columns().forEach(column -> block.append(column.name() + ",")));
+            block.endRow();
         }
-        for (int i = 0; i < columns.size(); i++) {
-            if (i > 0) {
-                row.append(',');
-            }
-            columns.get(i).cell().accept(simulation, row);
+        for (int i = 0; i < cells.size(); i++) {
+            cells.get(i).append(simulation, block);
         }
-        row.append('\n');
+        block.endRow();
         try {
-            row.writeTo(out);
+            block.writeIfLong(out);
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }
+    }
+
+    /**
+     * Writes the rows that have not been written; must be called at the end.
+     *
+     * @throws IOException if the stream fails
+     */
+    public void flush() throws IOException {
+        block.write(out);
+        out.flush();
     }
 }

@@ -7,13 +7,9 @@ import faultline.engine.metrics.TraceFormat;
 import faultline.engine.metrics.TraceWriter;
 import faultline.gui.document.TaskProgress;
 import faultline.scenario.Scenario;
-import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
-import java.io.Writer;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -46,9 +42,9 @@ final class HeadlessReplay {
     /** Writes one row for every tick of a scenario, as {@code run --trace} does. */
     static void writeTrace(CompletableFuture<Scenario> scenario, OutputStream out, TaskProgress progress)
             throws IOException {
-        Writer text = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
-        run(scenario, new TraceWriter(text, TraceFormat.ONE)::observe, progress);
-        text.flush();
+        TraceWriter trace = new TraceWriter(out, TraceFormat.ONE);
+        run(scenario, trace::observe, progress);
+        trace.flush();
     }
 
     private static Scenario join(CompletableFuture<Scenario> scenario) throws IOException {

@@ -2,6 +2,7 @@ package faultline.gui.export;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -36,8 +37,6 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.StringWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -161,17 +160,17 @@ class ExportControllerTest {
 
     @Test
     void anExportedTraceEqualsThatOfAHeadlessRun() throws Exception {
-        StringWriter expected = new StringWriter();
+        ByteArrayOutputStream expected = new ByteArrayOutputStream();
+        TraceWriter trace = new TraceWriter(expected, TraceFormat.ONE);
         Scenario scenario = Scenario.load(Path.of("scenarios/office.xml"));
         HeadlessRun.run(
-                scenario.setup().withDuration(STEPS * scenario.setup().dt()),
-                ControllerMode.DIRECT,
-                List.of(new TraceWriter(expected, TraceFormat.ONE)));
+                scenario.setup().withDuration(STEPS * scenario.setup().dt()), ControllerMode.DIRECT, List.of(trace));
+        trace.flush();
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         TaskProgress progress = new TaskProgress();
         HeadlessReplay.writeTrace(callOnEdt(() -> workspace.replayScenario().orElseThrow()), out, progress);
         assertEquals(OptionalDouble.of(1), progress.fraction());
-        assertEquals(expected.toString(), out.toString(StandardCharsets.UTF_8));
+        assertArrayEquals(expected.toByteArray(), out.toByteArray());
     }
 
     @Test
