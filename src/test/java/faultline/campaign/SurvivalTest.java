@@ -14,6 +14,7 @@ import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A short version of the study of docs/faults.md, on rooms of its own. */
 class SurvivalTest {
@@ -63,6 +64,15 @@ class SurvivalTest {
                 .sorted()
                 .toArray();
         assertTrue(delays[6] < 2.2, "found after " + Arrays.toString(delays));
+    }
+
+    /** A front sensor that is stuck at nothing; robots that drove on touched something in each of these rooms. */
+    @ParameterizedTest
+    @ValueSource(longs = {98_013, 98_022, 98_026, 98_030, 98_033})
+    void aSurfaceThatTheFrontSensorMissesIsNotTouched(long room) {
+        Outcome outcome =
+                new SurvivalTrial(room, List.of(DrawnFault.STUCK_AT_LAST), List.of(0), 0, Conditions.STANDARD).run();
+        assertTrue(outcome.carriedOn(), outcome::note);
     }
 
     @ParameterizedTest

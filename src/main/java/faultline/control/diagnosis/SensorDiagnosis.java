@@ -42,6 +42,9 @@ public final class SensorDiagnosis {
     /** The time between two inspections, seconds. */
     private static final double STEP = 0.01;
 
+    /** A slower robot turns on the spot, where surfaces may come near, metres per second. */
+    private static final double DRIVING = 0.06;
+
     private static final double FADE = 0.97;
 
     private final double side;
@@ -65,6 +68,7 @@ public final class SensorDiagnosis {
     private double untilInspection;
     private boolean alert;
     private double bodyMarkedWay = Double.NEGATIVE_INFINITY;
+    private double wantedDistance = Double.POSITIVE_INFINITY;
 
     /**
      * Creates a diagnosis with all sensors healthy.
@@ -179,8 +183,8 @@ public final class SensorDiagnosis {
             }
             mark(sensor, sees, reading);
             retest(sensor);
-            if (sees && ApproachTest.applies(sensor.cone())) {
-                testApproach(sensor);
+            if (sees) {
+                testAhead(sensor);
             }
         }
         verdicts.fade(sensor, FADE);
@@ -274,17 +278,36 @@ public final class SensorDiagnosis {
         }
     }
 
-    private void testApproach(InspectedSensor sensor) {
-        double expected = ApproachTest.expectedAhead(sensor.cone(), sensor.claims());
+    /** Tests whether a sensor that looks diagonally ahead foresees a surface that the front sensor does not see. */
+    private void testAhead(InspectedSensor sensor) {
+        MountedCone cone = sensor.cone();
+        if (ApproachTest.applies(cone)) {
+            testFront(cone, ApproachTest.expectedAhead(cone, sensor.claims()), 0);
+        }
+        if (NearTest.applies(cone) && sensor.isTrusted() && reckoning.v() > DRIVING) {
+            testFront(cone, NearTest.expectedAhead(cone, sensor.claims(), wantedDistance), cone.range());
+        }
+    }
+
+    /**
+     * Tests whether the front sensor misses a surface.
+     *
+     * @param by the cone of the sensor that foresees it
+     * @param expected how far ahead of that sensor it crosses the path, metres; infinite if there is none
+     * @param beyond a front sensor that sees something nearer than this may be right, metres
+     */
+    private void testFront(MountedCone by, double expected, double beyond) {
         if (expected == Reading.NOTHING) {
             return;
         }
         for (InspectedSensor front : sensors) {
-            double due = expected + sensor.cone().x() - front.cone().x();
+            double due = expected + by.x() - front.cone().x();
             double farthest = due + ForeseenSurface.FARTHER;
+            double reading = lastReadings[front.index()];
             boolean blind = Math.abs(front.cone().bearing()) < front.cone().half()
                     && front.isTrusted()
-                    && farthest < Math.min(front.cone().range(), lastReadings[front.index()]);
+                    && reading >= beyond
+                    && farthest < Math.min(front.cone().range(), reading);
             if (blind) {
                 ForeseenSurface surface = ForeseenSurface.ahead(reckoning, front.cone(), due);
                 if (!isRefuted(surface, front)) {
@@ -312,6 +335,15 @@ public final class SensorDiagnosis {
      */
     public void doubt(double x, double y) {
         grid.markHit(sensors.length, EvidenceGrid.cellOf(x), EvidenceGrid.cellOf(y), clock.moment());
+    }
+
+    /**
+     * Sets the distance from the wall that the robot keeps, which is the nearest that surfaces come.
+     *
+     * @param metres the distance, in metres
+     */
+    public void setWantedDistance(double metres) {
+        wantedDistance = metres;
     }
 
     /**

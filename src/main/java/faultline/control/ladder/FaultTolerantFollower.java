@@ -53,6 +53,7 @@ public final class FaultTolerantFollower implements Controller {
     public FaultTolerantFollower(ControllerSpec.WallFollowing spec) {
         this.spec = spec;
         this.diagnosis = new SensorDiagnosis(spec.side() == WallSide.LEFT ? 1 : -1);
+        diagnosis.setWantedDistance(spec.distance());
         this.mapFollower = new MapFollower(diagnosis, spec.distance());
         this.sixStates = new WallFollower(spec);
     }
@@ -80,6 +81,7 @@ public final class FaultTolerantFollower implements Controller {
     @Override
     public void configure(ControllerSpec.BuiltIn settings) {
         spec = (ControllerSpec.WallFollowing) settings;
+        diagnosis.setWantedDistance(spec.distance());
         mapFollower.setWantedDistance(spec.distance());
         sixStates.configure(spec);
     }

@@ -1,0 +1,38 @@
+package faultline.control.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.sensor.Reading;
+import org.junit.jupiter.api.Test;
+
+class NearTestTest {
+
+    private static final double DIAGONAL = Math.toRadians(45);
+    private static final MountedCone CONE = new MountedCone(0.125, 0.1, DIAGONAL, Math.toRadians(10), 0.8);
+
+    private static double expected(double wantedDistance, double... readings) {
+        ClaimRing claims = new ClaimRing();
+        for (double reading : readings) {
+            claims.add(0, 0, DIAGONAL, Math.cos(DIAGONAL), Math.sin(DIAGONAL), reading, 0);
+        }
+        return NearTest.expectedAhead(CONE, claims, wantedDistance);
+    }
+
+    @Test
+    void aNearSurfaceThatFacesTheSensorCrossesThePath() {
+        assertEquals(0.13 * Math.sqrt(2) + 0.1, expected(0.25, 0.16, 0.145, 0.13), 1e-12);
+    }
+
+    @Test
+    void aSingleNearReadingIsNoSurface() {
+        assertEquals(Reading.NOTHING, expected(0.25, 0.5, 0.5, 0.13));
+        assertEquals(Reading.NOTHING, expected(0.25, -1, 0.14, 0.13));
+        assertEquals(Reading.NOTHING, expected(0.25, 0.14, 0.13));
+    }
+
+    @Test
+    void aRobotThatKeepsNearTheWallMayComeNearer() {
+        assertEquals(Reading.NOTHING, expected(0.1, 0.12, 0.11, 0.1));
+        assertEquals(0.05 * Math.sqrt(2) + 0.1, expected(0.1, 0.07, 0.06, 0.05), 1e-12);
+    }
+}
