@@ -195,6 +195,11 @@ public final class World {
         return collisions.isEmpty() ? Optional.empty() : Optional.of(collisions.get(0));
     }
 
+    /** Returns the obstacles at their current poses. */
+    List<Obstacle> obstacles() {
+        return obstacleSet.obstacles();
+    }
+
     /** {@return the current state as an immutable value} */
     public Snapshot snapshot() {
         return new Snapshot(
@@ -208,7 +213,7 @@ public final class World {
                 body.wheelSpeeds(),
                 body.motorFaults(),
                 sensors.snapshots(obstacleSet, body),
-                obstacleSet.obstacles(),
+                obstacles(),
                 contacts,
                 collisions);
     }
