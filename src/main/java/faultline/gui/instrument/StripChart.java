@@ -65,7 +65,7 @@ public final class StripChart extends JPanel {
         new StripChartMouse(view, this::freeze).install();
         JPanel bar = new JPanel();
         bar.setLayout(new BoxLayout(bar, BoxLayout.LINE_AXIS));
-        bar.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 4));
+        bar.setBorder(BorderFactory.createEmptyBorder(3, 8, 2, 4));
         RefreshSteps.add(choice, box -> {
             renameGroups();
             fitChoice();
@@ -86,6 +86,7 @@ public final class StripChart extends JPanel {
         bar.add(legend);
         add(bar, BorderLayout.NORTH);
         add(view, BorderLayout.CENTER);
+        setGroups();
     }
 
     private static void name(JComponent control, String key) {

@@ -28,7 +28,7 @@ import java.util.List;
 /** Paints a strip chart: the bar of controller states, faults behind the lines, axes, lines and collisions. */
 final class StripPainter {
 
-    private static final int RIBBON_GAP = 6;
+    private static final int RIBBON_GAP = 2;
     private static final int RIBBON_HEIGHT = 15;
     private static final int STATE_COLOUR_HEIGHT = 3;
     private static final int FAULT_ALPHA = 45;

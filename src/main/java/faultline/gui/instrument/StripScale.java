@@ -19,8 +19,8 @@ record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> se
 
     static final int LEFT_MARGIN = 46;
     static final int RIGHT_MARGIN = 14;
-    private static final int TOP_MARGIN = 28;
-    private static final int BOTTOM_MARGIN = 22;
+    private static final int TOP_MARGIN = 24;
+    private static final int BOTTOM_MARGIN = 20;
 
     /** Returns the scale of a chart; width and height in pixels. */
     static StripScale of(

@@ -1,26 +1,37 @@
 package faultline.gui.panel;
 
+import faultline.engine.SimulationSetup;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
+import faultline.geometry.Pose;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;
+import faultline.robot.RobotSpec;
 import faultline.scenario.Scenario;
 import faultline.world.Snapshot;
+import faultline.world.World;
+import faultline.world.WorldSpec;
 import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
+import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
 import javax.swing.Action;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.Scrollable;
@@ -39,6 +50,10 @@ public final class ControlPanel extends JPanel {
 
     private static final int MIN_WIDTH = 240;
 
+    /** The default robot where none of its sensors sees anything. */
+    private static final Snapshot DEFAULT_WORLD =
+            new World(new WorldSpec(1, 1, false, 0, List.of()), RobotSpec.DEFAULT, new Pose(0, 0, 0), 1, 0).snapshot();
+
     private final RobotPanel robot;
     private final SensorsPanel sensors;
     private final SensorDetailsPanel sensorDetails;
@@ -46,9 +61,12 @@ public final class ControlPanel extends JPanel {
     private final RunPanel run = new RunPanel();
     private final JTabbedPane tabs = new JTabbedPane();
     private final transient UndoController editor;
+    /** The controls that the first snapshot enables. */
+    private transient List<Component> disabledControls = List.of();
 
     /**
-     * Creates an empty panel.
+     * Creates a panel that shows the default robot, disabled, so that the fields do not move when a robot like it
+     * comes.
      *
      * @param editor receives all changes
      * @param scenarioEditor receives changes that need a new simulation
@@ -72,6 +90,27 @@ public final class ControlPanel extends JPanel {
         addTab("panel.controller", controller);
         addTab("panel.run", run);
         add(tabs, BorderLayout.CENTER);
+        setSnapshot(emptyWorld());
+        disabledControls = controlsIn(tabs).filter(Component::isEnabled).toList();
+        disabledControls.forEach(control -> control.setEnabled(false));
+    }
+
+    /** Returns the controls in a container, except for those of actions, which are enabled by their actions. */
+    private static Stream<Component> controlsIn(Container container) {
+        return Stream.of(container.getComponents())
+                .flatMap(part -> part instanceof JSpinner
+                                || part instanceof JComboBox
+                                || part instanceof AbstractButton button && button.getAction() == null
+                        ? Stream.of(part)
+                        : part instanceof Container inner ? controlsIn(inner) : Stream.empty());
+    }
+
+    /** Returns a world in which the sensors of the default robot see nothing. */
+    private static Snapshot emptyWorld() {
+        WorldSpec nothing = new WorldSpec(1, 1, false, 0, List.of());
+        World world = new World(nothing, RobotSpec.DEFAULT, new Pose(0, 0, 0), SimulationSetup.DEFAULT_TICK, 0);
+        world.sense();
+        return world.snapshot();
     }
 
     /** Adds a tab with the key of its name and its sections from top to bottom. */
@@ -164,6 +203,8 @@ public final class ControlPanel extends JPanel {
     /** Shows a snapshot of the world. */
     public void setSnapshot(Snapshot world) {
         assert EventQueue.isDispatchThread();
+        disabledControls.forEach(control -> control.setEnabled(true));
+        disabledControls = List.of();
         editor.pendingEdits().setRobot(world.robot());
         robot.setRobot(editor.pendingEdits().robot());
         sensors.setSensors(world.sensors());

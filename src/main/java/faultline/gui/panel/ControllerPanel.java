@@ -4,6 +4,7 @@ import faultline.control.ControllerSpec;
 import faultline.engine.SimulationSetup;
 import faultline.gui.edit.ScenarioEditor;
 import faultline.gui.edit.UndoController;
+import faultline.robot.RobotSpec;
 import faultline.world.Command;
 import java.awt.EventQueue;
 import javax.swing.BoxLayout;
@@ -23,6 +24,8 @@ public final class ControllerPanel extends JPanel {
         setLayout(new BoxLayout(this, BoxLayout.PAGE_AXIS));
         form.sections().forEach(this::add);
         add(new TitledSection("controller.drive", driveFields));
+        form.setController(ControllerSpec.WallFollowing.DEFAULT, RobotSpec.DEFAULT, SimulationSetup.DEFAULT_TICK);
+        driveFields.setRobot(RobotSpec.DEFAULT);
     }
 
     private void send(ControllerSpec.BuiltIn changed) {

@@ -23,7 +23,7 @@ public final class FlatTabbedPaneUI extends BasicTabbedPaneUI {
     @Override
     protected void installDefaults() {
         super.installDefaults();
-        tabInsets = new Insets(7, 14, 8, 14);
+        tabInsets = new Insets(5, 14, 6, 14);
         selectedTabPadInsets = NONE;
         tabAreaInsets = new Insets(0, 6, 0, 6);
         contentBorderInsets = new Insets(1, 0, 0, 0);

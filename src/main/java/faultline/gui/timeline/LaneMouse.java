@@ -33,6 +33,9 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mousePressed(MouseEvent event) {
+        if (!view.isEnabled()) {
+            return;
+        }
         view.requestFocusInWindow();
         LaneLayout lanes = view.lanes();
         hit = lanes.hit(event.getX(), event.getY());
@@ -106,7 +109,8 @@ final class LaneMouse extends MouseAdapter {
 
     @Override
     public void mouseClicked(MouseEvent event) {
-        if (SwingUtilities.isLeftMouseButton(event)
+        if (view.isEnabled()
+                && SwingUtilities.isLeftMouseButton(event)
                 && event.getClickCount() == 2
                 && view.lanes().laneAt(event.getY()) != LaneLayout.NONE) {
             if (hit == null) {

@@ -48,6 +48,9 @@ final class LanePainter {
         g.setColor(theme.palette().canvas());
         g.fillRect(0, 0, view.getWidth(), view.getHeight());
         paintLanes();
+        if (!view.isEnabled()) {
+            return;
+        }
         paintRuler();
         for (int i = 0; i < lanes.items().size(); i++) {
             paintItem(i);
@@ -72,8 +75,9 @@ final class LanePainter {
             g.fillRect(0, y, view.getWidth(), 1);
             String name = lanes.lanes().get(lane).label();
             double room = lanes.axis().left() - 3 * LABEL_ROOM - SWATCH;
-            paintText(
-                    name, 2.0 * LABEL_ROOM + SWATCH, lane, room, theme.palette().text());
+            Color colour =
+                    view.isEnabled() ? theme.palette().text() : theme.palette().muted();
+            paintText(name, 2.0 * LABEL_ROOM + SWATCH, lane, room, colour);
             if (lanes.lanes().get(lane) instanceof Lane.OfSensor) {
                 paintSwatch(lane);
             }

@@ -42,6 +42,7 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         super(AccessibleRole.LIST);
         this.editor = editor;
         setFocusable(true);
+        setEnabled(false);
         setOpaque(true);
         setToolTipText("");
         RefreshSteps.add(this, LaneView::updateTexts);
@@ -70,9 +71,19 @@ public final class LaneView extends AccessibleComponent implements Scrollable {
         repaint();
     }
 
+    /** Shows lanes without items before there is a scenario. */
+    void setEmptyLanes(List<Lane> newLanes, TimeAxis newAxis) {
+        if (newLanes.size() != allLanes.size()) {
+            revalidate();
+        }
+        allLanes = List.copyOf(newLanes);
+        axis = newAxis;
+    }
+
     /** Shows the scenario's timeline in lanes. */
     void update(List<Lane> newLanes, TimeAxis newAxis, double newNow) {
         assert EventQueue.isDispatchThread();
+        setEnabled(true);
         TimelineModel newest = editor.model();
         if (newest != model || !newLanes.equals(allLanes) || !newAxis.equals(axis) || newNow != now) {
             if (newest != model && preview == null) {

@@ -8,6 +8,9 @@ import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.SeparatorBorder;
 import faultline.gui.theme.TextSize;
 import faultline.robot.MotorSide;
+import faultline.robot.RobotSpec;
+import faultline.sensor.SensorSpec;
+import faultline.world.SensorSnapshot;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Insets;
@@ -16,6 +19,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.LongConsumer;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -25,7 +29,7 @@ import javax.swing.ScrollPaneConstants;
 public final class TimelinePanel extends JPanel {
 
     /** The share of the window's height that the lanes take where there is little room. */
-    private static final double MIN_WINDOW_SHARE = 0.14;
+    private static final double MIN_WINDOW_SHARE = 0.1;
 
     private static final int LANE_NAME_WIDTH = 80;
 
@@ -95,7 +99,19 @@ public final class TimelinePanel extends JPanel {
         bar.setFrame(frame, end, dt);
         updateMarks(frame, scenarioEnd, dt);
         if (scroll.isVisible()) {
-            lanes.update(lanesOf(frame), bar.axis(), bar.shownTime());
+            lanes.update(
+                    lanesOf(frame.snapshot().sensors().stream().map(SensorSnapshot::spec)),
+                    bar.axis(),
+                    bar.shownTime());
+        }
+    }
+
+    /** Aligns the lanes with the slider also before the first frame. */
+    @Override
+    protected void validateTree() {
+        super.validateTree();
+        if (!lanes.isEnabled()) {
+            lanes.setEmptyLanes(lanesOf(RobotSpec.DEFAULT.sensors().stream()), bar.axis());
         }
     }
 
@@ -110,11 +126,9 @@ public final class TimelinePanel extends JPanel {
         }
     }
 
-    private static List<Lane> lanesOf(SessionFrame frame) {
+    private static List<Lane> lanesOf(Stream<SensorSpec> sensors) {
         List<Lane> result = new ArrayList<>();
-        frame.snapshot()
-                .sensors()
-                .forEach(sensor -> result.add(new Lane.OfSensor(sensor.spec().id())));
+        sensors.forEach(sensor -> result.add(new Lane.OfSensor(sensor.id())));
         for (MotorSide side : MotorSide.values()) {
             result.add(new Lane.OfMotors(side));
         }

@@ -50,7 +50,7 @@ final class StatusBar extends JPanel {
 
     StatusBar() {
         super(new StatusLayout(GAP, StatusCell.class::isInstance));
-        setBorder(SeparatorBorder.above(4, 14, 4));
+        setBorder(SeparatorBorder.above(3, 14, 3));
         for (StatusCell cell : new StatusCell[] {running, time, pace, state, pose, cursor, scale, tick}) {
             add(cell);
         }

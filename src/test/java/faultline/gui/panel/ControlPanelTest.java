@@ -24,6 +24,7 @@ import faultline.world.Command;
 import faultline.world.CommandResult;
 import faultline.world.Snapshot;
 import java.awt.Container;
+import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
@@ -150,6 +151,28 @@ class ControlPanelTest {
                             .orElseThrow()
                             .getText());
         });
+    }
+
+    @Test
+    void theFieldsOfTheDefaultRobotStandDisabledWhereTheyWillBe() {
+        runOnEdt(() -> {
+            ControlPanel early = new ControlPanel(
+                    new UndoController(this::execute, () -> {}), null, UiAction.toggle("path", true, on -> {}));
+            early.setSize(early.defaultWidth(), 640);
+            layOut(early);
+            List<NumberSpinner> fields = NumberSpinner.findIn(early).toList();
+            assertEquals(
+                    List.of(), fields.stream().filter(NumberSpinner::isEnabled).toList());
+            assertEquals("0.30", fields.get(0).textField().getText());
+            List<Rectangle> before =
+                    fields.stream().map(NumberSpinner::getBounds).toList();
+            early.setSnapshot(world);
+            layOut(early);
+            assertEquals(fields, NumberSpinner.findIn(early).toList(), "the same fields");
+            assertEquals(before, fields.stream().map(NumberSpinner::getBounds).toList());
+            assertTrue(fields.get(0).isEnabled());
+        });
+        assertEquals(List.of(), commands);
     }
 
     @ParameterizedTest

@@ -8,6 +8,7 @@ import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.panel.ControlPanel;
 import faultline.gui.text.Language;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.gui.timeline.LaneView;
@@ -18,6 +19,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
+import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.condition.DisabledIf;
@@ -37,6 +39,11 @@ class LayoutRobotTest {
     private static final int ROW = 12;
 
     private static final int RULER = 14;
+
+    /**
+     * The least height of a chart that shows, with its axes and the names of the states; 60 of it are for the lines.
+     */
+    private static final int MIN_CHART = 100;
 
     @AfterEach
     void restoreDefaults() {
@@ -72,6 +79,9 @@ class LayoutRobotTest {
                     .getVisibleRect());
             int rows = height < 768 ? 2 : 5;
             assertTrue(lanes.height >= TextSize.scaled(RULER + rows * ROW), "lanes " + lanes);
+            Component chart = ComponentFinder.find(driver.window(), JComponent.class, Messages.get("strip.view"));
+            int chartHeight = callOnEdt(chart::getHeight);
+            assertTrue(!chart.isShowing() || chartHeight >= TextSize.scaled(MIN_CHART), "chart " + chartHeight);
             List<AbstractButton> hidden = callOnEdt(() -> ComponentFinder.findAll(driver.window(), ToolBar.class)
                     .flatMap(bar -> ComponentFinder.findAll(bar, AbstractButton.class))
                     .filter(button -> !button.getVisibleRect().getSize().equals(button.getSize()))
