@@ -32,21 +32,19 @@ public record RandomRoom(WorldSpec world, Pose start) {
     private static final int MAX_TRIES = 400;
 
     /**
-     * Makes a room with inner corners of 60 degrees and more, without visitors.
+     * {@return a room with inner corners of 60 degrees and more, without visitors}
      *
      * @param seed of all random numbers
-     * @return the room
      */
     public static RandomRoom ofSeed(long seed) {
         return ofSeed(seed, RoomRules.DEFAULT);
     }
 
     /**
-     * Makes a room.
+     * {@return a room}
      *
      * @param seed of all random numbers
      * @param rules for its corners and visitors
-     * @return the room
      */
     public static RandomRoom ofSeed(long seed, RoomRules rules) {
         SplittableRandom random = new SplittableRandom(seed);

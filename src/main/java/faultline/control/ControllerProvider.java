@@ -12,10 +12,9 @@ public interface ControllerProvider {
     String name();
 
     /**
-     * Makes a controller for one run. The same settings must give a controller that decides the same.
+     * {@return a new controller for one run} The same settings must give a controller that decides the same.
      *
      * @param settings what the scenario file says, by name; empty if it says nothing
-     * @return a new controller
      */
     Controller create(Map<String, String> settings);
 }

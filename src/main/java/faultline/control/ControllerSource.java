@@ -17,10 +17,9 @@ public interface ControllerSource {
     record Run(long seed, double dt, long periodTicks, double duration, RobotSpec robot) {}
 
     /**
-     * Starts a controller. One that is {@link AutoCloseable} is closed with the run.
+     * {@return a controller for a run} One that is {@link AutoCloseable} is closed with the run.
      *
      * @param run what it is started for
-     * @return the controller
      */
     Controller start(Run run);
 

@@ -22,54 +22,49 @@ public record PdGains(double proportional, double derivative, double maxError) {
     private static final double MAX_APPROACH_SINE = 0.5;
 
     /**
-     * Returns the gains that the follower uses.
+     * {@return the gains that the follower uses}
      *
      * @param speed metres per second
      * @param lag the motors' time constant and the control's delay, seconds
-     * @return the gains
      */
     public static PdGains forSpeed(double speed, double lag) {
         return criticallyDamped(Math.max(MIN_LENGTH, MIN_LAGS * lag * speed), speed);
     }
 
     /**
-     * Returns the critically damped gains of a length.
+     * {@return the critically damped gains of a length}
      *
      * @param length over which an error decays, metres
      * @param speed metres per second
-     * @return the gains
      */
     public static PdGains criticallyDamped(double length, double speed) {
         return new PdGains(speed / (length * length), 2 / length, 2 * length * MAX_APPROACH_SINE);
     }
 
     /**
-     * Returns any gains, with the same limit of the P term.
+     * {@return any gains, with the same limit of the P term}
      *
      * @param proportional kp
      * @param derivative kd
      * @param speed metres per second
-     * @return the gains
      */
     public static PdGains withErrorLimit(double proportional, double derivative, double speed) {
         return new PdGains(proportional, derivative, MAX_APPROACH_SINE * derivative * speed / proportional);
     }
 
     /**
-     * Returns the P term.
+     * {@return the P term, radians per second}
      *
      * @param error measured less wanted distance, metres
-     * @return radians per second
      */
     public double proportionalTerm(double error) {
         return proportional * Math.max(-maxError, Math.min(maxError, error));
     }
 
     /**
-     * Returns the D term.
+     * {@return the D term, radians per second}
      *
      * @param rate of the error, metres per second
-     * @return radians per second
      */
     public double derivativeTerm(double rate) {
         return derivative * rate;

@@ -9,11 +9,7 @@ public enum WallSide {
     /** The wall is on the robot's right. */
     RIGHT;
 
-    /**
-     * Returns the name in scenario files.
-     *
-     * @return lower case
-     */
+    /** {@return the name in scenario files, in lower case} */
     public String fileName() {
         return name().toLowerCase(Locale.ROOT);
     }

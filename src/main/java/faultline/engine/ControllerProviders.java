@@ -48,11 +48,10 @@ public final class ControllerProviders {
     }
 
     /**
-     * Makes a controller.
+     * {@return a new controller}
      *
      * @param provider makes it
      * @param settings for it
-     * @return a new controller
      * @throws RunFailedException if the provider fails
      */
     public static Controller create(ControllerProvider provider, Map<String, String> settings) {

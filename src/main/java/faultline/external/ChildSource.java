@@ -44,9 +44,8 @@ public final class ChildSource implements ControllerSource, TickObserver, AutoCl
     }
 
     /**
-     * Leaves a child open at the end of its run, until this source is closed, so that it can be sent a result.
-     *
-     * @return this source
+     * {@return this source, which leaves a child open at the end of its run until it is closed, so that the child can
+     * be sent a result}
      */
     public ChildSource keepOpen() {
         keepsOpen = true;

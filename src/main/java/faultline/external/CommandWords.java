@@ -9,11 +9,10 @@ public final class CommandWords {
     private CommandWords() {}
 
     /**
-     * Splits a command.
+     * {@return the words of a command; empty if there is none}
      *
      * @param command such as {@code python3 "my follower.py"}; a backslash outside quotes is kept as it is before
      *     anything but a blank, a quote or a backslash, so that Windows paths need no quotes
-     * @return the words; empty if there is none
      * @throws IllegalArgumentException if a quote is not closed
      */
     public static List<String> split(String command) {

@@ -101,12 +101,11 @@ public final class ControllerChoice {
     }
 
     /**
-     * Calls something that can find the controllers of some jars, as the files are now.
+     * {@return what a call returns that can find the controllers of some jars, as the files are now}
      *
      * @param <T> the type of the result
      * @param jars files
      * @param action what to call, on the calling thread
-     * @return the result of the action
      */
     public static <T> T withJars(List<Path> jars, Supplier<T> action) {
         Thread thread = Thread.currentThread();

@@ -19,10 +19,9 @@ final class MessageReader {
     }
 
     /**
-     * Reads a line.
+     * {@return the members of a line with one JSON object}
      *
      * @param line one JSON object
-     * @return its members
      * @throws ProtocolException if the line is no JSON object
      */
     static MessageReader of(String line) throws ProtocolException {

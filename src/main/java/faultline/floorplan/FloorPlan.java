@@ -60,10 +60,9 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
     }
 
     /**
-     * Returns whether a file is a map's YAML file by its name, and not an image.
+     * {@return whether a file is a map's YAML file, and not an image, by the ending of its name}
      *
      * @param file any file name
-     * @return true for the endings {@code .yaml} and {@code .yml}
      */
     public static boolean isYaml(Path file) {
         String name = file.toString().toLowerCase(Locale.ROOT);
@@ -71,11 +70,10 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
     }
 
     /**
-     * Reads a map_server YAML file and its image.
+     * {@return the plan in a map_server YAML file and its image}
      *
      * @param yaml the YAML file
      * @param options how to trace
-     * @return the plan
      * @throws IOException with one sentence if the files cannot be read
      */
     public static FloorPlan readYaml(Path yaml, Options options) throws IOException {
@@ -83,12 +81,11 @@ public record FloorPlan(MapDescription description, OccupancyGrid grid, SolidCel
     }
 
     /**
-     * Reads an image of a known resolution.
+     * {@return the plan in an image of a known resolution}
      *
      * @param image a PGM, PNG, BMP, GIF or TIFF file
      * @param resolution the side of a pixel, metres, positive
      * @param options how to trace
-     * @return the plan
      * @throws IOException with one sentence if the file cannot be read
      */
     public static FloorPlan readImage(Path image, BigDecimal resolution, Options options) throws IOException {

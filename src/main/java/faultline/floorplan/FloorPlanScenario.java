@@ -25,11 +25,10 @@ public final class FloorPlanScenario {
     private FloorPlanScenario() {}
 
     /**
-     * Makes the scenario, with the robot in the middle of the largest free disc.
+     * {@return the scenario, with the robot in the middle of the largest free disc}
      *
      * @param name the scenario's name
      * @param plan the floor plan
-     * @return the scenario
      */
     public static Scenario create(String name, FloorPlan plan) {
         FreeDisc disc = FreeDisc.largest(plan.grid());
@@ -40,12 +39,11 @@ public final class FloorPlanScenario {
     }
 
     /**
-     * Makes the scenario with a given start.
+     * {@return the scenario with a given start}
      *
      * @param name the scenario's name
      * @param plan the floor plan
      * @param start the robot's pose in the world, metres from the lower left corner
-     * @return the scenario
      */
     public static Scenario create(String name, FloorPlan plan, Pose start) {
         Pose frame = frame(plan);

@@ -48,11 +48,11 @@ public record MapDescription(
     }
 
     /**
-     * Returns the description of an image without a YAML file, with map_server's usual thresholds.
+     * {@return the description of an image without a YAML file, with map_server's usual thresholds: dark pixels are
+     * occupied}
      *
      * @param image the image file
      * @param resolution the side of a cell, metres
-     * @return dark pixels are occupied
      */
     public static MapDescription of(Path image, BigDecimal resolution) {
         return new MapDescription(image, resolution, 0, MapMode.TRINARY, false, DEFAULT_OCCUPIED, DEFAULT_FREE);

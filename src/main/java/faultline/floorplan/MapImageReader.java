@@ -22,10 +22,9 @@ final class MapImageReader {
     private MapImageReader() {}
 
     /**
-     * Reads an image.
+     * {@return the pixels of an image}
      *
      * @param file the image file
-     * @return its pixels
      * @throws FloorPlanException if the file is missing, no image, or too large
      */
     static MapImage read(Path file) throws FloorPlanException {

@@ -43,10 +43,9 @@ final class MapYamlReader {
     }
 
     /**
-     * Reads a map file.
+     * {@return the description in a map file}
      *
      * @param file the YAML file; its {@code image} is relative to it
-     * @return what it says
      * @throws FloorPlanException at the first error
      */
     static MapDescription read(Path file) throws FloorPlanException {

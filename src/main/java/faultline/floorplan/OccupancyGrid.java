@@ -53,21 +53,19 @@ public final class OccupancyGrid {
     }
 
     /**
-     * Returns the state of a cell.
+     * {@return the state of a cell}
      *
      * @param column in [0, width)
      * @param row in [0, height), from the bottom
-     * @return the state
      */
     public CellState state(int column, int row) {
         return STATES[cells[row * width + column]];
     }
 
     /**
-     * Returns the cells that obstruct the robot.
+     * {@return the cells that obstruct the robot}
      *
      * @param unknownIsSolid whether unknown cells count as solid
-     * @return the solid cells
      */
     public SolidCells solidCells(boolean unknownIsSolid) {
         boolean[] solid = new boolean[cells.length];

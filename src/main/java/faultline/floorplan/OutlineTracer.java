@@ -39,10 +39,9 @@ public final class OutlineTracer {
     }
 
     /**
-     * Traces all outlines.
+     * {@return the outlines of all solid cells, ordered by their lowest and then leftmost corner}
      *
      * @param cells the solid cells
-     * @return the rings, ordered by their lowest and then leftmost corner
      */
     public static List<GridRing> trace(SolidCells cells) {
         return new OutlineTracer(cells).traceAll();

@@ -30,11 +30,10 @@ public final class SolidCells {
     }
 
     /**
-     * Returns whether a cell is solid.
+     * {@return whether a cell is solid; false beyond the map}
      *
      * @param column any number
      * @param row any number, from the bottom
-     * @return false beyond the map
      */
     public boolean isSolid(int column, int row) {
         return column >= 0 && row >= 0 && column < width && row < height && solid[row * width + column];
@@ -50,10 +49,9 @@ public final class SolidCells {
     }
 
     /**
-     * Returns these cells without small specks. Cells that share a side belong together.
+     * {@return these cells without small specks} Cells that share a side belong together.
      *
      * @param minCells groups of fewer cells are dropped
-     * @return the other cells
      */
     public SolidCells withoutSpecks(int minCells) {
         if (minCells <= 1) {

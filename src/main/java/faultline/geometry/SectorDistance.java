@@ -44,11 +44,11 @@ public final class SectorDistance {
     }
 
     /**
-     * Returns the distance to a shape within a sector.
+     * {@return the distance to a shape within a sector, metres in [0, range]; positive infinity if none of it is
+     * inside}
      *
      * @param sector the sector; its edges and its arc belong to it
      * @param shape the shape; its inside belongs to it, so that an apex inside it is at distance 0
-     * @return metres in [0, range], or positive infinity if the sector holds no point of the shape
      */
     public static double nearest(Sector sector, ConvexShape shape) {
         return new SectorDistance(sector).nearest(shape);

@@ -15,12 +15,12 @@ public final class SpecularDistance {
     private SpecularDistance() {}
 
     /**
-     * Returns the distance to the nearest point of a segment within a sector that reflects light back.
+     * {@return the distance to the nearest point of a segment within a sector that reflects light back, metres in [0,
+     * range]; positive infinity if there is none}
      *
      * @param sector the sector
      * @param segment the surface
      * @param incidence the greatest angle of incidence that reflects light back, radians in (0, pi / 2)
-     * @return metres in [0, range], or positive infinity if no such point lies in the sector
      */
     public static double nearest(Sector sector, Segment segment, double incidence) {
         return nearest(new SectorDistance(sector), segment, StrictMath.tan(incidence));

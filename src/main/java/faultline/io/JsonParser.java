@@ -31,10 +31,9 @@ public final class JsonParser {
     }
 
     /**
-     * Reads one value and nothing after it but blanks.
+     * {@return the value of a text that is one, with nothing but blanks around it}
      *
      * @param text a JSON text
-     * @return the value
      * @throws JsonException if the text is no JSON, names a member twice, or is nested too deeply
      */
     public static Object parse(String text) throws JsonException {

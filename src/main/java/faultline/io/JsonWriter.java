@@ -12,10 +12,9 @@ public final class JsonWriter {
     }
 
     /**
-     * Begins a member, whose value follows.
+     * {@return this writer, which has begun a member whose value follows}
      *
      * @param name the member's name
-     * @return this writer
      */
     public JsonWriter name(String name) {
         comma();
@@ -26,11 +25,10 @@ public final class JsonWriter {
     }
 
     /**
-     * Writes a string member.
+     * {@return this writer, which has written a string member}
      *
      * @param name the member's name
      * @param value the member's value
-     * @return this writer
      */
     public JsonWriter member(String name, String value) {
         name(name);
@@ -38,11 +36,10 @@ public final class JsonWriter {
     }
 
     /**
-     * Writes a number member.
+     * {@return this writer, which has written a number member}
      *
      * @param name the member's name
      * @param value the member's value, finite
-     * @return this writer
      */
     public JsonWriter member(String name, double value) {
         name(name);
@@ -50,11 +47,10 @@ public final class JsonWriter {
     }
 
     /**
-     * Writes a whole-number member.
+     * {@return this writer, which has written a whole-number member}
      *
      * @param name the member's name
      * @param value the member's value
-     * @return this writer
      */
     public JsonWriter member(String name, long value) {
         name(name);
@@ -64,11 +60,10 @@ public final class JsonWriter {
     }
 
     /**
-     * Writes a truth value member.
+     * {@return this writer, which has written a truth value member}
      *
      * @param name the member's name
      * @param value the member's value
-     * @return this writer
      */
     public JsonWriter member(String name, boolean value) {
         name(name);
@@ -76,10 +71,9 @@ public final class JsonWriter {
     }
 
     /**
-     * Writes a string.
+     * {@return this writer, which has written a string}
      *
      * @param value the string
-     * @return this writer
      */
     public JsonWriter value(String value) {
         comma();
@@ -88,10 +82,9 @@ public final class JsonWriter {
     }
 
     /**
-     * Writes a finite number, a whole one without a fraction.
+     * {@return this writer, which has written a finite number, a whole one without a fraction}
      *
      * @param value the number, finite
-     * @return this writer
      */
     public JsonWriter value(double value) {
         if (!Double.isFinite(value)) {
@@ -107,10 +100,9 @@ public final class JsonWriter {
     }
 
     /**
-     * Writes a truth value.
+     * {@return this writer, which has written a truth value}
      *
      * @param value the truth value
-     * @return this writer
      */
     public JsonWriter value(boolean value) {
         comma();
@@ -118,49 +110,29 @@ public final class JsonWriter {
         return this;
     }
 
-    /**
-     * Writes {@code null}.
-     *
-     * @return this writer
-     */
+    /** {@return this writer, which has written {@code null}} */
     public JsonWriter nullValue() {
         comma();
         text.append("null");
         return this;
     }
 
-    /**
-     * Begins an array.
-     *
-     * @return this writer
-     */
+    /** {@return this writer, which has begun an array} */
     public JsonWriter beginArray() {
         return open('[');
     }
 
-    /**
-     * Ends an array.
-     *
-     * @return this writer
-     */
+    /** {@return this writer, which has ended an array} */
     public JsonWriter endArray() {
         return close(']');
     }
 
-    /**
-     * Begins an object.
-     *
-     * @return this writer
-     */
+    /** {@return this writer, which has begun an object} */
     public JsonWriter beginObject() {
         return open('{');
     }
 
-    /**
-     * Ends an object.
-     *
-     * @return this writer
-     */
+    /** {@return this writer, which has ended an object} */
     public JsonWriter endObject() {
         return close('}');
     }
@@ -203,11 +175,7 @@ public final class JsonWriter {
         text.append('"');
     }
 
-    /**
-     * Ends the object.
-     *
-     * @return the object as text, without a line break
-     */
+    /** {@return the ended object as text, without a line break} */
     public String finish() {
         return text.append('}').toString();
     }

@@ -54,10 +54,9 @@ public record Scenario(
     }
 
     /**
-     * Reads a scenario file.
+     * {@return the scenario in a file}
      *
      * @param file the file
-     * @return the scenario
      * @throws ScenarioException with everything that is wrong with the file
      */
     public static Scenario load(Path file) throws ScenarioException {
@@ -65,10 +64,9 @@ public record Scenario(
     }
 
     /**
-     * Reads a scenario that is part of the program.
+     * {@return a scenario that is part of the program}
      *
      * @param name the name of a file in the folder {@code scenarios}, such as {@code office.xml}
-     * @return the scenario
      * @throws ScenarioException if there is none of that name
      */
     public static Scenario loadShipped(String name) throws ScenarioException {
@@ -111,10 +109,9 @@ public record Scenario(
     }
 
     /**
-     * Runs this scenario to its duration and records every tick.
+     * {@return the run of this scenario to its duration, with a record of every tick}
      *
      * @throws faultline.engine.RunFailedException if the run failed
-     * @return the run with its recording
      */
     public ScenarioRun run() {
         return ScenarioRun.execute(this, ControllerMode.DIRECT);

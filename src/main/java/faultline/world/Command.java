@@ -20,11 +20,10 @@ import faultline.sensor.SensorSpec;
 public sealed interface Command {
 
     /**
-     * Calls the method of a visitor for this kind of command.
+     * {@return what the method of a visitor for this kind of command returns}
      *
      * @param visitor the visitor
      * @param <R> the visitor's result type
-     * @return the visitor's result
      */
     <R> R accept(Visitor<R> visitor);
 
@@ -144,10 +143,9 @@ public sealed interface Command {
     interface SetupVisitor<R> extends Visitor<R> {
 
         /**
-         * Visits a command that belongs to a time of the run.
+         * {@return the result for a command that belongs to a time of the run}
          *
          * @param command the command
-         * @return the result for the command
          */
         R visitTimed(Command command);
 

@@ -10,11 +10,10 @@ import java.util.List;
 public sealed interface ObstacleShape {
 
     /**
-     * Calls the method of a visitor for this kind of shape and returns its result.
+     * {@return what the method of a visitor for this kind of shape returns}
      *
      * @param <R> the type of the result
      * @param visitor the visitor
-     * @return the visitor's result
      */
     <R> R accept(Visitor<R> visitor);
 

@@ -72,10 +72,9 @@ public record PlanFiles(String name, byte[] plan, Map<String, byte[]> scenarios)
     }
 
     /**
-     * Reads the copy of a plan that a campaign keeps.
+     * {@return the copy of the plan that a campaign keeps}
      *
      * @param folder that holds {@link #copies}
-     * @return the plan
      * @throws ScenarioException with everything that is wrong
      */
     public static CampaignPlan readCopy(Path folder) throws ScenarioException {

@@ -39,11 +39,11 @@ public final class ValueSyntax {
     }
 
     /**
-     * Parses the values of an attribute.
+     * {@return the values of an attribute that are all tried, a drawn one counting as one; empty if the text is none of
+     * the four}
      *
      * @param text as in the plan
      * @param stream names the random numbers if they are drawn
-     * @return the values that are all tried, a drawn one counting as one; empty if the text is none of the four
      */
     static Optional<List<Value>> parse(String text, String stream) {
         String trimmed = text.strip();

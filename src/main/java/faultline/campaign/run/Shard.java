@@ -31,10 +31,9 @@ public record Shard(int number, int count) {
     }
 
     /**
-     * Parses {@code 2/4}, empty if the text is no such part.
+     * {@return the part that a text such as {@code 2/4} names; empty if it names none}
      *
      * @param text the text
-     * @return the part, empty if the text names none
      */
     public static Optional<Shard> parse(String text) {
         Matcher matcher = TEXT.matcher(text);

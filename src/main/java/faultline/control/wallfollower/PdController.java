@@ -20,11 +20,10 @@ final class PdController {
     }
 
     /**
-     * Returns the turn rate that corrects an error.
+     * {@return the turn rate that corrects an error, radians per second}
      *
      * @param error measured less wanted distance, metres
      * @param heading relative to the wall, radians, positive towards it
-     * @return omega, radians per second
      */
     double turnRate(double error, double heading) {
         proportional = gains.proportionalTerm(error);

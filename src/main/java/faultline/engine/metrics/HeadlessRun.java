@@ -25,12 +25,11 @@ public final class HeadlessRun {
     private HeadlessRun() {}
 
     /**
-     * Runs a setup to its duration, as fast as possible.
+     * {@return the result of a run to its duration, as fast as possible}
      *
      * @param setup the setup
      * @param mode the thread of the controller
      * @param observers called at tick 0 and after every tick, in order
-     * @return the result of the run
      * @throws RunFailedException if the run failed
      */
     public static RunResult run(SimulationSetup setup, ControllerMode mode, List<TickObserver> observers) {
@@ -38,13 +37,12 @@ public final class HeadlessRun {
     }
 
     /**
-     * Runs to the setup's duration or until a condition holds, as fast as possible.
+     * {@return the result of a run to its duration or until a condition holds, as fast as possible}
      *
      * @param setup the setup
      * @param mode the thread of the controller
      * @param observers called at tick 0 and after every tick, in order
      * @param finished called after every tick; true ends the run
-     * @return the result of the run
      * @throws RunFailedException if the run failed
      */
     public static RunResult run(
@@ -58,13 +56,12 @@ public final class HeadlessRun {
     }
 
     /**
-     * Runs with a given controller in place of the setup's, to the setup's duration, as fast as possible.
+     * {@return the result of a run to its duration with a given controller in place of the setup's}
      *
      * @param setup the setup
      * @param controller drives the robot; not closed with the run
      * @param mode the thread of the controller
      * @param observers called at tick 0 and after every tick, in order
-     * @return the result of the run
      * @throws RunFailedException if the run failed
      */
     public static RunResult run(

@@ -25,11 +25,10 @@ public final class WallCircuit {
     private final long[] cells;
 
     /**
-     * Finds the ways of a world for {@link CarryOnMetrics}.
+     * {@return the circuit that the robot's centre can drive along the walls of a world, for {@link CarryOnMetrics}}
      *
      * @param world before anything moves
      * @param distance from a wall to the robot's centre, metres
-     * @return the circuit that the robot's centre can drive along the walls
      */
     public static WallCircuit forCarryOn(WorldSpec world, double distance) {
         double spacing = 0.02;

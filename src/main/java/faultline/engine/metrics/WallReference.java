@@ -91,12 +91,11 @@ public final class WallReference {
     }
 
     /**
-     * Returns the places from which walls can be followed, spaced along the robot's way rather than along the walls, so
-     * that those around a pole are as close together as any.
+     * {@return the places from which walls can be followed, in the order of the walls} They are spaced along the
+     * robot's way rather than along the walls, so that those around a pole are as close together as any.
      *
      * @param distance from the wall to the robot's centre, metres
      * @param spacing of the samples along the way, metres
-     * @return samples in the order of the walls
      */
     public List<Sample> samplesAlongWay(double distance, double spacing) {
         return samples(distance, spacing, distance);

@@ -24,30 +24,27 @@ public final class TraceChannels {
     private TraceChannels() {}
 
     /**
-     * Returns the channel of a sensor's reading without noise and faults.
+     * {@return the channel of a sensor's reading without noise and faults, metres}
      *
      * @param sensor its place in the robot's list, from 0
-     * @return the channel, metres
      */
     public static int trueReading(int sensor) {
         return SENSOR_OFFSET + 2 * sensor;
     }
 
     /**
-     * Returns the channel of a sensor's reported reading.
+     * {@return the channel of a sensor's reported reading, metres}
      *
      * @param sensor its place in the robot's list, from 0
-     * @return the channel, metres
      */
     public static int reportedReading(int sensor) {
         return SENSOR_OFFSET + 2 * sensor + 1;
     }
 
     /**
-     * Returns the number of channels of a robot.
+     * {@return the number of channels of a robot}
      *
      * @param sensors how many sensors it has
-     * @return all channels
      */
     public static int count(int sensors) {
         return SENSOR_OFFSET + 2 * sensors;

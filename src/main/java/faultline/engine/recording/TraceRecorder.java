@@ -52,11 +52,7 @@ final class TraceRecorder {
         }
     }
 
-    /**
-     * Returns everything recorded so far.
-     *
-     * @return a view that stays as it is
-     */
+    /** {@return a view of everything recorded so far, which stays as it is} */
     public Trace view() {
         return new Trace(levels.stream().map(TraceLevelRecorder::view).toList());
     }

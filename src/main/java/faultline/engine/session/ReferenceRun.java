@@ -48,10 +48,10 @@ public final class ReferenceRun {
     }
 
     /**
-     * Repeats the run of a journal at full speed, up to its end or to {@link HashTraceRecorder#MAX_HASHES} ticks.
+     * {@return the repeated run of a journal, at full speed, up to its end or to {@link HashTraceRecorder#MAX_HASHES}
+     * ticks}
      *
      * @param journal the journal of the earlier run
-     * @return the run
      * @throws RunFailedException if the controller threw an exception
      */
     public static ReferenceRun replay(Journal journal) {
@@ -59,11 +59,11 @@ public final class ReferenceRun {
     }
 
     /**
-     * Repeats the run of a journal at full speed, up to its end or to {@link HashTraceRecorder#MAX_HASHES} ticks.
+     * {@return the repeated run of a journal, at full speed, up to its end or to {@link HashTraceRecorder#MAX_HASHES}
+     * ticks}
      *
      * @param journal of the earlier run
      * @param onward called before each tick with the tick before; false cancels the run
-     * @return the run
      * @throws RunFailedException if the controller threw an exception
      * @throws CancellationException if the run was cancelled
      */

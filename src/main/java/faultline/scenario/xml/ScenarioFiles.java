@@ -16,10 +16,9 @@ public final class ScenarioFiles {
     private ScenarioFiles() {}
 
     /**
-     * Reads a scenario file.
+     * {@return the content of a scenario file}
      *
      * @param file the file
-     * @return the content
      * @throws ScenarioException with everything that is wrong with the file
      */
     public static ScenarioContent read(Path file) throws ScenarioException {
@@ -66,10 +65,9 @@ public final class ScenarioFiles {
     }
 
     /**
-     * Reads a scenario that is part of the program.
+     * {@return the content of a scenario that is part of the program}
      *
      * @param name the name of a file in the folder {@code scenarios}
-     * @return the content
      * @throws ScenarioException if there is none of that name
      */
     public static ScenarioContent readShipped(String name) throws ScenarioException {
@@ -84,11 +82,10 @@ public final class ScenarioFiles {
     }
 
     /**
-     * Parses the content of a scenario file.
+     * {@return the content of a scenario file with some bytes}
      *
      * @param name the name of the file in problems
      * @param bytes the content
-     * @return the content
      * @throws ScenarioException with everything that is wrong with it
      */
     public static ScenarioContent parse(String name, byte[] bytes) throws ScenarioException {

@@ -46,11 +46,10 @@ public final class ScenarioReader {
     }
 
     /**
-     * Reads a scenario from its tree of elements.
+     * {@return the content of a scenario with a tree of elements}
      *
      * @param file the name of the file in problems
      * @param root the root element
-     * @return the content
      * @throws ScenarioException with everything that is wrong
      */
     public static ScenarioContent read(String file, XmlElement root) throws ScenarioException {

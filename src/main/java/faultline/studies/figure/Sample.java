@@ -56,11 +56,10 @@ public final class Sample {
     }
 
     /**
-     * Returns the 95 % interval of a probability by Wilson's score method.
+     * {@return the lower and the upper end, in [0, 1], of the 95 % interval of a probability by Wilson's score method}
      *
      * @param hits the number of hits
      * @param trials the number of trials, positive
-     * @return its lower and its upper end, in [0, 1]
      */
     public static double[] wilson(int hits, int trials) {
         double z = 1.959964;
