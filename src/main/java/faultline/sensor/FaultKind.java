@@ -1,7 +1,6 @@
 package faultline.sensor;
 
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 
@@ -9,7 +8,7 @@ import java.util.stream.Collectors;
  * The kinds of fault with the names that scenario files use, each with the bounds of its number. A new kind needs one
  * line here and one record.
  */
-public enum FaultKind {
+public enum FaultKind implements FaultDescriptor<Fault> {
 
     /** No answer; no number. */
     OFF(Family.SILENT, "", 0, 0, 0, (value, length) -> new Fault.Dead()),
@@ -84,26 +83,20 @@ public enum FaultKind {
     public static final double MAX_LENGTH = 1000;
 
     private static final Map<Class<?>, FaultKind> BY_TYPE = Arrays.stream(values())
-            .collect(
-                    Collectors.toMap(kind -> kind.createFault(kind.defaultValue).getClass(), kind -> kind));
+            .collect(Collectors.toMap(
+                    kind -> kind.createFault(kind.defaultValue()).getClass(), kind -> kind));
 
     private interface Factory {
         Fault create(double value, double length);
     }
 
     private final Family family;
-    private final String unit;
-    private final double minValue;
-    private final double maxValue;
-    private final double defaultValue;
+    private final Parameter parameter;
     private final Factory factory;
 
     FaultKind(Family family, String unit, double least, double most, double initial, Factory factory) {
         this.family = family;
-        this.unit = unit;
-        this.minValue = least;
-        this.maxValue = most;
-        this.defaultValue = initial;
+        this.parameter = new Parameter(unit, least, most, initial);
         this.factory = factory;
     }
 
@@ -111,32 +104,14 @@ public enum FaultKind {
         return BY_TYPE.get(fault.getClass());
     }
 
-    /** {@return the name in scenario files, in lower case} */
-    public String fileName() {
-        return name().toLowerCase(Locale.ROOT).replace('_', '-');
+    @Override
+    public Parameter parameter() {
+        return parameter;
     }
 
-    /**
-     * {@return a fault of this kind with the default length; see {@link #createFault(double, double)}}
-     *
-     * @param value the fault's number; ignored by kinds without one
-     */
-    public Fault createFault(double value) {
-        return createFault(value, DEFAULT_LENGTH);
-    }
-
-    /**
-     * {@return a fault of this kind}
-     *
-     * @param value its number; ignored by kinds without one
-     * @param length its mean length, seconds; ignored by kinds without one
-     * @throws IllegalArgumentException if the number is outside [{@link #minValue()}, {@link #maxValue()}]
-     */
+    @Override
     public Fault createFault(double value, double length) {
-        if (takesValue() && !(value >= minValue && value <= maxValue)) {
-            throw new IllegalArgumentException(
-                    "a " + fileName() + " fault takes a value from " + minValue + " to " + maxValue + ", not " + value);
-        }
+        requireAllowed(value);
         return factory.create(value, length);
     }
 
@@ -150,33 +125,8 @@ public enum FaultKind {
         return this == CONE || this == SPECULAR_LOSS || this == MISALIGNED;
     }
 
-    /** {@return whether the kind has a length: bursts have} */
+    @Override
     public boolean takesLength() {
         return this == BURSTS;
-    }
-
-    /** {@return whether the kind has a number} */
-    public boolean takesValue() {
-        return this != OFF && this != STUCK_AT_LAST;
-    }
-
-    /** {@return the unit of the number, empty for a number without a unit} */
-    public String unit() {
-        return unit;
-    }
-
-    /** {@return the smallest number allowed} */
-    public double minValue() {
-        return minValue;
-    }
-
-    /** {@return the greatest number allowed} */
-    public double maxValue() {
-        return maxValue;
-    }
-
-    /** {@return the number to use if none is given} */
-    public double defaultValue() {
-        return defaultValue;
     }
 }

@@ -1,9 +1,9 @@
 package faultline.gui.instrument;
 
-import faultline.gui.theme.KeyBindings;
-import faultline.gui.panel.RowTable;
 import faultline.engine.recording.RunEvent;
 import faultline.engine.session.SessionFrame;
+import faultline.gui.panel.RowTable;
+import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.UiText;

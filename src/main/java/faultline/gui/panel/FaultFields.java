@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.gui.text.Messages;
+import faultline.gui.text.MotorFaultText;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
 import faultline.gui.theme.RefreshSteps;
@@ -8,10 +9,10 @@ import faultline.gui.theme.UiText;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.sensor.Fault;
+import faultline.sensor.FaultDescriptor;
 import faultline.sensor.FaultKind;
 import java.awt.GridBagConstraints;
 import java.util.Optional;
-import java.util.function.BiFunction;
 import java.util.function.Function;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -24,12 +25,12 @@ import javax.swing.JPanel;
  * @param <K> the type of the kinds
  * @param <F> the type of the faults
  */
-public final class FaultFields<K, F> {
+public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private static final int COLUMNS = 5;
 
     private final JComboBox<K> kind;
-    private final Function<K, Rules<F>> rules;
+    private final Function<K, String> names;
     private final NumberSpinner value = new NumberSpinner("0.00##", 0, 1, 0.05, ignored -> {});
     private final NumberSpinner length =
             new NumberSpinner("0.00##", FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, 0.1, ignored -> {});
@@ -39,31 +40,9 @@ public final class FaultFields<K, F> {
     private final JLabel problem =
             new JLabel(" ", new GlyphIcon(Glyph.WARNING, 14, colours -> colours.warning()), JLabel.LEADING);
 
-    /**
-     * What the fields know about a kind.
-     *
-     * @param name the name that the window shows
-     * @param unit the unit of the number
-     * @param min the smallest number
-     * @param max the largest number
-     * @param initial the number to start with
-     * @param takesValue whether there is a number
-     * @param takesLength whether there is a length
-     * @param factory makes a fault of a number and a length
-     */
-    private record Rules<F>(
-            String name,
-            String unit,
-            double min,
-            double max,
-            double initial,
-            boolean takesValue,
-            boolean takesLength,
-            BiFunction<Double, Double, F> factory) {}
-
-    private FaultFields(K[] kinds, K initial, Function<K, Rules<F>> rules) {
+    private FaultFields(K[] kinds, K initial, Function<K, String> names) {
         this.kind = new JComboBox<>(kinds);
-        this.rules = rules;
+        this.names = names;
         configureKind(kinds.length);
         configure(value, "faults.value");
         configure(length, "faults.length");
@@ -74,43 +53,21 @@ public final class FaultFields<K, F> {
 
     /** Creates the fields of a sensor that is stuck. */
     public static FaultFields<FaultKind, Fault> forSensors() {
-        return new FaultFields<>(
-                FaultKind.values(),
-                FaultKind.STUCK,
-                kind -> new Rules<>(
-                        ReadingText.nameOf(kind),
-                        kind.unit(),
-                        kind.minValue(),
-                        kind.maxValue(),
-                        kind.defaultValue(),
-                        kind.takesValue(),
-                        kind.takesLength(),
-                        kind::createFault));
+        return new FaultFields<>(FaultKind.values(), FaultKind.STUCK, ReadingText::nameOf);
     }
 
     /** Creates the fields of motors that are weak. */
     public static FaultFields<MotorFaultKind, MotorFault> forMotors() {
-        return new FaultFields<>(
-                MotorFaultKind.values(),
-                MotorFaultKind.WEAK,
-                kind -> new Rules<>(
-                        Messages.get("motorFault." + kind.fileName()),
-                        kind.unit(),
-                        kind.minValue(),
-                        kind.maxValue(),
-                        kind.defaultValue(),
-                        kind.takesValue(),
-                        false,
-                        (number, unused) -> kind.createFault(number)));
+        return new FaultFields<>(MotorFaultKind.values(), MotorFaultKind.WEAK, MotorFaultText::nameOf);
     }
 
     @SuppressWarnings("unchecked")
-    private Rules<F> rules() {
-        return rules.apply((K) kind.getSelectedItem());
+    private K selected() {
+        return (K) kind.getSelectedItem();
     }
 
     private void configureKind(int count) {
-        kind.setRenderer(NamedChoice.rendererOf((K item) -> rules.apply(item).name()));
+        kind.setRenderer(NamedChoice.rendererOf(names));
         kind.setMaximumRowCount(count);
         kind.addActionListener(event -> updateKind());
         UiText.nameAndTip(kind, "faults.kind");
@@ -145,36 +102,36 @@ public final class FaultFields<K, F> {
     }
 
     private void updateKind() {
-        value.setEnabled(rules().takesValue());
-        value.setLimits(rules().min(), rules().max(), rules().initial());
+        value.setEnabled(selected().takesValue());
+        value.setLimits(selected().minValue(), selected().maxValue(), selected().defaultValue());
         length.setLimits(FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, FaultKind.DEFAULT_LENGTH);
         for (JComponent part : new JComponent[] {lengthLabel, length, lengthUnit}) {
-            part.setVisible(rules().takesLength());
+            part.setVisible(selected().takesLength());
         }
         updateTexts();
     }
 
     private void updateTexts() {
-        boolean share = rules().unit().isEmpty() && rules().max() == 1;
-        unit.setText(share ? Messages.get("faults.share") : rules().unit());
+        boolean share = selected().unit().isEmpty() && selected().maxValue() == 1;
+        unit.setText(share ? Messages.get("faults.share") : selected().unit());
         updateProblem();
     }
 
     /** Shows a fault; {@code newLength} is used only if its kind has a length. */
     public void setFault(K newKind, double newValue, double newLength) {
         kind.setSelectedItem(newKind);
-        value.setLimits(rules().min(), rules().max(), newValue);
-        if (rules().takesLength()) {
+        value.setLimits(selected().minValue(), selected().maxValue(), newValue);
+        if (selected().takesLength()) {
             length.setLimits(FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, newLength);
         }
     }
 
     /** Returns the fault, or moves the focus to the invalid number and returns nothing. */
     public Optional<F> commitFault() {
-        if (rules().takesValue() && !isCommitted(value) || rules().takesLength() && !isCommitted(length)) {
+        if (selected().takesValue() && !isCommitted(value) || selected().takesLength() && !isCommitted(length)) {
             return Optional.empty();
         }
-        return Optional.of(rules().factory().apply(value.doubleValue(), length.doubleValue()));
+        return Optional.of(selected().createFault(value.doubleValue(), length.doubleValue()));
     }
 
     private boolean isCommitted(NumberSpinner spinner) {
@@ -187,8 +144,8 @@ public final class FaultFields<K, F> {
     }
 
     private void updateProblem() {
-        boolean wrongValue = rules().takesValue() && !value.textField().isEditValid();
-        boolean wrongLength = rules().takesLength() && !length.textField().isEditValid();
+        boolean wrongValue = selected().takesValue() && !value.textField().isEditValid();
+        boolean wrongLength = selected().takesLength() && !length.textField().isEditValid();
         if (wrongValue || wrongLength) {
             problem.setText(Messages.get("faults.invalid", (wrongValue ? value : length).limitsText()));
         }

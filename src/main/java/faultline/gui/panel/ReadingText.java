@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import faultline.gui.text.Messages;
+import faultline.gui.text.MotorFaultText;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import faultline.sensor.Reading;
@@ -37,13 +38,6 @@ public final class ReadingText {
 
     /** Formats a fault, for example "stuck 0.40 m". */
     public static String format(Fault fault) {
-        String kind = nameOf(fault.kind());
-        if (!fault.kind().takesValue()) {
-            return kind;
-        }
-        return (kind
-                        + String.format(Locale.ROOT, " %.2f ", fault.value())
-                        + fault.kind().unit())
-                .strip();
+        return MotorFaultText.format(nameOf(fault.kind()), fault.kind(), fault.value());
     }
 }

@@ -1,7 +1,9 @@
 package faultline.gui.text;
 
 import faultline.robot.MotorFault;
+import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorSide;
+import faultline.sensor.FaultDescriptor;
 import java.util.Locale;
 
 /** The faults of motors in the user's language. */
@@ -14,14 +16,18 @@ public final class MotorFaultText {
         return Messages.get("motors." + side.fileName());
     }
 
+    /** Returns the name of a kind of fault. */
+    public static String nameOf(MotorFaultKind kind) {
+        return Messages.get("motorFault." + kind.fileName());
+    }
+
     /** Formats a fault, for example "weak 0.70". */
     public static String format(MotorFault fault) {
-        String kind = Messages.get("motorFault." + fault.kind().fileName());
-        return fault.kind().takesValue()
-                ? (kind
-                                + String.format(Locale.ROOT, " %.2f ", fault.value())
-                                + fault.kind().unit())
-                        .strip()
-                : kind;
+        return format(nameOf(fault.kind()), fault.kind(), fault.value());
+    }
+
+    /** Formats a fault with a name and a number, which kinds without one ignore. */
+    public static String format(String name, FaultDescriptor<?> kind, double value) {
+        return kind.takesValue() ? (name + String.format(Locale.ROOT, " %.2f ", value) + kind.unit()).strip() : name;
     }
 }

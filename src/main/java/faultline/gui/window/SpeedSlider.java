@@ -1,8 +1,8 @@
 package faultline.gui.window;
 
-import faultline.gui.theme.KeyBindings;
 import faultline.gui.action.SpeedScale;
 import faultline.gui.text.Messages;
+import faultline.gui.theme.KeyBindings;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
 import java.awt.Dimension;

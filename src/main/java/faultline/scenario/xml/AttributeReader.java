@@ -12,7 +12,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 
 /**
  * Reads the attributes of one element. An invalid value is reported and replaced by a placeholder, so that reading
@@ -210,10 +212,22 @@ public final class AttributeReader {
         return true;
     }
 
-    /** Returns the option that a required attribute names. */
-    <T> Optional<T> choice(String name, Map<String, T> options) {
-        List<String> words = List.copyOf(options.keySet());
-        return required(name, () -> Allowed.names(words)).flatMap(text -> choice(name, text, options, words));
+    /** Returns the option that a required attribute names; the function returns the name of an option. */
+    <T> Optional<T> choice(String name, T[] options, Function<? super T, String> names) {
+        Map<String, T> byName = byName(options, names);
+        List<String> words = List.copyOf(byName.keySet());
+        return required(name, () -> Allowed.names(words)).flatMap(text -> choice(name, text, byName, words));
+    }
+
+    /** Returns the option that an optional attribute names; the function returns the name of an option. */
+    <T> T choice(String name, T[] options, Function<? super T, String> names, T fallback) {
+        return choice(name, byName(options, names), fallback);
+    }
+
+    private static <T> Map<String, T> byName(T[] options, Function<? super T, String> names) {
+        Map<String, T> byName = new LinkedHashMap<>();
+        Stream.of(options).forEach(option -> byName.put(names.apply(option), option));
+        return byName;
     }
 
     /**

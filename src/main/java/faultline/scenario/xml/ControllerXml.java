@@ -25,13 +25,9 @@ final class ControllerXml {
     private static final String DEFAULT_TYPE = "wall-follower";
     private static final String EXTERN = "extern";
     private static final String RECORDED = "recorded";
+    private static final Boolean[] SWITCH = {true, false};
     private static final Map<String, Function<AttributeReader, ControllerSpec>> TYPE_READERS = new LinkedHashMap<>();
-    private static final Map<String, WallSide> WALL_SIDES = new LinkedHashMap<>();
-    private static final Map<String, TimingRule> TIMING_RULES = new LinkedHashMap<>();
-
     private static final Map<String, Function<AttributeReader, GainRule>> GAIN_RULES = new LinkedHashMap<>();
-
-    private static final Map<String, Boolean> SWITCH = new LinkedHashMap<>();
 
     static {
         GAIN_RULES.put("automatic", fields -> GainRule.AUTOMATIC);
@@ -40,8 +36,6 @@ final class ControllerXml {
                 "fixed",
                 fields -> new GainRule.Fixed(
                         fields.number("kp", NumberRange.GAIN), fields.number("kd", NumberRange.GAIN)));
-        SWITCH.put("on", true);
-        SWITCH.put("off", false);
         TYPE_READERS.put(DEFAULT_TYPE, ControllerXml::readWallFollower);
         TYPE_READERS.put("none", fields -> new ControllerSpec.None());
         TYPE_READERS.put("drive", ControllerXml::readDrive);
@@ -50,12 +44,6 @@ final class ControllerXml {
                 RECORDED,
                 fields -> new ControllerSpec.Recorded(
                         readDistance(fields), fields.integer("ticks", 0, Long.MAX_VALUE, 0), List.of()));
-        for (WallSide hand : WallSide.values()) {
-            WALL_SIDES.put(hand.fileName(), hand);
-        }
-        for (TimingRule timing : TimingRule.values()) {
-            TIMING_RULES.put(timing.fileName(), timing);
-        }
     }
 
     private ControllerXml() {}
@@ -99,12 +87,16 @@ final class ControllerXml {
             AttributeReader fields, ControllerSpec.WallFollowing defaults) {
         return new ControllerSpec.WallFollowing(
                 fields.number("distance", NumberRange.SIZE, defaults.distance()),
-                fields.choice("hand", WALL_SIDES, defaults.side()),
+                fields.choice("hand", WallSide.values(), WallSide::fileName, defaults.side()),
                 fields.number("period", NumberRange.TIME, defaults.period()),
-                fields.choice("timing", TIMING_RULES, defaults.timingRule()),
-                fields.choice("diagnosis", SWITCH, defaults.diagnosis()),
+                fields.choice("timing", TimingRule.values(), TimingRule::fileName, defaults.timingRule()),
+                fields.choice("diagnosis", SWITCH, ControllerXml::switchText, defaults.diagnosis()),
                 fields.choice("gains", GAIN_RULES, given -> defaults.gainRule()).apply(fields),
                 readThresholds(fields, defaults.thresholds()));
+    }
+
+    private static String switchText(boolean on) {
+        return on ? "on" : "off";
     }
 
     private static Thresholds readThresholds(AttributeReader fields, Thresholds defaults) {
@@ -220,7 +212,7 @@ final class ControllerXml {
                     .attribute("period", follow.period())
                     .attribute("timing", follow.timingRule().fileName());
             if (all || !follow.diagnosis()) {
-                out.attribute("diagnosis", follow.diagnosis() ? "on" : "off");
+                out.attribute("diagnosis", switchText(follow.diagnosis()));
             }
             writeGains(follow.gainRule(), all, out);
             writeThresholds(follow.thresholds(), defaults.thresholds(), out);

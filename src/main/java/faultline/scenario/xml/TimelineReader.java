@@ -8,7 +8,7 @@ import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.robot.MotorSide;
 import faultline.robot.RobotSpec;
-import faultline.sensor.Fault;
+import faultline.sensor.FaultDescriptor;
 import faultline.sensor.FaultKind;
 import faultline.sensor.SensorSpec;
 import faultline.world.Command;
@@ -26,11 +26,6 @@ import java.util.stream.Stream;
 /** Reads the commands of the timeline, with one method for each element. */
 final class TimelineReader {
 
-    private static final Map<String, FaultKind> FAULT_KINDS = new LinkedHashMap<>();
-
-    private static final Map<String, MotorFaultKind> MOTOR_FAULT_KINDS = new LinkedHashMap<>();
-    private static final Map<String, MotorSide> MOTOR_SIDES = new LinkedHashMap<>();
-
     private static final Map<String, Allowed> FAULT_UNITS = Map.of(
             "m",
             Allowed.METRES,
@@ -44,18 +39,6 @@ final class TimelineReader {
             Allowed.VOLTS);
     private static final NumberRange FAULT_LENGTH =
             NumberRange.closed(FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, Allowed.SECONDS);
-
-    static {
-        for (FaultKind kind : FaultKind.values()) {
-            FAULT_KINDS.put(kind.fileName(), kind);
-        }
-        for (MotorFaultKind kind : MotorFaultKind.values()) {
-            MOTOR_FAULT_KINDS.put(kind.fileName(), kind);
-        }
-        for (MotorSide side : MotorSide.values()) {
-            MOTOR_SIDES.put(side.fileName(), side);
-        }
-    }
 
     private static final double NEVER = NumberRange.TIME.max().doubleValue() + 1;
 
@@ -123,14 +106,14 @@ final class TimelineReader {
         double until = readUntil(node, fields, at);
         if (fields.isPresent("motor")) {
             Optional<MotorSide> motor = readMotors(fields);
-            Optional<MotorFault> fault = readMotorFault(fields);
+            Optional<MotorFault> fault = readFault(fields, MotorFaultKind.values());
             return motor.stream().flatMap(side -> fault.stream()
                     .flatMap(broken -> interval(
                             new TimedCommand(at, new Command.InjectMotorFault(side, broken)),
                             new TimedCommand(until, new Command.ClearMotorFault(side, broken)))));
         }
         String sensor = readSensorId(fields);
-        return readSensorFault(fields).stream()
+        return readFault(fields, FaultKind.values()).stream()
                 .flatMap(fault -> interval(
                         new TimedCommand(at, new Command.InjectFault(sensor, fault)),
                         new TimedCommand(until, new Command.ClearFault(sensor, fault))));
@@ -158,7 +141,7 @@ final class TimelineReader {
         }
         String sensor = readSensorId(fields);
         if (fields.isPresent("kind") || fields.isPresent("value")) {
-            return readSensorFault(fields).stream()
+            return readFault(fields, FaultKind.values()).stream()
                     .map(fault -> new TimedCommand(at, new Command.ClearFault(sensor, fault)));
         }
         return singleCommand(at, new Command.ClearFaults(sensor));
@@ -167,7 +150,7 @@ final class TimelineReader {
     private static Stream<Command> readMotorMend(AttributeReader fields) {
         Optional<MotorSide> motor = readMotors(fields);
         if (fields.isPresent("kind") || fields.isPresent("value")) {
-            Optional<MotorFault> fault = readMotorFault(fields);
+            Optional<MotorFault> fault = readFault(fields, MotorFaultKind.values());
             return motor.stream().flatMap(side -> fault.stream().map(old -> new Command.ClearMotorFault(side, old)));
         }
         return motor.stream().map(Command.ClearMotorFaults::new);
@@ -249,9 +232,9 @@ final class TimelineReader {
         return id;
     }
 
-    /** Returns the fault that the attributes kind and value describe, unless the kind is unknown. */
-    private static Optional<Fault> readSensorFault(AttributeReader fields) {
-        Optional<Fault> fault = fields.choice("kind", FAULT_KINDS)
+    /** Returns the fault that the attributes kind, value and length describe, unless the kind is unknown. */
+    private static <K extends FaultDescriptor<F>, F> Optional<F> readFault(AttributeReader fields, K[] kinds) {
+        Optional<F> fault = fields.choice("kind", kinds, FaultDescriptor::fileName)
                 .map(kind -> kind.createFault(readFaultValue(fields, kind), readFaultLength(fields, kind)));
         fields.text("value");
         return fault;
@@ -259,40 +242,22 @@ final class TimelineReader {
 
     /** Returns the side whose motors are meant, unless it is unknown. */
     private static Optional<MotorSide> readMotors(AttributeReader fields) {
-        return fields.choice("motor", MOTOR_SIDES);
+        return fields.choice("motor", MotorSide.values(), MotorSide::fileName);
     }
 
-    /** Returns the fault of motors that the attributes kind and value describe, unless the kind is unknown. */
-    private static Optional<MotorFault> readMotorFault(AttributeReader fields) {
-        Optional<MotorFault> fault = fields.choice("kind", MOTOR_FAULT_KINDS).map(kind -> {
-            NumberRange range = range(kind.minValue(), kind.maxValue(), kind.unit());
-            return kind.createFault(
-                    kind.takesValue()
-                            ? fields.number("value", range, kind.defaultValue())
-                            : readNoValue(fields, kind.fileName()));
-        });
-        fields.text("value");
-        return fault;
-    }
-
-    private static double readFaultValue(AttributeReader fields, FaultKind kind) {
-        return kind.takesValue()
-                ? fields.number("value", range(kind.minValue(), kind.maxValue(), kind.unit()), kind.defaultValue())
-                : readNoValue(fields, kind.fileName());
-    }
-
-    private static double readNoValue(AttributeReader fields, String kind) {
-        fields.text("value").ifPresent(text -> fields.report("value", text, Allowed.NO_VALUE.with(kind)));
+    private static double readFaultValue(AttributeReader fields, FaultDescriptor<?> kind) {
+        if (kind.takesValue()) {
+            NumberRange range = NumberRange.closed(
+                    kind.minValue(), kind.maxValue(), FAULT_UNITS.getOrDefault(kind.unit(), Allowed.UNITLESS));
+            return fields.number("value", range, kind.defaultValue());
+        }
+        fields.text("value").ifPresent(text -> fields.report("value", text, Allowed.NO_VALUE.with(kind.fileName())));
         return 0;
     }
 
-    private static double readFaultLength(AttributeReader fields, FaultKind kind) {
+    private static double readFaultLength(AttributeReader fields, FaultDescriptor<?> kind) {
         return kind.takesLength()
                 ? fields.number("length", FAULT_LENGTH, FaultKind.DEFAULT_LENGTH)
                 : FaultKind.DEFAULT_LENGTH;
-    }
-
-    private static NumberRange range(double min, double max, String unit) {
-        return NumberRange.closed(min, max, FAULT_UNITS.getOrDefault(unit, Allowed.UNITLESS));
     }
 }

@@ -5,6 +5,7 @@ import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorSide;
 import faultline.sensor.Fault;
+import faultline.sensor.FaultDescriptor;
 import faultline.world.Command;
 import java.util.List;
 
@@ -49,12 +50,18 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
         return out.beginElement(name).attribute("at", time);
     }
 
-    private XmlWriter beginFault(String name, String sensor, Fault fault) {
-        begin(name).attribute("sensor", sensor).attribute("kind", fault.kind().fileName());
-        if (fault.kind().takesValue()) {
-            out.attribute("value", fault.value());
+    /** Writes a fault into the open element; its number and its length are ignored by kinds without them. */
+    private XmlWriter writeFault(FaultDescriptor<?> kind, double value, double length) {
+        out.attribute("kind", kind.fileName());
+        if (kind.takesValue()) {
+            out.attribute("value", value);
         }
-        return fault.kind().takesLength() ? out.attribute("length", fault.length()) : out;
+        return kind.takesLength() ? out.attribute("length", length) : out;
+    }
+
+    private XmlWriter beginFault(String name, String sensor, Fault fault) {
+        begin(name).attribute("sensor", sensor);
+        return writeFault(fault.kind(), fault.value(), fault.length());
     }
 
     @Override
@@ -100,10 +107,8 @@ final class TimelineWriter implements Command.Visitor<XmlWriter> {
     }
 
     private XmlWriter beginMotorFault(String name, MotorSide motor, MotorFault fault) {
-        begin(name)
-                .attribute("motor", motor.fileName())
-                .attribute("kind", fault.kind().fileName());
-        return fault.kind().takesValue() ? out.attribute("value", fault.value()) : out;
+        begin(name).attribute("motor", motor.fileName());
+        return writeFault(fault.kind(), fault.value(), 0);
     }
 
     @Override

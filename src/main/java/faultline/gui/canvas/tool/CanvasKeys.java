@@ -1,11 +1,11 @@
 package faultline.gui.canvas.tool;
 
-import faultline.gui.theme.KeyBindings;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.Rounding;
 import faultline.gui.edit.UndoController;
+import faultline.gui.theme.KeyBindings;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.world.Command;
 import faultline.world.Obstacle;
