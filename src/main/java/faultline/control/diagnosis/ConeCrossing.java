@@ -21,43 +21,37 @@ final class ConeCrossing {
     private static final double CROSSED = 0.8;
 
     private final MountedCone cone;
-    private double way;
-    private double heading;
-    private double rolled;
-    private double turned;
+    private final Motion motion;
     private double wayBefore;
     private double headingBefore;
     private int entry;
     private double entryStep;
 
-    ConeCrossing(MountedCone cone) {
+    ConeCrossing(MountedCone cone, Motion motion) {
         this.cone = cone;
-    }
-
-    /** Processes the motion of a step. */
-    void move(double rolledBy, double turnedBy) {
-        rolled = rolledBy;
-        turned = turnedBy;
-        way += rolledBy;
-        heading += turnedBy;
+        this.motion = motion;
     }
 
     /** Records that a surface has come into view at some distance. */
     void appear(double distance) {
         entry = borders(distance, 1);
-        entryStep = Math.abs(sideways(0, distance, rolled, turned));
-        wayBefore = way;
-        headingBefore = heading;
+        entryStep = step(distance);
+        wayBefore = motion.way();
+        headingBefore = motion.heading();
     }
 
     /** Returns whether the surface that came into view last can have left it at some distance. */
     boolean canDisappear(double distance) {
         int exit = borders(distance, -1);
-        double swept = Math.abs(sideways(0, distance, way - wayBefore, heading - headingBefore));
-        double exitStep = Math.abs(sideways(0, distance, rolled, turned));
-        boolean back = (entry & exit) != 0 && swept <= entryStep + exitStep;
+        double swept = Math.abs(sideways(0, distance, motion.way() - wayBefore, motion.heading() - headingBefore));
+        boolean back = (entry & exit) != 0 && swept <= entryStep + step(distance);
         boolean across = (entry & swapped(exit)) != 0 && swept > CROSSED * 2 * distance * StrictMath.sin(cone.half());
         return back || across;
+    }
+
+    /** Returns how far a point on the axis has moved sideways in the last step. */
+    private double step(double distance) {
+        return Math.abs(sideways(0, distance, motion.rolled(), motion.turned()));
     }
 
     private static int swapped(int borders) {
@@ -72,8 +66,8 @@ final class ConeCrossing {
     }
 
     private boolean moves(double offset, double distance, int sign) {
-        double rolling = sideways(offset, distance, rolled, 0);
-        double turning = sideways(offset, distance, 0, turned);
+        double rolling = sideways(offset, distance, motion.rolled(), 0);
+        double turning = sideways(offset, distance, 0, motion.turned());
         return sign * (rolling + turning) > -UNSURE * (Math.abs(rolling) + Math.abs(turning))
                 && (rolling != 0 || turning != 0);
     }

@@ -15,10 +15,11 @@ public final class EvidenceGrid {
     public static final int SIZE = 128;
 
     private static final int WRAP = SIZE - 1;
-    private static final double CELLS_PER_METRE = 1 / CELL;
+
+    static final double CELLS_PER_METRE = 1 / CELL;
 
     /** Makes all columns positive; a multiple of {@link #SIZE}. */
-    private static final int OFFSET = 1 << 30;
+    static final int OFFSET = 1 << 30;
 
     private static final int PLANE = SIZE * SIZE;
 
@@ -36,8 +37,13 @@ public final class EvidenceGrid {
             this.parity = parity;
         }
 
+        /** Returns the difference between two marked rows. */
+        int step() {
+            return step;
+        }
+
         /** Returns the first row to mark at or after a row. */
-        private int first(int row) {
+        int first(int row) {
             return row + (row + parity & step - 1);
         }
     }
@@ -48,6 +54,7 @@ public final class EvidenceGrid {
     private final int[] lastFreeInRow;
 
     private final int[] lastHitInRow;
+    private final SectorRows sector = new SectorRows();
 
     EvidenceGrid(int sources) {
         this.free = new int[PLANE * sources];
@@ -152,7 +159,10 @@ public final class EvidenceGrid {
         for (int row = cellOf(y - radius); row <= last; row++) {
             double dy = (row + 0.5) * CELL - y;
             double half = Math.sqrt(Math.max(0, radius * radius - dy * dy));
-            markRow(source, row, x - half, x + half, moment);
+            // Truncation rounds down because the sum is positive.
+            int first = (int) ((x - half) * CELLS_PER_METRE + OFFSET + 0.5);
+            int end = (int) ((x + half) * CELLS_PER_METRE + OFFSET + 0.5);
+            markRow(source, row, first, end - 1, moment);
         }
     }
 
@@ -179,50 +189,23 @@ public final class EvidenceGrid {
             double radius,
             int moment,
             Rows rows) {
-        int edge = ConeTable.SAMPLES - 1;
-        double leftSin = cone.sin(edge, axisCos, axisSin);
-        double rightSin = cone.sin(0, axisCos, axisSin);
-        double leftSlope = cone.cos(edge, axisCos, axisSin) / leftSin;
-        double rightSlope = cone.cos(0, axisCos, axisSin) / rightSin;
-        double top = axisSin >= cone.cosHalf() ? 1 : Math.max(0, Math.max(leftSin, rightSin));
-        double bottom = axisSin <= -cone.cosHalf() ? -1 : Math.min(0, Math.min(leftSin, rightSin));
-        // Right of the left edge, leftSin dx >= leftCos dy; left of the right edge, rightSin dx <= rightCos dy.
-        boolean leftStarts = leftSin > 0;
-        boolean rightStarts = rightSin < 0;
-        boolean leftEnds = leftSin < 0;
-        boolean rightEnds = rightSin > 0;
-        double square = radius * radius;
-        int last = cellOf(y + radius * top);
-        for (int row = rows.first(cellOf(y + radius * bottom)); row <= last; row += rows.step) {
-            double dy = (row + 0.5) * CELL - y;
-            double reach = square - dy * dy;
-            if (reach > 0) {
-                double to = Math.sqrt(reach);
-                double from = -to;
-                double left = leftSlope * dy;
-                double right = rightSlope * dy;
-                from = leftStarts && left > from ? left : from;
-                from = rightStarts && right > from ? right : from;
-                to = leftEnds && left < to ? left : to;
-                to = rightEnds && right < to ? right : to;
-                if (from < to) {
-                    markRow(source, row, x + from, x + to, moment);
-                }
-            }
+        sector.find(x, y, axisCos, axisSin, cone, radius, rows);
+        for (int i = 0; i < sector.count(); i++) {
+            markRow(source, sector.row(i), sector.from(i), sector.to(i), moment);
         }
     }
 
     /**
-     * Marks the cells of a row whose centres lie between two coordinates, in fours, the last one repeatedly: rows are
-     * short, and a loop over single cells that ends at another number each time takes longer.
+     * Marks the cells of a row in fours, the last one repeatedly: rows are short, and a loop over single cells that
+     * ends at another number each time takes longer.
      */
-    private void markRow(int source, int row, double from, double to, int moment) {
-        // Truncation rounds down because the sum is positive.
-        int first = (int) (from * CELLS_PER_METRE + OFFSET + 0.5);
-        int count = (int) (to * CELLS_PER_METRE + OFFSET + 0.5) - first;
-        int base = source * PLANE + (row & WRAP) * SIZE;
-        lastFreeInRow[source * SIZE + (row & WRAP)] = moment;
-        int last = first + count - 1;
+    private void markRow(int source, int row, int first, int last, int moment) {
+        if (first > last) {
+            return;
+        }
+        int line = source * SIZE + (row & WRAP);
+        int base = line * SIZE;
+        lastFreeInRow[line] = moment;
         for (int i = first; i <= last; i += 4) {
             free[base + (i & WRAP)] = moment;
             free[base + (Math.min(i + 1, last) & WRAP)] = moment;

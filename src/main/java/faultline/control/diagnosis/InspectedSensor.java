@@ -23,7 +23,6 @@ final class InspectedSensor {
     private static final double TURN_RADIUS = 0.24;
 
     private final int index;
-    private final SignalTest signal;
     private final ClaimRing claims = new ClaimRing();
     private MountedCone cone;
     private ConeTable table;
@@ -47,7 +46,6 @@ final class InspectedSensor {
 
     InspectedSensor(int index, MountedCone cone) {
         this.index = index;
-        this.signal = new SignalTest(cone);
         refit(cone);
     }
 
@@ -121,10 +119,6 @@ final class InspectedSensor {
     /** Returns its place as a bit. */
     int bit() {
         return 1 << index;
-    }
-
-    SignalTest signal() {
-        return signal;
     }
 
     ClaimRing claims() {

@@ -11,8 +11,9 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Diagnoses the sensors. One sensor is inspected at each step: there must be a surface somewhere on the arc at the
- * reported distance, so other trusted sensors, or the sensor itself, cannot recently have seen all of that arc free.
+ * Diagnoses the sensors. All are inspected together a few times a second: there must be a surface somewhere on the arc
+ * at the reported distance, so other trusted sensors, or the sensor itself, cannot recently have seen all of that arc
+ * free.
  */
 public final class SensorDiagnosis {
 
@@ -39,7 +40,7 @@ public final class SensorDiagnosis {
     /** A contradiction is suspicious for this long, seconds. */
     private static final double SUSPICION = 1;
 
-    /** The time between two inspections, seconds. */
+    /** The time between two inspections for each of the sensors, seconds. */
     private static final double STEP = 0.01;
 
     /** A slower robot turns on the spot, where surfaces may come near, metres per second. */
@@ -51,8 +52,11 @@ public final class SensorDiagnosis {
     private final DeadReckoning reckoning = new DeadReckoning();
     private final CurvatureEstimate curvature = new CurvatureEstimate();
     private final MotionClock clock = new MotionClock();
+    private final Motion motion = new Motion();
     private RobotSpec robot;
     private InspectedSensor[] sensors = {};
+    /** The tests of the sensors' signals in the same order. */
+    private SignalTest[] signals = {};
     /** The sensors in the order in which they are inspected. */
     private InspectedSensor[] inspectionOrder = {};
 
@@ -64,7 +68,6 @@ public final class SensorDiagnosis {
     private double[] lastReadings = {};
     private long tick;
     private double time;
-    private int next;
     private double untilInspection;
     private boolean alert;
     private double bodyMarkedWay = Double.NEGATIVE_INFINITY;
@@ -99,11 +102,10 @@ public final class SensorDiagnosis {
         lastReadings = observation.readings();
         testSignals();
         learnCurvature();
-        alert = !verdicts.allTrusted() || time - verdicts.lastSuspicion() < SUSPICION;
         untilInspection -= dt;
         while (untilInspection < STEP / 2 && sensors.length > 0) {
-            inspectNext();
-            untilInspection += STEP;
+            inspectAll();
+            untilInspection += STEP * sensors.length;
         }
     }
 
@@ -117,11 +119,12 @@ public final class SensorDiagnosis {
         reckoning.setCurvature(curvature.curvature());
     }
 
-    private void inspectNext() {
-        InspectedSensor sensor = inspectionOrder[next];
-        inspect(sensor, lastReadings[sensor.index()]);
-        next = next + 1 < sensors.length ? next + 1 : 0;
-        if (next == 0 && (alert || reckoning.way() - bodyMarkedWay > MARKING)) {
+    private void inspectAll() {
+        alert = !verdicts.allTrusted() || time - verdicts.lastSuspicion() < SUSPICION;
+        for (InspectedSensor sensor : inspectionOrder) {
+            inspect(sensor, lastReadings[sensor.index()]);
+        }
+        if (alert || reckoning.way() - bodyMarkedWay > MARKING) {
             bodyMarkedWay = reckoning.way();
             grid.markDisc(sensors.length, reckoning.x(), reckoning.y(), robot.width() / 2, clock.moment());
         }
@@ -133,6 +136,7 @@ public final class SensorDiagnosis {
         robot = newRobot;
         if (!same) {
             sensors = new InspectedSensor[n];
+            signals = new SignalTest[n];
             grid = new EvidenceGrid(n + 1);
             claimTest = new ClaimTest(grid);
             report = new HealthReport(newRobot);
@@ -143,6 +147,7 @@ public final class SensorDiagnosis {
                 sensors[i].refit(cone);
             } else {
                 sensors[i] = new InspectedSensor(i, cone);
+                signals[i] = new SignalTest(cone, motion);
             }
         }
         inspectionOrder = inOrder(sensors);
@@ -161,15 +166,15 @@ public final class SensorDiagnosis {
     }
 
     private void testSignals() {
-        for (InspectedSensor sensor : sensors) {
-            double reading = lastReadings[sensor.index()];
-            SensorFinding finding = sensor.signal().test(reading, reckoning.rolled(), reckoning.turned());
-            if (sensor.signal().jumped()) {
-                sensor.jump(time);
+        motion.advance(reckoning.rolled(), reckoning.turned());
+        for (int i = 0; i < signals.length; i++) {
+            SensorFinding finding = signals[i].test(lastReadings[i]);
+            if (signals[i].jumped()) {
+                sensors[i].jump(time);
             }
             if (finding != SensorFinding.NONE) {
-                verdicts.distrust(sensor, finding, time);
-                refreshReport(sensor);
+                verdicts.distrust(sensors[i], finding, time);
+                refreshReport(sensors[i]);
             }
         }
     }

@@ -50,6 +50,7 @@ final class SignalTest {
 
     private final MountedCone cone;
     private final double axisCos;
+    private final Motion motion;
     private final ConeCrossing crossing;
     private double before = Double.NaN;
     private double first = Double.NaN;
@@ -68,19 +69,17 @@ final class SignalTest {
     /** Whether no spikes, scatter or flips are remembered. */
     private boolean unremarkable;
 
-    SignalTest(MountedCone cone) {
+    SignalTest(MountedCone cone, Motion motion) {
         this.cone = cone;
+        this.motion = motion;
         this.axisCos = StrictMath.cos(cone.bearing());
-        this.crossing = new ConeCrossing(cone);
+        this.crossing = new ConeCrossing(cone, motion);
     }
 
     /** Processes a reading after some motion. */
-    SensorFinding test(double reading, double rolled, double turned) {
-        crossing.move(rolled, turned);
-        if (quiet && reading == Reading.NOTHING) {
-            return SensorFinding.NONE;
-        }
-        return continues(reading) ? SensorFinding.NONE : testAll(reading, rolled, turned);
+    SensorFinding test(double reading) {
+        boolean usual = quiet && reading == Reading.NOTHING || continues(reading);
+        return usual ? SensorFinding.NONE : testAll(reading);
     }
 
     /**
@@ -112,13 +111,13 @@ final class SignalTest {
         return jumped;
     }
 
-    private SensorFinding testAll(double reading, double rolled, double turned) {
+    private SensorFinding testAll(double reading) {
         if (Reading.isOff(reading)) {
             before = Double.NaN;
             quiet = false;
             return SensorFinding.OFF;
         }
-        boolean stuck = isStuck(reading, rolled, turned);
+        boolean stuck = isStuck(reading);
         learnCrossing(reading);
         learnSpikes(reading);
         learnScatter(reading);
@@ -146,14 +145,14 @@ final class SignalTest {
                 && Double.isNaN(second);
     }
 
-    private boolean isStuck(double reading, double rolled, double turned) {
+    private boolean isStuck(double reading) {
         if (reading != before || reading == Reading.NOTHING) {
             turn = 0;
             way = 0;
             return false;
         }
-        turn += turned;
-        way += rolled;
+        turn += motion.turned();
+        way += motion.rolled();
         return Math.abs(turn) > STUCK_TURN
                 || Math.abs(way * axisCos) > STUCK_DISTANCE && Math.abs(cone.bearing()) < cone.half()
                 || reading < 0.001 && Math.abs(way) + Math.abs(turn) > STUCK_DISTANCE;

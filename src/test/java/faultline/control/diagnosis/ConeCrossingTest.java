@@ -8,13 +8,15 @@ import org.junit.jupiter.api.Test;
 
 class ConeCrossingTest {
 
-    private static ConeCrossing of(int sensor) {
-        return new ConeCrossing(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1));
+    private final Motion motion = new Motion();
+
+    private ConeCrossing of(int sensor) {
+        return new ConeCrossing(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1), motion);
     }
 
-    private static void move(ConeCrossing crossing, int ticks, double rolled, double turned) {
+    private void move(int ticks, double rolled, double turned) {
         for (int i = 0; i < ticks; i++) {
-            crossing.move(rolled, turned);
+            motion.advance(rolled, turned);
         }
     }
 
@@ -22,22 +24,22 @@ class ConeCrossingTest {
     void aPoleBesideThePathCrossesTheWholeCone() {
         // At 0.25 m the cone is 8.7 cm wide.
         ConeCrossing crossing = of(2);
-        move(crossing, 1, 0.003, 0);
+        move(1, 0.003, 0);
         crossing.appear(0.25);
-        move(crossing, 10, 0.003, 0);
+        move(10, 0.003, 0);
         assertFalse(crossing.canDisappear(0.25));
-        move(crossing, 20, 0.003, 0);
+        move(20, 0.003, 0);
         assertTrue(crossing.canDisappear(0.25));
     }
 
     @Test
     void aPoleThatCameInLeavesAtTheSameBorderOnceTheConeSwingsBack() {
         ConeCrossing crossing = of(2);
-        move(crossing, 1, 0.003, 0);
+        move(1, 0.003, 0);
         crossing.appear(0.25);
-        move(crossing, 3, 0.002, 0);
+        move(3, 0.002, 0);
         assertFalse(crossing.canDisappear(0.25));
-        move(crossing, 3, 0.002, 0.01);
+        move(3, 0.002, 0.01);
         assertTrue(crossing.canDisappear(0.25));
     }
 
@@ -49,27 +51,27 @@ class ConeCrossingTest {
         double turned = 1.02
                 * 0.002
                 / (0.25 + RobotSpec.DEFAULT.sensors().get(2).mountPosition().y());
-        move(crossing, 1, 0.002, turned);
+        move(1, 0.002, turned);
         crossing.appear(0.25);
-        move(crossing, 1, 0.002, turned);
+        move(1, 0.002, turned);
         assertTrue(crossing.canDisappear(0.25));
     }
 
     @Test
     void nothingComesAndGoesWhileTheRobotStands() {
         ConeCrossing crossing = of(2);
-        move(crossing, 1, 0, 0);
+        move(1, 0, 0);
         crossing.appear(0.25);
-        move(crossing, 1, 0, 0);
+        move(1, 0, 0);
         assertFalse(crossing.canDisappear(0.25));
     }
 
     @Test
     void aRobotThatDrivesStraightAheadLosesPolesOnBothSidesButFindsNone() {
         ConeCrossing crossing = of(0);
-        move(crossing, 1, 0.003, 0);
+        move(1, 0.003, 0);
         crossing.appear(0.4);
-        move(crossing, 30, 0.003, 0);
+        move(30, 0.003, 0);
         assertFalse(crossing.canDisappear(0.3));
     }
 }

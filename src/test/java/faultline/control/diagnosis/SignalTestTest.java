@@ -16,11 +16,13 @@ class SignalTestTest {
     private final SplittableRandom random = new SplittableRandom(1);
 
     private static SensorFinding run(int sensor, int ticks, double rolled, double turned, IntToDoubleFunction reading) {
+        Motion motion = new Motion();
         SignalTest test =
-                new SignalTest(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1));
+                new SignalTest(MountedCone.of(RobotSpec.DEFAULT.sensors().get(sensor), 1), motion);
         SensorFinding finding = SensorFinding.NONE;
         for (int i = 0; i < ticks; i++) {
-            finding = test.test(reading.applyAsDouble(i), rolled, turned);
+            motion.advance(rolled, turned);
+            finding = test.test(reading.applyAsDouble(i));
         }
         return finding;
     }

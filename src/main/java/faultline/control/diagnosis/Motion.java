@@ -1,0 +1,38 @@
+package faultline.control.diagnosis;
+
+/** How far the robot has rolled and turned, in the last step and since the start. */
+final class Motion {
+
+    private double rolled;
+    private double turned;
+    private double way;
+    private double heading;
+
+    /** Adds a step. */
+    void advance(double rolledBy, double turnedBy) {
+        rolled = rolledBy;
+        turned = turnedBy;
+        way += rolledBy;
+        heading += turnedBy;
+    }
+
+    /** Returns the distance rolled in the last step, metres, negative backwards. */
+    double rolled() {
+        return rolled;
+    }
+
+    /** Returns the turn of the last step, radians, positive to the left. */
+    double turned() {
+        return turned;
+    }
+
+    /** Returns the distance rolled forwards less that rolled backwards, metres. */
+    double way() {
+        return way;
+    }
+
+    /** Returns the total turn, radians, positive to the left. */
+    double heading() {
+        return heading;
+    }
+}
