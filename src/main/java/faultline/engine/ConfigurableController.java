@@ -13,15 +13,27 @@ final class ConfigurableController implements Controller {
 
     private ControllerSpec.BuiltIn spec;
     private Controller delegate;
+    /** The decision of a controller that uses no observation; null for others. */
+    private Decision constant;
 
     ConfigurableController(ControllerSpec.BuiltIn spec) {
-        this.spec = spec;
-        delegate = ControllerFactory.createFixed(spec);
+        replace(spec);
+    }
+
+    private void replace(ControllerSpec.BuiltIn settings) {
+        spec = settings;
+        delegate = ControllerFactory.createFixed(settings);
+        constant = ControllerFactory.constantDecision(settings).orElse(null);
     }
 
     @Override
     public Decision decide(Observation observation) {
         return delegate.decide(observation);
+    }
+
+    /** Returns the decision on every observation until other settings are taken, or null if decisions differ. */
+    Decision constantDecision() {
+        return constant;
     }
 
     @Override
@@ -30,9 +42,9 @@ final class ConfigurableController implements Controller {
                 && settings instanceof ControllerSpec.WallFollowing follower
                 && old.canContinueWith(follower)) {
             delegate.configure(follower);
+            spec = settings;
         } else {
-            delegate = ControllerFactory.createFixed(settings);
+            replace(settings);
         }
-        spec = settings;
     }
 }

@@ -13,6 +13,7 @@ import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.WallFollower;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /** Creates controllers from their specifications. */
@@ -76,11 +77,20 @@ public final class ControllerFactory {
             Controller follower = wall.diagnosis() ? new FaultTolerantFollower(wall) : new WallFollower(wall);
             return new PeriodicController(follower, wall.period());
         }
-        Telemetry telemetry = Telemetry.ofState(initialState(spec));
-        Decision constant = spec instanceof ControllerSpec.Drive drive
-                ? new Decision(drive.leftVolts(), drive.rightVolts(), telemetry)
-                : new Decision(0, 0, telemetry);
+        Decision constant = constantDecision(spec).orElseThrow();
         return observation -> constant;
+    }
+
+    /** Returns the decision of a controller that uses no observation; empty for others. */
+    static Optional<Decision> constantDecision(ControllerSpec.BuiltIn spec) {
+        if (spec instanceof ControllerSpec.WallFollowing) {
+            return Optional.empty();
+        }
+        Telemetry telemetry = Telemetry.ofState(initialState(spec));
+        return Optional.of(
+                spec instanceof ControllerSpec.Drive drive
+                        ? new Decision(drive.leftVolts(), drive.rightVolts(), telemetry)
+                        : new Decision(0, 0, telemetry));
     }
 
     /**

@@ -9,6 +9,9 @@ import faultline.robot.RobotSpec;
 final class DirectHost implements ControllerHost {
 
     private final Controller controller;
+    /** The controller if it is part of the program, otherwise null. */
+    private final ConfigurableController builtIn;
+
     private long tick;
     private double dt;
     private RobotSpec robot;
@@ -16,6 +19,7 @@ final class DirectHost implements ControllerHost {
 
     DirectHost(Controller controller) {
         this.controller = controller;
+        builtIn = controller instanceof ConfigurableController own ? own : null;
     }
 
     @Override
@@ -28,6 +32,11 @@ final class DirectHost implements ControllerHost {
 
     @Override
     public Decision await() {
+        Decision constant = builtIn == null ? null : builtIn.constantDecision();
+        if (constant != null) {
+            // Without an observation, for which the virtual machine does not always avoid an object.
+            return constant;
+        }
         try {
             return controller.decide(new Observation(tick, dt, robot, readings));
         } catch (RunFailedException broken) {

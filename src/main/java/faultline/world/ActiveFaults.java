@@ -59,6 +59,10 @@ final class ActiveFaults {
         return result;
     }
 
+    boolean isEmpty() {
+        return active.isEmpty();
+    }
+
     boolean changesOptics() {
         for (Active each : active) {
             if (each.fault().kind().changesOptics()) {

@@ -42,7 +42,7 @@ final class FreeTravel {
      */
     boolean take(RobotBody body, double time) {
         double translation = Math.abs(body.v()) * time;
-        double rotation = Math.abs(body.omega()) * time * body.spec().boundingRadius();
+        double rotation = Math.abs(body.omega()) * time * body.boundingRadius();
         if (version != obstacles.version() || !suffices(translation, rotation)) {
             measure(body, translation);
         }
@@ -58,7 +58,7 @@ final class FreeTravel {
 
     private void measure(RobotBody body, double translation) {
         version = obstacles.version();
-        double radius = body.spec().boundingRadius();
+        double radius = body.boundingRadius();
         double look = LOOK_AHEAD + translation;
         candidates.clear();
         obstacles.findStaticNear(body.x(), body.y(), radius + look, candidates);

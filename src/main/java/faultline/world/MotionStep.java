@@ -147,7 +147,7 @@ final class MotionStep {
     private Contact contactAt(double time, Pose before) {
         candidates.clear();
         double moved = body.pose().position().distanceTo(before.position());
-        obstacles.findNear(before.x(), before.y(), body.spec().boundingRadius() + moved + NAMING_TOLERANCE, candidates);
+        obstacles.findNear(before.x(), before.y(), body.boundingRadius() + moved + NAMING_TOLERANCE, candidates);
         List<ShapeOwner> owners = IntStream.range(0, candidates.size())
                 .mapToObj(candidates::owner)
                 .distinct()

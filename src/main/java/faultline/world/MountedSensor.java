@@ -41,6 +41,9 @@ final class MountedSensor {
 
     /** Lets added faults set in and removed ones end; returns whether the optics may have changed. */
     boolean updateFaults(long tick, double dt, double lastReported, double maxTravel, double maxTurn) {
+        if (faults.isEmpty() && active.isEmpty()) {
+            return false;
+        }
         boolean before = active.changesOptics();
         boolean changed = active.update(faults, tick, dt, lastReported);
         if (changed && (before || active.changesOptics())) {

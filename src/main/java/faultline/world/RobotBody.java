@@ -40,6 +40,8 @@ final class RobotBody {
     private MotorFaults motorFaults = MotorFaults.NONE;
     private MotorSpec leftMotor;
     private MotorSpec rightMotor;
+    private double trueTrack;
+    private double boundingRadius;
 
     RobotBody(RobotSpec spec, Pose pose) {
         setSpec(spec);
@@ -65,6 +67,8 @@ final class RobotBody {
         spec = newSpec;
         leftMotor = newSpec.motor().scaled(newSpec.driveScale().left());
         rightMotor = newSpec.motor().scaled(newSpec.driveScale().right());
+        trueTrack = newSpec.trueTrack();
+        boundingRadius = newSpec.boundingRadius();
     }
 
     MotorFaults motorFaults() {
@@ -118,7 +122,12 @@ final class RobotBody {
 
     /** Returns the angular velocity, radians per second. */
     double omega() {
-        return (rightSpeed - leftSpeed) / spec.trueTrack();
+        return (rightSpeed - leftSpeed) / trueTrack;
+    }
+
+    /** Returns the radius of the circle about the centre that encloses the platform, metres. */
+    double boundingRadius() {
+        return boundingRadius;
     }
 
     boolean isAtRest() {
@@ -155,7 +164,7 @@ final class RobotBody {
 
     /** Returns the radius about the centre within which the body stays for some seconds, metres. */
     double reachableRadius(double time) {
-        return spec.boundingRadius() + Math.abs(v()) * time;
+        return boundingRadius + Math.abs(v()) * time;
     }
 
     TimeOfImpact timeOfImpact() {

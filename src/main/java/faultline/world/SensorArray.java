@@ -29,7 +29,7 @@ final class SensorArray {
     private static final double MAX_TURN = 0.25;
 
     private final double dt;
-    private final List<MountedSensor> sensors = new ArrayList<>();
+    private final MountedSensor[] sensors;
     private final CandidateBuffer candidates = new CandidateBuffer();
     private final CandidateBuffer farCandidates = new CandidateBuffer();
     private final List<MovingObstacle> movingNear = new ArrayList<>();
@@ -48,9 +48,11 @@ final class SensorArray {
 
     SensorArray(RobotSpec robot, long seed, double dt) {
         this.dt = dt;
-        robot.sensors().forEach(spec -> sensors.add(new MountedSensor(spec, seed)));
-        truth = new double[sensors.size()];
-        reported = new double[sensors.size()];
+        sensors = robot.sensors().stream()
+                .map(spec -> new MountedSensor(spec, seed))
+                .toArray(MountedSensor[]::new);
+        truth = new double[sensors.length];
+        reported = new double[sensors.length];
         configure(robot);
     }
 
@@ -60,9 +62,9 @@ final class SensorArray {
                 robot.sensors().stream().mapToDouble(SensorSpec::range).max().orElse(0);
         maxTravel = Math.max(MIN_TRAVEL, Math.min(MAX_TRAVEL, TRAVEL_PER_RANGE * longest));
         sensingRadius = 0;
-        for (int i = 0; i < sensors.size(); i++) {
+        for (int i = 0; i < sensors.length; i++) {
             SensorSpec spec = robot.sensors().get(i);
-            sensors.get(i).configure(spec, robot, maxTravel, MAX_TURN);
+            sensors[i].configure(spec, robot, maxTravel, MAX_TURN);
             sensingRadius = Math.max(sensingRadius, spec.mountPosition().length() + spec.range());
         }
         sensingRadius *= 1 + 1e-12;
@@ -70,7 +72,7 @@ final class SensorArray {
     }
 
     List<Fault> faults(int sensor) {
-        return sensors.get(sensor).faults();
+        return sensors[sensor].faults();
     }
 
     double truth(int sensor) {
@@ -89,7 +91,7 @@ final class SensorArray {
     /** Reads all sensors, then lets their faults act: step 6 of a tick. */
     void sense(ObstacleSet obstacles, RobotBody body, long tick) {
         for (int i = 0; i < truth.length; i++) {
-            if (sensors.get(i).updateFaults(tick, dt, reported[i], maxTravel, MAX_TURN)) {
+            if (sensors[i].updateFaults(tick, dt, reported[i], maxTravel, MAX_TURN)) {
                 version = -1;
             }
         }
@@ -98,10 +100,10 @@ final class SensorArray {
         }
         collectMoving(obstacles, body);
         for (int i = 0; i < truth.length; i++) {
-            truth[i] = measure(sensors.get(i), sensors.get(i).soundCone(), obstacles, body);
+            truth[i] = measure(sensors[i], sensors[i].soundCone(), obstacles, body);
         }
         for (int i = 0; i < truth.length; i++) {
-            MountedSensor sensor = sensors.get(i);
+            MountedSensor sensor = sensors[i];
             boolean sound = sensor.actualCone() == sensor.soundCone();
             double seen = sound ? truth[i] : measure(sensor, sensor.actualCone(), obstacles, body);
             reported[i] = sensor.report(seen, truth[i + 1 < truth.length ? i + 1 : 0], tick);
@@ -123,7 +125,7 @@ final class SensorArray {
         regionSin = body.sin();
         double radius = 0;
         for (int i = 0; i < truth.length; i++) {
-            MountedSensor sensor = sensors.get(i);
+            MountedSensor sensor = sensors[i];
             sensor.soundCone().setHorizon(truth[i]);
             sensor.actualCone().setHorizon(truth[i]);
             radius = Math.max(
@@ -135,7 +137,7 @@ final class SensorArray {
         candidates.clear();
         obstacles.findStaticNear(regionX, regionY, radius, candidates);
         for (int i = 0; i < truth.length; i++) {
-            MountedSensor sensor = sensors.get(i);
+            MountedSensor sensor = sensors[i];
             collect(sensor.soundCone(), candidates);
             if (sensor.actualCone() != sensor.soundCone()) {
                 collect(sensor.actualCone(), candidates);
@@ -197,7 +199,7 @@ final class SensorArray {
         obstacles.findNear(body.x(), body.y(), sensingRadius, shapes);
         List<SensorSnapshot> snapshots = new ArrayList<>();
         for (int i = 0; i < truth.length; i++) {
-            MountedSensor sensor = sensors.get(i);
+            MountedSensor sensor = sensors[i];
             Sector sector = sensor.soundCone().sector(robot);
             snapshots.add(new SensorSnapshot(
                     sensor.spec(),

@@ -11,6 +11,7 @@ import java.io.File;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -28,16 +29,39 @@ class AllocationTest {
                 ControllerMode.DIRECT);
     }
 
-    /**
-     * Runs in a virtual machine of its own: the compiler removes all objects of a tick only where one kind of run is
-     * made.
-     */
+    /** Makes runs with other controllers, so that the virtual machine knows several. */
+    private static void runOthers() {
+        for (boolean diagnosis : new boolean[] {false, true}) {
+            run(ControllerSpec.WallFollowing.DEFAULT.withDiagnosis(diagnosis));
+        }
+        run(new ControllerSpec.None());
+    }
+
+    private static void run(ControllerSpec controller) {
+        Simulation simulation = new Simulation(
+                SimulationSetup.of(new WorldSpec(4, 3, true, 0, List.of()), new Pose(2, 1.5, 0))
+                        .withController(controller),
+                ControllerMode.DIRECT);
+        simulation.stopRecordingPath();
+        for (int i = 0; i < TICKS; i++) {
+            simulation.tick();
+        }
+    }
+
+    /** Runs in a virtual machine of its own, which compiles code for the runs that it has made. */
     static final class Probe {
 
         private Probe() {}
 
-        /** Prints the fewest bytes that some passes allocate; the first ones run before all code is compiled. */
+        /**
+         * Prints the fewest bytes that some passes allocate; the first ones run before all code is compiled.
+         *
+         * @param args any for other runs before
+         */
         public static void main(String[] args) {
+            if (args.length > 0) {
+                runOthers();
+            }
             Simulation simulation = circling();
             simulation.stopRecordingPath();
             long least = Long.MAX_VALUE;
@@ -57,16 +81,25 @@ class AllocationTest {
                 .toString();
     }
 
+    private static String probe(String... arguments) throws Exception {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                place(Simulation.class) + File.pathSeparator + place(Probe.class),
+                Probe.class.getName()));
+        command.addAll(List.of(arguments));
+        Process probe = new ProcessBuilder(command).redirectErrorStream(true).start();
+        return new String(probe.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    }
+
     @Test
     void aTickAllocatesNothingIfNoOneShowsFrames() throws Exception {
-        Process probe = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        place(Simulation.class) + File.pathSeparator + place(Probe.class),
-                        Probe.class.getName())
-                .redirectErrorStream(true)
-                .start();
-        assertEquals("0", new String(probe.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        assertEquals("0", probe());
+    }
+
+    @Test
+    void aTickAllocatesNothingAfterRunsWithOtherControllers() throws Exception {
+        assertEquals("0", probe("others"));
     }
 
     @Test
