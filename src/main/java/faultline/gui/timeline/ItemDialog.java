@@ -187,13 +187,13 @@ final class ItemDialog {
 
     /** Returns the item, or nothing if a value is invalid. */
     private Optional<TimelineItem> read() {
-        for (NumberSpinner field : pose) {
-            field.commitValidEdit();
+        if (!pose.stream().allMatch(NumberSpinner::commitValidEdit)) {
+            return Optional.empty();
         }
         if (controller != null && !NumberSpinner.findIn(form).allMatch(NumberSpinner::commitValidEdit)) {
             return Optional.empty();
         }
-        if (!from.commitValidEdit() || !until.commitValidEdit() || endsBeforeItStarts()) {
+        if (!from.commitValidEdit() || ends.isSelected() && !until.commitValidEdit() || endsBeforeItStarts()) {
             return Optional.empty();
         }
         double start = from.doubleValue();

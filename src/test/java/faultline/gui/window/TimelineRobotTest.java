@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
 import faultline.gui.ComponentFinder;
+import faultline.geometry.Pose;
 import faultline.gui.EdtChecker;
+import faultline.gui.panel.NumberSpinner;
 import faultline.gui.theme.Theme;
 import faultline.scenario.Scenario;
 import faultline.scenario.xml.ScenarioException;
@@ -19,6 +21,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import javax.swing.JLabel;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -117,6 +120,36 @@ class TimelineRobotTest {
         enterStart(KeyEvent.VK_5);
         driver.waitForTitle("office.xml*");
         assertEquals(5, saved().get(0).time());
+    }
+
+    @Test
+    void anInvalidPositionOfAMoveIsNotAccepted() throws ScenarioException, IOException {
+        driver.close();
+        String move = "<move at=\"90\" obstacle=\"copier\" x=\"5\" y=\"2\" heading=\"0\"/>";
+        Files.writeString(file, Files.readString(file).replace("<expect", "<timeline>" + move + "</timeline><expect"));
+        driver = WindowDriver.open(Theme.LIGHT, file);
+        new LanesDriver(driver, 10).click(90, 2);
+        String title = "copier moved to 5.000, 2.000, 0.0°";
+        JTextField x = ComponentFinder.find(driver.dialog(title), NumberSpinner.class, "Position x")
+                .textField();
+        enterInto(x, KeyEvent.VK_MINUS);
+        enterInto(
+                ComponentFinder.find(driver.dialog(title), NumberSpinner.class, "Position x")
+                        .textField(),
+                KeyEvent.VK_4);
+        driver.waitForTitle("office.xml*");
+        assertEquals(
+                new Command.MoveObstacle("copier", new Pose(4, 2, 0)),
+                saved().get(0).command());
+    }
+
+    private void enterInto(JTextField field, int key) {
+        driver.click(field);
+        driver.robot().waitFor("the field has the focus", field::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        driver.robot().pressKeys(key);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        driver.robot().waitForPaint();
     }
 
     /** Opens the dialog of a new fault of the left sensor by keys alone. */
