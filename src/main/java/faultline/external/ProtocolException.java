@@ -5,21 +5,21 @@ final class ProtocolException extends Exception {
 
     private static final long serialVersionUID = 1L;
 
-    private final String deed;
+    private final String action;
     private final String details;
 
     /**
      * Creates an exception from what the other side did, such as "wrote no JSON", and the rest of the sentence with its
      * punctuation.
      */
-    ProtocolException(String deed, String details) {
-        super(deed + details);
-        this.deed = deed;
+    ProtocolException(String action, String details) {
+        super(action + details);
+        this.action = action;
         this.details = details;
     }
 
     /** Returns the sentence about the other side at a moment such as "at tick 17". */
     String sentence(String who, String when) {
-        return who + " " + deed + " " + when + details;
+        return who + " " + action + " " + when + details;
     }
 }

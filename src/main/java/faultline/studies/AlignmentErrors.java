@@ -11,7 +11,7 @@ import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
 import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.Sample;
+import faultline.studies.figure.SortedSample;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -45,8 +45,8 @@ final class AlignmentErrors implements Figure {
             return new AlignmentTrial(trial.setup().withSeed(FIRST_SEED + seed), 1);
         }
 
-        Sample errors() {
-            return Sample.of(IntStream.range(0, SEEDS)
+        SortedSample errors() {
+            return SortedSample.of(IntStream.range(0, SEEDS)
                     .mapToObj(seed -> trial(seed).run())
                     .flatMap(result -> result.stream())
                     .mapToDouble(result -> StrictMath.toDegrees(result.headingError())));
@@ -88,7 +88,7 @@ final class AlignmentErrors implements Figure {
         List<Vector2> high = new ArrayList<>();
         List<Vector2> low = new ArrayList<>();
         for (Setting setting : settings()) {
-            Sample errors = setting.errors();
+            SortedSample errors = setting.errors();
             addRow(table, setting, errors);
             if (setting.rule() == TimingRule.EQUAL_READINGS && setting.period() == 0.01) {
                 rms.add(new Vector2(setting.noise(), errors.rms()));
@@ -108,9 +108,9 @@ final class AlignmentErrors implements Figure {
         folder.writeSvg("eq4-noise-seeds", FigureCanvas.drawChart(chart, 480, 360, String.format(CAPTION, SEEDS)));
     }
 
-    private static void addRow(CsvTable table, Setting setting, Sample errors) {
+    private static void addRow(CsvTable table, Setting setting, SortedSample errors) {
         int gross = errors.countBeyond(GROSS_DEGREES);
-        double[] interval = Sample.wilson(gross, errors.size());
+        double[] interval = SortedSample.wilson(gross, errors.size());
         table.addRow(
                 setting.rule().fileName(),
                 setting.degreesPerSecond(),

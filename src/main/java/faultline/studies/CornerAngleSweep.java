@@ -8,7 +8,7 @@ import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
 import faultline.studies.figure.FigureCanvas;
 import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.Sample;
+import faultline.studies.figure.SortedSample;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -53,7 +53,7 @@ final class CornerAngleSweep implements Figure {
         List<Vector2> low = new ArrayList<>();
         List<Vector2> high = new ArrayList<>();
         for (double degrees = FIRST_ANGLE; degrees <= LAST_ANGLE; degrees += ANGLE_STEP) {
-            Sample errors = CornerRun.distanceErrors(degrees, sensors, STARTS);
+            SortedSample errors = CornerRun.distanceErrors(degrees, sensors, STARTS);
             table.addRow(
                     degrees, sensors.fileName(), STARTS, errors.size(), errors.median(), errors.min(), errors.max());
             if (errors.size() > 0) {

@@ -4,7 +4,7 @@ import faultline.control.ControllerSpec.WallFollowing;
 import faultline.engine.SimulationSetup;
 import faultline.geometry.Degrees;
 import faultline.robot.RobotSpec;
-import faultline.studies.figure.Sample;
+import faultline.studies.figure.SortedSample;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -67,8 +67,8 @@ final class CornerRun {
     }
 
     /** Returns the distance errors of runs from several starts, millimetres. */
-    static Sample distanceErrors(double degrees, SensorSelection sensors, int starts) {
-        return Sample.of(IntStream.range(0, starts)
+    static SortedSample distanceErrors(double degrees, SensorSelection sensors, int starts) {
+        return SortedSample.of(IntStream.range(0, starts)
                 .mapToObj(start -> distanceError(degrees, sensors, start))
                 .flatMapToDouble(OptionalDouble::stream));
     }

@@ -16,7 +16,7 @@ import faultline.robot.RobotSpec;
 import faultline.studies.figure.CsvTable;
 import faultline.studies.figure.Figure;
 import faultline.studies.figure.FigureFolder;
-import faultline.studies.figure.Sample;
+import faultline.studies.figure.SortedSample;
 import faultline.world.World;
 import java.io.IOException;
 import java.util.List;
@@ -70,7 +70,7 @@ final class MotorMismatch implements Figure {
     }
 
     private static void addRow(CsvTable table, Variant variant, String quantity, double factor, Mismatch mismatch) {
-        Sample errors = Sample.of(IntStream.range(0, VARIANTS)
+        SortedSample errors = SortedSample.of(IntStream.range(0, VARIANTS)
                 .mapToObj(i -> headingError(variant, i, mismatch))
                 .flatMapToDouble(OptionalDouble::stream));
         table.addRow(

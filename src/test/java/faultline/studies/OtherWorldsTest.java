@@ -10,7 +10,7 @@ import faultline.geometry.Pose;
 import faultline.robot.DriveScale;
 import faultline.robot.RobotSpec;
 import faultline.studies.CornerRun.SensorSelection;
-import faultline.studies.figure.Sample;
+import faultline.studies.figure.SortedSample;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
@@ -36,12 +36,12 @@ class OtherWorldsTest {
         return new AlignmentTrial(there.setup().withSeed(random.nextLong(1_000_000)), 1);
     }
 
-    private static Sample errors(TimingRule rule, double degreesPerSecond, double period, double noiseMm, long draws) {
+    private static SortedSample errors(TimingRule rule, double degreesPerSecond, double period, double noiseMm, long draws) {
         SplittableRandom random = new SplittableRandom(draws);
         RobotSpec robot = SetupVariations.withNoise(
                 AlignmentTrial.robot(0.8, Degrees.toRadians(20), Degrees.toRadians(degreesPerSecond), 0.05),
                 noiseMm / 1000);
-        return Sample.of(IntStream.range(0, ALIGNMENTS)
+        return SortedSample.of(IntStream.range(0, ALIGNMENTS)
                 .mapToObj(i -> trial(rule, robot, period, random).run())
                 .flatMap(result -> result.stream())
                 .mapToDouble(result -> Math.toDegrees(result.headingError())));
@@ -57,8 +57,8 @@ class OtherWorldsTest {
     @ParameterizedTest
     @CsvSource({"40, FRONT_RIGHT", "52, FRONT_RIGHT", "128, FRONT_LEFT", "132, FRONT_LEFT"})
     void twoSensorsStopTooNearToASlantedSecondWall(double degrees, SensorSelection third) {
-        double two = Sample.of(cornerErrors(degrees, SensorSelection.TWO)).median();
-        double three = Sample.of(cornerErrors(degrees, third)).median();
+        double two = SortedSample.of(cornerErrors(degrees, SensorSelection.TWO)).median();
+        double three = SortedSample.of(cornerErrors(degrees, third)).median();
         assertTrue(two < -40 && two > -125, degrees + " degrees: " + two + " mm");
         assertEquals(0, three, 6, degrees + " degrees with " + third);
     }
@@ -66,9 +66,9 @@ class OtherWorldsTest {
     /** Statement 4: the error grows with the noise, and gross errors come with long control periods. */
     @Test
     void noiseCostsTenthsOfADegreeAtAShortPeriodAndGrossErrorsAtALongOne() {
-        Sample little = errors(TimingRule.EQUAL_READINGS, 60, 0.01, 4, 81);
-        Sample much = errors(TimingRule.EQUAL_READINGS, 60, 0.01, 10, 82);
-        Sample slow = errors(TimingRule.EQUAL_READINGS, 60, 0.05, 10, 83);
+        SortedSample little = errors(TimingRule.EQUAL_READINGS, 60, 0.01, 4, 81);
+        SortedSample much = errors(TimingRule.EQUAL_READINGS, 60, 0.01, 10, 82);
+        SortedSample slow = errors(TimingRule.EQUAL_READINGS, 60, 0.05, 10, 83);
         assertTrue(little.rms() < 0.6 && much.rms() < 1.5, little.rms() + " and " + much.rms());
         assertTrue(little.rms() < much.rms());
         assertEquals(0, little.countBeyond(5));
@@ -80,7 +80,7 @@ class OtherWorldsTest {
     /** Statement 5: noise disturbs the paper's rule at low spin rates only. */
     @Test
     void thePapersRuleFailsWithNoiseWhenTheRobotSpinsSlowly() {
-        Sample slow = errors(TimingRule.RANGE, 15, 0.01, 8, 84);
+        SortedSample slow = errors(TimingRule.RANGE, 15, 0.01, 8, 84);
         int gross = slow.countBeyond(5);
         assertTrue(gross >= ALIGNMENTS / 12 && gross <= ALIGNMENTS / 3, gross + " of " + slow.size());
         assertTrue(slow.max() > 60, "they are some 75 degrees off: " + slow.max());

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.FollowerState;
 import faultline.geometry.Angles;
-import faultline.studies.figure.Sample;
+import faultline.studies.figure.SortedSample;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -240,8 +240,8 @@ class ResultsTextTest {
         assertTrue(rooms.cells("collided").noneMatch("true"::equals));
         for (String noise : List.of("0", "1", "4", "10")) {
             ResultsTable runs = rooms.where("noise_mm", noise);
-            Sample straight = Sample.of(runs.numbers("straight_rms_mm"));
-            Sample follow = Sample.of(runs.numbers("follow_rms_mm"));
+            SortedSample straight = SortedSample.of(runs.numbers("straight_rms_mm"));
+            SortedSample follow = SortedSample.of(runs.numbers("follow_rms_mm"));
             assertEquals(60, straight.size());
             assertSaid(
                     "| %s | 60 | %s | %.1f, %.1f | %s | %.1f | 0 |",
@@ -256,7 +256,7 @@ class ResultsTextTest {
     }
 
     /** The median of 60 values, and the 22nd of them from either end: that many coins show heads with 95 %. */
-    private static String median(Sample sample) {
+    private static String median(SortedSample sample) {
         return String.format(
                 Locale.ROOT,
                 "%.1f (%.1f to %.1f)",

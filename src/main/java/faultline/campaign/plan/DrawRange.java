@@ -12,7 +12,7 @@ sealed interface DrawRange {
     String at(double uniform);
 
     /** Uniform between two numbers, rounded to six digits. */
-    record Interval(BigDecimal from, BigDecimal to) implements DrawRange {
+    record Uniform(BigDecimal from, BigDecimal to) implements DrawRange {
 
         private static final MathContext SIX_DIGITS = new MathContext(6);
 

@@ -72,7 +72,7 @@ public final class ValueSyntax {
             return Optional.empty();
         }
         if (interval.group(3) == null) {
-            return Optional.of(List.of(new Value.Drawn(stream, new DrawRange.Interval(from.get(), to.get()))));
+            return Optional.of(List.of(new Value.Drawn(stream, new DrawRange.Uniform(from.get(), to.get()))));
         }
         int count = Integer.parseInt(interval.group(3));
         return count < 2 || count > MAX_VALUES

@@ -31,7 +31,7 @@ sealed interface WorldSource {
      * @param file as the plan names it
      * @param tree the whole file
      */
-    record File(String label, String file, XmlElement tree) implements WorldSource {
+    record ScenarioFile(String label, String file, XmlElement tree) implements WorldSource {
         @Override
         public int count() {
             return 1;

@@ -80,7 +80,7 @@ final class WorldsReader {
         try {
             byte[] bytes = resolver.read(scenarios.size() + 1, file);
             scenarios.put(file, bytes);
-            return Optional.of(new WorldSource.File(label, file, parse(file, bytes)));
+            return Optional.of(new WorldSource.ScenarioFile(label, file, parse(file, bytes)));
         } catch (ScenarioException e) {
             for (Problem problem : e.problems()) {
                 problems.add(node, PlanProblem.SCENARIO.with(MessageText.excerpt(file), problem));

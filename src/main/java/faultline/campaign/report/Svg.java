@@ -15,7 +15,7 @@ final class Svg {
     private Svg() {}
 
     /** A place in a chart: a value with its interval over a position. */
-    record Point(double x, double y, Interval interval) {}
+    record ShareMark(double x, double y, Interval interval) {}
 
     /** Returns a bar that shows the interval of a share on the way from 0 to 1. */
     static String intervalBar(Survival survival) {
@@ -53,10 +53,10 @@ final class Svg {
     }
 
     /** Returns a chart of shares over a variable. */
-    static String shares(String title, String label, double low, double high, List<Point> points) {
+    static String shares(String title, String label, double low, double high, List<ShareMark> points) {
         Axes axes = Axes.nice(low, high, 0, 100);
         StringBuilder out = axes.open(title, label, "carried on (%)");
-        for (Point point : points) {
+        for (ShareMark point : points) {
             double x = axes.x(point.x);
             double bottom = axes.y(100 * point.interval.low());
             double top = axes.y(100 * point.interval.high());

@@ -181,7 +181,7 @@ final class VariantSections {
         double[] values = RunData.values(rows, column.name());
         double low = Arrays.stream(values).min().orElse(0);
         double high = Arrays.stream(values).max().orElse(1);
-        List<Svg.Point> points = new ArrayList<>();
+        List<Svg.ShareMark> points = new ArrayList<>();
         for (int i = 0; i < BINS; i++) {
             double from = low + i * (high - low) / BINS;
             double to = i == BINS - 1 ? Double.POSITIVE_INFINITY : low + (i + 1) * (high - low) / BINS;
@@ -191,7 +191,7 @@ final class VariantSections {
                     .toList();
             Survival survival = Survival.of(bin);
             if (survival.n() > 0) {
-                points.add(new Svg.Point(low + (i + 0.5) * (high - low) / BINS, survival.share(), survival.interval()));
+                points.add(new Svg.ShareMark(low + (i + 0.5) * (high - low) / BINS, survival.share(), survival.interval()));
             }
         }
         return Svg.shares(

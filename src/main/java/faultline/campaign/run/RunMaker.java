@@ -38,7 +38,7 @@ final class RunMaker {
     }
 
     /**
-     * Makes a run. One that breaks gives a row that says why.
+     * Makes a run. If it fails, its row gives the reason.
      *
      * @throws CancellationException if this thread is interrupted meanwhile
      */

@@ -38,7 +38,7 @@ final class AlignmentMonitor {
     }
 
     /**
-     * Adds an alignment, given the way rolled in all, metres, and the heading, radians, not normalised, and returns
+     * Adds an alignment, given the total distance rolled, metres, and the heading, radians, not normalised, and returns
      * whether there were too many recently.
      */
     boolean isRepeated(double way, double heading) {

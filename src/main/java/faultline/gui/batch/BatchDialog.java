@@ -217,7 +217,7 @@ final class BatchDialog extends JDialog {
         setRunning(false);
     }
 
-    /** Shows what the batch has come to since the last call. */
+    /** Shows the results since the last call. */
     private void update() {
         if (results == null && run.planOrNull() != null) {
             results = new BatchResults(run.planOrNull());
@@ -329,7 +329,7 @@ final class BatchDialog extends JDialog {
         actions.showProblem(this, sentence);
     }
 
-    /** Returns whether there is nothing to lose, or the user does not mind. */
+    /** Returns whether there are no unsaved results, or the user agrees to lose them. */
     private boolean confirmLoss(String question) {
         return saved
                 || JOptionPane.showConfirmDialog(

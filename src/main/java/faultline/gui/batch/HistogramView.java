@@ -36,7 +36,7 @@ final class HistogramView extends JPanel {
     private final NamedChoice<Quantity> choice = new NamedChoice<>(
             Quantity.values(), quantity -> Messages.get("batch.quantity." + quantity), ignored -> showChosen());
     private final JLabel summary = new JLabel(" ");
-    private final Canvas canvas = new Canvas();
+    private final HistogramPlot canvas = new HistogramPlot();
     private final transient Function<Quantity, double[]> values;
     private boolean outdated;
 
@@ -115,10 +115,10 @@ final class HistogramView extends JPanel {
     }
 
     /** Paints the chart. */
-    private static final class Canvas extends JComponent {
+    private static final class HistogramPlot extends JComponent {
         private transient Chart chart;
 
-        Canvas() {
+        HistogramPlot() {
             setPreferredSize(MIN_SIZE);
         }
 

@@ -117,7 +117,7 @@ final class ControllerXml {
                 : ControllerSpec.WallFollowing.DEFAULT;
     }
 
-    /** Reads a controller of the program; what a wall follower leaves out is as usual. */
+    /** Reads a controller of the program; omitted attributes of a wall follower have their default values. */
     static ControllerSpec.BuiltIn readBuiltIn(AttributeReader fields, ControllerSpec.WallFollowing defaults) {
         Map<String, Function<AttributeReader, ControllerSpec.BuiltIn>> types = new LinkedHashMap<>();
         types.put(DEFAULT_TYPE, own -> readWallFollower(own, defaults));
@@ -201,7 +201,7 @@ final class ControllerXml {
      *
      * @param spec the controller
      * @param defaults what a reader takes for omitted thresholds
-     * @param all whether a follower's diagnosis and gains are written even if they are as usual
+     * @param all whether a follower's diagnosis and gains are written even if they have their default values
      */
     static XmlWriter writeBuiltIn(
             ControllerSpec.BuiltIn spec, ControllerSpec.WallFollowing defaults, boolean all, XmlWriter out) {

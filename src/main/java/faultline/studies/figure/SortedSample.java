@@ -4,18 +4,18 @@ import java.util.Arrays;
 import java.util.stream.DoubleStream;
 
 /** The values of a sample in ascending order; values that are not finite are left out. */
-public final class Sample {
+public final class SortedSample {
 
     private final double[] sorted;
 
-    private Sample(double[] sorted) {
+    private SortedSample(double[] sorted) {
         this.sorted = sorted;
     }
 
-    public static Sample of(DoubleStream values) {
+    public static SortedSample of(DoubleStream values) {
         double[] sorted = values.filter(Double::isFinite).toArray();
         Arrays.sort(sorted);
-        return new Sample(sorted);
+        return new SortedSample(sorted);
     }
 
     public int size() {
