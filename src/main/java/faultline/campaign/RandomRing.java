@@ -22,7 +22,7 @@ final class RandomRing {
 
     private static final double MAX_OUTER = StrictMath.toRadians(120);
 
-    /** The shortest wall, and what an inner corner takes off its straight way, metres. */
+    /** The shortest wall, and what an inner corner takes off its straight path, metres. */
     private static final double MIN_STRAIGHT = 0.5;
 
     private static final double OFFSET = 0.35;

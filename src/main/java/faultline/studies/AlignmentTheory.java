@@ -142,8 +142,8 @@ record AlignmentTheory(AlignmentTrial trial, List<ConvexShape> walls, Vector2 po
 
     /** Returns the distance of a point in the cone; infinite outside. */
     private static double inCone(Vector2 point, Vector2 apex, double axis, double half) {
-        Vector2 way = point.minus(apex);
-        return Math.abs(Angles.difference(axis, way.angle())) <= half ? way.length() : Double.POSITIVE_INFINITY;
+        Vector2 offset = point.minus(apex);
+        return Math.abs(Angles.difference(axis, offset.angle())) <= half ? offset.length() : Double.POSITIVE_INFINITY;
     }
 
     /** Returns the distance at which a ray meets a wall; infinite if it does not. */

@@ -215,13 +215,13 @@ final class MotionStep {
         if (!ObstacleSet.isClear(body.box(), geometry)) {
             return false;
         }
-        Vector2 way = target.position().minus(from);
+        Vector2 displacement = target.position().minus(from);
         TimeOfImpact still = new TimeOfImpact(body.spec().length(), body.spec().width(), Velocity.ZERO);
         double stop = 1;
         for (ConvexShape part : geometry.parts()) {
-            stop = Math.min(stop, still.firstContactTime(body.pose(), part, way, stop));
+            stop = Math.min(stop, still.firstContactTime(body.pose(), part, displacement, stop));
         }
-        obstacles.move(placed, target.withPosition(from.plus(way.times(stop))));
+        obstacles.move(placed, target.withPosition(from.plus(displacement.times(stop))));
         body.stop();
         contacts.clear();
         contacts.add(contactAt(0, body.pose()));

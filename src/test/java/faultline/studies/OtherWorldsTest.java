@@ -36,7 +36,8 @@ class OtherWorldsTest {
         return new AlignmentTrial(there.setup().withSeed(random.nextLong(1_000_000)), 1);
     }
 
-    private static SortedSample errors(TimingRule rule, double degreesPerSecond, double period, double noiseMm, long draws) {
+    private static SortedSample errors(
+            TimingRule rule, double degreesPerSecond, double period, double noiseMm, long draws) {
         SplittableRandom random = new SplittableRandom(draws);
         RobotSpec robot = SetupVariations.withNoise(
                 AlignmentTrial.robot(0.8, Degrees.toRadians(20), Degrees.toRadians(degreesPerSecond), 0.05),

@@ -191,7 +191,8 @@ final class VariantSections {
                     .toList();
             Survival survival = Survival.of(bin);
             if (survival.n() > 0) {
-                points.add(new Svg.ShareMark(low + (i + 0.5) * (high - low) / BINS, survival.share(), survival.interval()));
+                points.add(new Svg.ShareMark(
+                        low + (i + 0.5) * (high - low) / BINS, survival.share(), survival.interval()));
             }
         }
         return Svg.shares(

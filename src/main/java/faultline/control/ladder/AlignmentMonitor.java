@@ -9,14 +9,14 @@ import java.util.Arrays;
  */
 final class AlignmentMonitor {
 
-    /** This many alignments within {@link #WAY} are too many. */
+    /** This many alignments within {@link #MAX_DISTANCE} are too many. */
     private static final int ALIGNMENTS = 6;
 
     /**
      * Metres. With healthy sensors six alignments took 3 m and more in 150 random rooms, and 1.4 m and more in 100
      * rooms with noise of 8 mm; with a sensor that has a wrong bearing or reports late they take 0.4 to 0.9 m.
      */
-    private static final double WAY = 1.1;
+    private static final double MAX_DISTANCE = 1.1;
 
     /** Directions that differ by less are the same, radians. */
     private static final double SAME = StrictMath.toRadians(3);
@@ -24,7 +24,7 @@ final class AlignmentMonitor {
     /** This many alignments in the direction of the one before show a wrong sensor. */
     private static final int SAME_DIRECTIONS = 2;
 
-    private final double[] ways = new double[ALIGNMENTS];
+    private final double[] distances = new double[ALIGNMENTS];
     private final double[] headings = new double[ALIGNMENTS];
     private int next;
 
@@ -34,18 +34,18 @@ final class AlignmentMonitor {
 
     /** Forgets all alignments. */
     void reset() {
-        Arrays.fill(ways, Double.NEGATIVE_INFINITY);
+        Arrays.fill(distances, Double.NEGATIVE_INFINITY);
     }
 
     /**
      * Adds an alignment, given the total distance rolled, metres, and the heading, radians, not normalised, and returns
      * whether there were too many recently.
      */
-    boolean isRepeated(double way, double heading) {
-        ways[next] = way;
+    boolean isRepeated(double distance, double heading) {
+        distances[next] = distance;
         headings[next] = heading;
         next = (next + 1) % ALIGNMENTS;
-        return way - ways[next] < WAY && sameDirections() >= SAME_DIRECTIONS;
+        return distance - distances[next] < MAX_DISTANCE && sameDirections() >= SAME_DIRECTIONS;
     }
 
     /** Counts the alignments, from the second one, that have the direction of the one before. */

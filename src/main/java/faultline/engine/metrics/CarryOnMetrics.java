@@ -37,7 +37,7 @@ public final class CarryOnMetrics implements TickObserver {
     private final double onset;
     private final int[] passes;
     private final double[] lastPass;
-    private int way = -1;
+    private int path = -1;
     private double start = Double.NaN;
     private double deadline;
     private double travelled;
@@ -123,20 +123,20 @@ public final class CarryOnMetrics implements TickObserver {
         if (collided || time < onset || circuit.size() == 0) {
             return;
         }
-        if (way < 0 && !searching) {
+        if (path < 0 && !searching) {
             startClock(centre);
         }
-        if (way >= 0 && !(centre.distanceTo(last) < STEP)) {
+        if (path >= 0 && !(centre.distanceTo(last) < STEP)) {
             visit(centre);
         }
     }
 
     private void startClock(Vector2 centre) {
-        way = circuit.way(circuit.nearestPlace(centre));
+        path = circuit.path(circuit.nearestPlace(centre));
         start = time;
-        deadline = time + allowedTime(circuit.length(way));
+        deadline = time + allowedTime(circuit.length(path));
         for (int i = 0; i < passes.length; i++) {
-            wallLength += circuit.way(i) == way ? circuit.wallLength(i) : 0;
+            wallLength += circuit.path(i) == path ? circuit.wallLength(i) : 0;
         }
     }
 
@@ -148,7 +148,7 @@ public final class CarryOnMetrics implements TickObserver {
     }
 
     private void pass(int place) {
-        if (circuit.way(place) != way) {
+        if (circuit.path(place) != path) {
             return;
         }
         if (passes[place] == 0 || travelled - lastPass[place] > MIN_LAP) {

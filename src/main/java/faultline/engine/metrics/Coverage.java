@@ -25,10 +25,10 @@ final class Coverage {
     /** Places nearer to each other than this are joined, metres. */
     private static final double JOIN_DISTANCE = 0.025;
 
-    /** Points of the way nearer to the last one than this are not looked at, metres. */
+    /** Points of the path nearer to the last one than this are not looked at, metres. */
     private static final double MIN_STEP = 0.002;
 
-    /** Walls are compared with the way by squares of this side first, metres. */
+    /** Walls are compared with the path by squares of this side first, metres. */
     private static final double AREA_SIZE = 1;
 
     private final WallReference walls;
@@ -82,7 +82,7 @@ final class Coverage {
     }
 
     private void markPassed(PlaceRun run) {
-        for (int i = nextNearWay(run, 0); i < run.size(); i = nextNearWay(run, i + 1)) {
+        for (int i = nextNearPath(run, 0); i < run.size(); i = nextNearPath(run, i + 1)) {
             if (run.isFree(i) && !run.isPassed(i) && isPassed(run.place(i))) {
                 run.setPassed(i);
                 if (run.piece(i) == PlaceRun.NO_PIECE) {
@@ -110,16 +110,16 @@ final class Coverage {
     }
 
     /** Returns the first place of a run, from an index on, that may have been passed; if there is none, the size. */
-    private int nextNearWay(PlaceRun run, int from) {
+    private int nextNearPath(PlaceRun run, int from) {
         int i = from;
-        while (i < run.size() && i % PlaceRun.SHORT == 0 && !isNearWay(run, i)) {
+        while (i < run.size() && i % PlaceRun.SHORT == 0 && !isNearPath(run, i)) {
             i += PlaceRun.SHORT;
         }
         return Math.min(i, run.size());
     }
 
     /** Returns whether the robot has been near one of some places, the first of which is given, since the last call. */
-    private boolean isNearWay(PlaceRun run, int first) {
+    private boolean isNearPath(PlaceRun run, int first) {
         Vector2 middle = run.place(Math.min(first + PlaceRun.SHORT / 2, run.size() - 1));
         double radius = run.isAlone() ? PlaceRun.SHORT * JOIN_DISTANCE / 2 : 2 * run.radius();
         if (radius + TOLERANCE > AREA_SIZE) {

@@ -2,7 +2,7 @@ package faultline.engine.metrics;
 
 import java.util.Arrays;
 
-/** Sums up how much wall belongs to each connected piece of way, and how much of it was passed. */
+/** Sums up how much wall belongs to each connected piece of path, and how much of it was passed. */
 final class PieceLengths {
 
     private final double[] passed;

@@ -16,7 +16,7 @@ import java.util.TreeMap;
 
 /**
  * The places from which walls can be followed at a distance, as far as they have been asked for: a wall is sampled when
- * a point or a piece of way comes near it. Places near to each other belong to one piece.
+ * a point or a piece of path comes near it. Places near to each other belong to one piece.
  */
 final class PlaceMap {
 

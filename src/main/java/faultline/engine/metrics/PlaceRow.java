@@ -43,7 +43,7 @@ sealed interface PlaceRow {
     int shared(double joinDistance);
 
     /**
-     * Returns the rows of a wall: both sides of a segment and the arcs around its ends, or the way around an ellipse.
+     * Returns the rows of a wall: both sides of a segment and the arcs around its ends, or the path around an ellipse.
      *
      * @param wall the wall
      * @param distance of the places, metres

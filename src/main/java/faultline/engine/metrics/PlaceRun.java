@@ -9,7 +9,7 @@ import java.util.BitSet;
 import java.util.List;
 
 /**
- * Up to {@link #LONG} neighbouring places of a row. Those that are free carry the number of the piece of way that they
+ * Up to {@link #LONG} neighbouring places of a row. Those that are free carry the number of the piece of path that they
  * belong to. A run far from all other walls is in one piece, and keeps no numbers for its places.
  */
 final class PlaceRun {

@@ -15,7 +15,7 @@ public final class WallCircuit {
 
     private final List<WallReference.Sample> places;
     private final double tolerance;
-    private final int[] ways;
+    private final int[] paths;
     private final double[] lengths;
 
     /** The places of each cell: those of a bucket of a hash table are linked by {@link #next}. */
@@ -32,40 +32,40 @@ public final class WallCircuit {
      */
     public static WallCircuit forCarryOn(WorldSpec world, double distance) {
         double spacing = 0.02;
-        return new WallCircuit(new WallReference(world).samplesAlongWay(distance, spacing), spacing, 0.04, 0.15);
+        return new WallCircuit(new WallReference(world).samplesAlongPath(distance, spacing), spacing, 0.04, 0.15);
     }
 
-    /** {@return a circuit without any way, for robots that follow no wall} */
+    /** {@return a circuit without any path, for robots that follow no wall} */
     public static WallCircuit empty() {
         return new WallCircuit(List.of(), 1, 1, 1);
     }
 
     /**
-     * Joins places to ways.
+     * Joins places to paths.
      *
      * @param places in the order of the walls
      * @param spacing of the places, metres
-     * @param joinDistance places nearer to each other than this belong to one way, metres
+     * @param joinDistance places nearer to each other than this belong to one path, metres
      * @param tolerance how far from a place a robot still passes it, at least the join distance, metres
      */
     WallCircuit(List<WallReference.Sample> places, double spacing, double joinDistance, double tolerance) {
         this.places = new ArrayList<>(places);
         this.tolerance = tolerance;
         int count = places.size();
-        ways = new int[count];
+        paths = new int[count];
         lengths = new double[count];
         next = new int[count];
         cells = new long[count];
         first = new int[Integer.highestOneBit(2 * count + 1) * 2];
         Arrays.fill(first, -1);
         for (int i = 0; i < count; i++) {
-            ways[i] = i;
+            paths[i] = i;
             joinWithEarlier(i, joinDistance);
             addToCell(i);
         }
         for (int i = 0; i < count; i++) {
-            ways[i] = root(i);
-            lengths[ways[i]] += spacing;
+            paths[i] = root(i);
+            lengths[paths[i]] += spacing;
         }
     }
 
@@ -73,15 +73,15 @@ public final class WallCircuit {
         forEachNear(places.get(i).position(), joinDistance, other -> {
             int a = root(i);
             int b = root(other);
-            ways[Math.max(a, b)] = Math.min(a, b);
+            paths[Math.max(a, b)] = Math.min(a, b);
         });
     }
 
     private int root(int i) {
         int at = i;
-        while (ways[at] != at) {
-            ways[at] = ways[ways[at]];
-            at = ways[at];
+        while (paths[at] != at) {
+            paths[at] = paths[paths[at]];
+            at = paths[at];
         }
         return at;
     }
@@ -128,14 +128,14 @@ public final class WallCircuit {
         forEachNear(point, tolerance, action);
     }
 
-    /** Returns how many places there are on all ways together. */
+    /** Returns how many places there are on all paths together. */
     int size() {
         return places.size();
     }
 
-    /** Returns the way that a place is on, named by the first place of it. */
-    int way(int place) {
-        return ways[place];
+    /** Returns the path that a place is on, named by the first place of it. */
+    int path(int place) {
+        return paths[place];
     }
 
     /** Returns the length of wall that belongs to a place, metres. */
@@ -143,12 +143,12 @@ public final class WallCircuit {
         return places.get(place).wallLength();
     }
 
-    /** Returns about how long a way is, metres. */
-    double length(int way) {
-        return lengths[way];
+    /** Returns about how long a path is, metres. */
+    double length(int path) {
+        return lengths[path];
     }
 
-    /** Returns the length of the longest way, metres; 0 if there is none. */
+    /** Returns the length of the longest path, metres; 0 if there is none. */
     double maxLength() {
         double most = 0;
         for (double length : lengths) {
@@ -161,7 +161,7 @@ public final class WallCircuit {
     int nearestPlace(Vector2 point) {
         int nearest = -1;
         double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < ways.length; i++) {
+        for (int i = 0; i < paths.length; i++) {
             double distance = places.get(i).position().distanceTo(point);
             if (distance < least) {
                 least = distance;

@@ -92,12 +92,12 @@ public final class WallReference {
 
     /**
      * {@return the places from which walls can be followed, in the order of the walls} They are spaced along the
-     * robot's way rather than along the walls, so that those around a pole are as close together as any.
+     * robot's path rather than along the walls, so that those around a pole are as close together as any.
      *
      * @param distance from the wall to the robot's centre, metres
-     * @param spacing of the samples along the way, metres
+     * @param spacing of the samples along the path, metres
      */
-    public List<Sample> samplesAlongWay(double distance, double spacing) {
+    public List<Sample> samplesAlongPath(double distance, double spacing) {
         return samples(distance, spacing, distance);
     }
 

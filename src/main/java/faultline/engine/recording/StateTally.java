@@ -61,7 +61,7 @@ public record StateTally(List<Dwell> states, List<TransitionCount> transitions) 
      */
     public long transitionCount(ControllerState from, ControllerState to) {
         return transitions.stream()
-                .filter(way -> way.from().equals(from) && way.to().equals(to))
+                .filter(count -> count.from().equals(from) && count.to().equals(to))
                 .mapToLong(TransitionCount::count)
                 .sum();
     }

@@ -58,8 +58,8 @@ final class EagerCoverage {
         double[] passedLength = new double[passed.length];
         double[] length = new double[passed.length];
         for (int i = 0; i < passed.length; i++) {
-            length[circuit.way(i)] += circuit.wallLength(i);
-            passedLength[circuit.way(i)] += passed[i] ? circuit.wallLength(i) : 0;
+            length[circuit.path(i)] += circuit.wallLength(i);
+            passedLength[circuit.path(i)] += passed[i] ? circuit.wallLength(i) : 0;
         }
         int most = 0;
         for (int i = 1; i < passed.length; i++) {
