@@ -25,13 +25,15 @@ public sealed interface Fault
                 OpticalFault.Misaligned {
 
     /**
-     * Returns the reading to report.
+     * Returns the reading to report; the reading itself if the fault changes what the sensor sees.
      *
      * @param reading the encoded reading before this fault, see {@link Reading}
      * @param context of this fault at this tick
      * @return the encoded reading after this fault: a distance in [0, range], nothing, or off
      */
-    double apply(double reading, FaultContext context);
+    default double apply(double reading, FaultContext context) {
+        return reading;
+    }
 
     /** {@return the kind of this fault} */
     default FaultKind kind() {

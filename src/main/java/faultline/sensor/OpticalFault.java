@@ -26,11 +26,6 @@ public final class OpticalFault {
      */
     public record Cone(double value) implements Fault {
         @Override
-        public double apply(double reading, FaultContext context) {
-            return reading;
-        }
-
-        @Override
         public SensorSpec optics(SensorSpec spec) {
             return spec.withCone(StrictMath.toRadians(value));
         }
@@ -43,11 +38,6 @@ public final class OpticalFault {
      */
     public record SpecularLoss(double value) implements Fault {
         @Override
-        public double apply(double reading, FaultContext context) {
-            return reading;
-        }
-
-        @Override
         public double specularAngle() {
             return StrictMath.toRadians(value);
         }
@@ -59,11 +49,6 @@ public final class OpticalFault {
      * @param value the error of its bearing, degrees, positive to the left
      */
     public record Misaligned(double value) implements Fault {
-        @Override
-        public double apply(double reading, FaultContext context) {
-            return reading;
-        }
-
         @Override
         public SensorSpec optics(SensorSpec spec) {
             return spec.withBearing(Angles.normalize(spec.bearing() + StrictMath.toRadians(value)));

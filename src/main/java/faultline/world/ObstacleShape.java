@@ -25,7 +25,9 @@ public sealed interface ObstacleShape {
     boolean contains(Vector2 local);
 
     /** {@return whether every surface is flat, so that it can be specular} */
-    boolean isFlat();
+    default boolean isFlat() {
+        return true;
+    }
 
     /** {@return the radius of the circle about the origin that encloses the shape, metres} */
     double boundingRadius();
@@ -111,11 +113,6 @@ public sealed interface ObstacleShape {
         @Override
         public double boundingRadius() {
             return Math.sqrt(width * width + height * height) / 2;
-        }
-
-        @Override
-        public boolean isFlat() {
-            return true;
         }
 
         /** {@return the corners, counter-clockwise from the first quadrant} */
@@ -233,11 +230,6 @@ public sealed interface ObstacleShape {
         public double boundingRadius() {
             return maxLength(points);
         }
-
-        @Override
-        public boolean isFlat() {
-            return true;
-        }
     }
 
     /**
@@ -269,11 +261,6 @@ public sealed interface ObstacleShape {
         @Override
         public double boundingRadius() {
             return maxLength(points);
-        }
-
-        @Override
-        public boolean isFlat() {
-            return true;
         }
     }
 
@@ -316,11 +303,6 @@ public sealed interface ObstacleShape {
         @Override
         public double boundingRadius() {
             return rings.stream().mapToDouble(ObstacleShape::maxLength).max().orElse(0);
-        }
-
-        @Override
-        public boolean isFlat() {
-            return true;
         }
     }
 

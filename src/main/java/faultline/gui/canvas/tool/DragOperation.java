@@ -22,7 +22,9 @@ public sealed interface DragOperation {
     DragPreview preview(Vector2 mouse, SnapSettings snap);
 
     /** Returns the commands that restore the state at the start. */
-    List<Command> restoreCommands();
+    default List<Command> restoreCommands() {
+        return moveCommands(obstacles());
+    }
 
     /** Returns the obstacles that the drag needs, in their state at the start. */
     default List<Obstacle> obstacles() {
@@ -68,11 +70,6 @@ public sealed interface DragOperation {
             return obstacle.withPose(
                     new Pose(place.x(), place.y(), obstacle.pose().heading()));
         }
-
-        @Override
-        public List<Command> restoreCommands() {
-            return moveCommands(obstacles);
-        }
     }
 
     /**
@@ -102,11 +99,6 @@ public sealed interface DragOperation {
                     moveCommands(there),
                     there,
                     Messages.get(obstacles.size() == 1 ? "value.heading" : "value.turn", degrees));
-        }
-
-        @Override
-        public List<Command> restoreCommands() {
-            return moveCommands(obstacles);
         }
     }
 
