@@ -17,11 +17,13 @@ import javax.imageio.ImageIO;
  * Makes packages with the JDK's own jlink and jpackage: a runtime of only the modules that are needed, an app image on
  * every system, and a .deb where dpkg is. Run by {@code mvn -Pdist package}; the results are in target/dist.
  *
- * <p>usage: java -cp target/classes src/conf/dist/Package.java VERSION
+ * <p>usage: java -Dpackage.email=EMAIL -Dpackage.homepage=URL -cp target/classes src/conf/dist/Package.java VERSION; the URL
+ * may be empty
  */
 public final class Package {
 
     private static final String MODULES = "java.desktop,java.xml,java.prefs,java.logging";
+    private static final String VENDOR = "Faultline maintainers";
     private static final Path DIST = Path.of("target/dist");
     private static final Path INPUT = DIST.resolve("input");
     private static final Path RUNTIME = DIST.resolve("runtime");
@@ -31,6 +33,8 @@ public final class Package {
 
     public static void main(String[] args) throws Exception {
         String version = args[0];
+        String email = System.getProperty("package.email");
+        String homepage = System.getProperty("package.homepage");
         System.setProperty("java.awt.headless", "true");
         deleteTree(DIST);
         Files.createDirectories(INPUT);
@@ -38,12 +42,12 @@ public final class Package {
         Path icon = INPUT.resolve("faultline.png");
         writeIcon(icon);
         makeRuntime();
-        List<String> common = List.of("--name", "faultline", "--dest", DIST.toString());
+        List<String> common = List.of("--name", "faultline", "--dest", DIST.toString(), "--vendor", VENDOR);
         jpackage(
                 common,
                 List.of("--type", "app-image", "--app-version", version, "--input", INPUT.toString()),
                 List.of("--main-jar", "faultline.jar", "--main-class", "faultline.app.Main"),
-                List.of("--runtime-image", RUNTIME.toString(), "--vendor", "Faultline"),
+                List.of("--runtime-image", RUNTIME.toString()),
                 isLinux() ? List.of("--icon", icon.toString()) : List.of());
         if (isLinux() && isOnPath("dpkg-deb") && isOnPath("fakeroot")) {
             jpackage(
@@ -56,8 +60,9 @@ public final class Package {
                             "--app-image",
                             DIST.resolve("faultline").toString()),
                     List.of("--resource-dir", RESOURCES.toString(), "--linux-package-name", "faultline"),
-                    List.of("--linux-app-category", "science", "--linux-deb-maintainer", "faultline@localhost"),
-                    List.of("--description", "A simulator of a wall-following robot whose infrared sensors fail"));
+                    List.of("--linux-app-category", "science", "--linux-deb-maintainer", email),
+                    List.of("--description", "simulator of a wall-following robot whose infrared sensors fail"),
+                    homepage.isEmpty() ? List.of() : List.of("--about-url", homepage));
         }
         writeChecksums();
     }
