@@ -17,8 +17,8 @@ import javax.imageio.ImageIO;
  * Makes packages with the JDK's own jlink and jpackage: a runtime of only the modules that are needed, an app image on
  * every system, and a .deb where dpkg is. Run by {@code mvn -Pdist package}; the results are in target/dist.
  *
- * <p>usage: java -Dpackage.email=EMAIL -Dpackage.homepage=URL -cp target/classes src/conf/dist/Package.java VERSION; the URL
- * may be empty
+ * <p>usage: java -Dpackage.email=EMAIL -Dpackage.homepage=URL -cp target/classes src/conf/dist/Package.java VERSION,
+ * where the URL may be empty
  */
 public final class Package {
 

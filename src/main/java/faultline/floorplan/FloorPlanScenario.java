@@ -5,7 +5,9 @@ import faultline.engine.metrics.Expectation;
 import faultline.geometry.Pose;
 import faultline.geometry.RigidMotion;
 import faultline.geometry.Vector2;
+import faultline.io.DecimalText;
 import faultline.scenario.Scenario;
+import faultline.world.Clearance;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
 import faultline.world.WorldSpec;
@@ -29,13 +31,25 @@ public final class FloorPlanScenario {
      *
      * @param name the scenario's name
      * @param plan the floor plan
+     * @throws FloorPlanException if the robot has room nowhere
      */
-    public static Scenario create(String name, FloorPlan plan) {
-        FreeDisc disc = FreeDisc.largest(plan.grid());
+    public static Scenario create(String name, FloorPlan plan) throws FloorPlanException {
+        FreeDisc disc = FreeDisc.largest(plan.grid(), plan.solid());
         double x = metres(plan, disc.column() + 0.5);
         double y = metres(plan, disc.row() + 0.5);
         Vector2 start = frame(plan).toParent(new Vector2(x, y));
-        return create(name, plan, new Pose(round(start.x()), round(start.y()), 0));
+        Scenario scenario = create(name, plan, new Pose(round(start.x()), round(start.y()), 0));
+        SimulationSetup setup = scenario.setup();
+        if (Clearance.findObstruction(setup.world(), setup.robot(), setup.start())
+                .isPresent()) {
+            throw new FloorPlanException(plan.description().image() + ": the robot, "
+                    + DecimalText.format(setup.robot().length()) + " m long and "
+                    + DecimalText.format(setup.robot().width()) + " m wide, has room nowhere in a map of "
+                    + DecimalText.formatRounded(setup.world().width()) + " x "
+                    + DecimalText.formatRounded(setup.world().height())
+                    + " m; the resolution, the threshold or negate may be wrong");
+        }
+        return scenario;
     }
 
     /**

@@ -17,16 +17,18 @@ public record FreeDisc(int column, int row, double clearance) {
      * Finds the largest free disc with an exact Euclidean distance transform (Felzenszwalb and Huttenlocher, 2012), in
      * time linear in the number of cells.
      *
-     * @param grid the map; only cells that are known to be free count as free
+     * @param grid the map; cells of which it does not tell are not free
+     * @param solid the cells that obstruct the robot
      * @return of equally large discs the lowest and then leftmost; a clearance of 0 if no cell is free
      */
-    public static FreeDisc largest(OccupancyGrid grid) {
+    public static FreeDisc largest(OccupancyGrid grid, SolidCells solid) {
         int width = grid.width() + 2;
         int height = grid.height() + 2;
         double[] squared = new double[width * height];
         for (int row = 0; row < grid.height(); row++) {
             for (int column = 0; column < grid.width(); column++) {
-                squared[(row + 1) * width + column + 1] = grid.state(column, row) == CellState.FREE ? FAR : 0;
+                boolean free = grid.state(column, row) != CellState.UNKNOWN && !solid.isSolid(column, row);
+                squared[(row + 1) * width + column + 1] = free ? FAR : 0;
             }
         }
         DistanceTransform transform = new DistanceTransform(Math.max(width, height));

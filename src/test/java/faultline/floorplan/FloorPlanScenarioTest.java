@@ -2,6 +2,7 @@ package faultline.floorplan;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.ControllerMode;
@@ -18,6 +19,7 @@ import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -69,7 +71,7 @@ class FloorPlanScenarioTest {
     }
 
     @Test
-    void aPlanIsSensedAsThePolygonsOfItsOutlinesAre() {
+    void aPlanIsSensedAsThePolygonsOfItsOutlinesAre() throws IOException {
         FloorPlan plan = plan(new Random(6), 60, 60, 0);
         SimulationSetup setup = FloorPlanScenario.create("Room", plan).setup();
         List<Obstacle> polygons = new ArrayList<>();
@@ -97,6 +99,19 @@ class FloorPlanScenarioTest {
     }
 
     @Test
+    void aMapWithoutRoomForTheRobotIsRefusedWithASentence() {
+        CellState[] cells = new CellState[40 * 30];
+        Arrays.setAll(cells, i -> (i + i / 40) % 2 == 0 ? CellState.FREE : CellState.OCCUPIED);
+        FloorPlan plan = trace(40, 30, 0, cells);
+        FloorPlanException problem =
+                assertThrows(FloorPlanException.class, () -> FloorPlanScenario.create("Chess", plan));
+        assertEquals(
+                "none.pgm: the robot, 0.25 m long and 0.2 m wide, has room nowhere in a map of 2 x 1.5 m;"
+                        + " the resolution, the threshold or negate may be wrong",
+                problem.getMessage());
+    }
+
+    @Test
     void aRotatedMapLiesInsideItsWorld() throws Exception {
         FloorPlan plan = plan(new Random(8), 40, 30, 0.7);
         Scenario scenario = FloorPlanScenario.create("Room", plan);
@@ -119,6 +134,10 @@ class FloorPlanScenarioTest {
             boolean middle = Math.abs(i % width - width / 2) < 8 && Math.abs(i / width - height / 2) < 8;
             cells[i] = middle || random.nextDouble() < 0.8 ? CellState.FREE : CellState.OCCUPIED;
         }
+        return trace(width, height, yaw, cells);
+    }
+
+    private static FloorPlan trace(int width, int height, double yaw, CellState[] cells) {
         MapDescription description =
                 new MapDescription(Path.of("none.pgm"), RESOLUTION, yaw, MapMode.TRINARY, false, 0.65, 0.196);
         return FloorPlan.trace(description, new OccupancyGrid(width, height, cells), FloorPlan.Options.DEFAULT);

@@ -2,6 +2,7 @@ package faultline.floorplan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -9,7 +10,7 @@ class FreeDiscTest {
 
     @Test
     void theMiddleOfAnEmptyMapIsClearest() {
-        assertEquals(new FreeDisc(2, 2, 3), FreeDisc.largest(grid(5, 5, new Random(0), 1)));
+        assertEquals(new FreeDisc(2, 2, 3), largest(grid(5, 5, new Random(0), 1)));
     }
 
     @Test
@@ -17,7 +18,7 @@ class FreeDiscTest {
         Random random = new Random(3);
         for (int trial = 0; trial < 300; trial++) {
             OccupancyGrid grid = grid(1 + random.nextInt(15), 1 + random.nextInt(15), random, random.nextDouble());
-            FreeDisc found = FreeDisc.largest(grid);
+            FreeDisc found = largest(grid);
             double best = 0;
             for (int row = 0; row < grid.height(); row++) {
                 for (int column = 0; column < grid.width(); column++) {
@@ -27,6 +28,23 @@ class FreeDiscTest {
             assertEquals(best, found.clearance());
             assertEquals(best, clearance(grid, found.column(), found.row()));
         }
+    }
+
+    @Test
+    void specksThatAreDroppedAreFreeAndUnknownCellsAreNot() {
+        CellState[] cells = new CellState[49];
+        Arrays.fill(cells, CellState.FREE);
+        cells[3 * 7 + 3] = CellState.OCCUPIED;
+        OccupancyGrid speck = new OccupancyGrid(7, 7, cells);
+        assertEquals(
+                new FreeDisc(3, 3, 4),
+                FreeDisc.largest(speck, speck.solidCells(false).withoutSpecks(2)));
+        cells[3 * 7 + 3] = CellState.UNKNOWN;
+        assertEquals(2, Math.floor(largest(new OccupancyGrid(7, 7, cells)).clearance()));
+    }
+
+    private static FreeDisc largest(OccupancyGrid grid) {
+        return FreeDisc.largest(grid, grid.solidCells(false));
     }
 
     private static double clearance(OccupancyGrid grid, int column, int row) {

@@ -24,7 +24,7 @@ class MutatedMapsTest {
     private static final String YAML =
             """
             image: map.pgm
-            resolution: 0.05
+            resolution: 0.50
             origin: [0.0, -1.5, 0]  # metres
             negate: 0
             mode: trinary
