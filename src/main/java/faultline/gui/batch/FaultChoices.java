@@ -4,6 +4,7 @@ import faultline.gui.panel.FormConstraints;
 import faultline.gui.panel.ReadingText;
 import faultline.gui.panel.TextListener;
 import faultline.gui.text.Messages;
+import faultline.gui.text.MotorFaultText;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
 import faultline.io.DecimalText;
@@ -66,7 +67,7 @@ final class FaultChoices extends JPanel {
         if (kind.takesValue()) {
             boolean share = kind.unit().isEmpty() && kind.maxValue() == 1;
             grid.add(value, FormConstraints.cell(1, row));
-            JLabel unit = share ? UiText.label("faults.share") : new JLabel(kind.unit());
+            JLabel unit = share ? UiText.label("faults.share") : new JLabel(MotorFaultText.unitOf(kind));
             grid.add(unit, FormConstraints.fillCell(2, row));
         }
         return new Row(kind, box, value);

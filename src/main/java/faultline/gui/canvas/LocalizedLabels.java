@@ -4,6 +4,7 @@ import faultline.gui.text.Messages;
 import faultline.gui.theme.TextSize;
 import faultline.paint.scene.SceneLabels;
 import faultline.paint.surface.DrawContext;
+import faultline.sensor.FaultKind;
 import java.awt.Font;
 
 /** The labels of scenes in the user's language. */
@@ -27,7 +28,7 @@ public final class LocalizedLabels {
                 Messages.get("picture.faults"),
                 Messages.get("picture.off"),
                 Messages.get("reading.off"),
-                kind -> Messages.get("picture.fault." + kind.fileName()),
+                kind -> Messages.get((kind == FaultKind.OFF ? "picture.fault." : "fault.") + kind.fileName()),
                 font);
     }
 }

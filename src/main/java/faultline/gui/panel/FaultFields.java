@@ -113,7 +113,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private void updateTexts() {
         boolean share = selected().unit().isEmpty() && selected().maxValue() == 1;
-        unit.setText(share ? Messages.get("faults.share") : selected().unit());
+        unit.setText(share ? Messages.get("faults.share") : MotorFaultText.unitOf(selected()));
         updateProblem();
     }
 

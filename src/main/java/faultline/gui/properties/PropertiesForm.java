@@ -46,8 +46,10 @@ final class PropertiesForm extends JPanel {
         FormConstraints.addRow(fields, 2, "properties.width", width.withColumns(8));
         FormConstraints.addRow(fields, 3, "properties.height", height.withColumns(8));
         fields.add(enclosed, FormConstraints.fillRow(1, 4));
-        fields.add(FormConstraints.label("properties.start", startX), FormConstraints.cell(0, 5));
-        fields.add(createStartFields(), FormConstraints.fillRow(1, 5));
+        fields.add(FormConstraints.label("properties.start", startX), FormConstraints.leadingCell(0, 5));
+        GridBagConstraints start = FormConstraints.fillRow(1, 5);
+        start.anchor = GridBagConstraints.LINE_START;
+        fields.add(createStartFields(), start);
         FormConstraints.addRow(fields, 6, "properties.duration", duration.withColumns(8));
         FormConstraints.addRow(fields, 7, "properties.tick", tick.withColumns(8));
         FormConstraints.addRow(fields, 8, "properties.seed", seed);

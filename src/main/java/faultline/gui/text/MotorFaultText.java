@@ -28,6 +28,11 @@ public final class MotorFaultText {
 
     /** Formats a fault with a name and a number, which kinds without one ignore. */
     public static String format(String name, FaultDescriptor<?> kind, double value) {
-        return kind.takesValue() ? (name + String.format(Locale.ROOT, " %.2f ", value) + kind.unit()).strip() : name;
+        return kind.takesValue() ? (name + String.format(Locale.ROOT, " %.2f ", value) + unitOf(kind)).strip() : name;
+    }
+
+    /** Returns the unit of the number of a kind of fault, with a sign for degrees. */
+    public static String unitOf(FaultDescriptor<?> kind) {
+        return kind.unit().equals("deg") ? "°" : kind.unit();
     }
 }

@@ -6,6 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.Shape;
 import javax.swing.AbstractButton;
 import javax.swing.ButtonModel;
+import javax.swing.JButton;
 import javax.swing.JToolBar;
 
 /** Paints the background of buttons. */
@@ -74,13 +75,18 @@ public final class ButtonPainter {
             g.setColor(isPrimary(button) ? colours.text() : colours.accent());
             g.setStroke(Antialiasing.roundStroke(1.8));
             g.draw(box);
-        } else if (button.isSelected()) {
+        } else if (button.isSelected() || isDefault(button)) {
             g.setColor(colours.accent());
             g.draw(box);
         } else if (!isOnToolBar(button) && !isPrimary(button)) {
             g.setColor(button.isEnabled() ? colours.border() : colours.line());
             g.draw(box);
         }
+    }
+
+    /** Returns whether Enter presses a button that does not have the focus. */
+    private static boolean isDefault(AbstractButton button) {
+        return button.isEnabled() && button instanceof JButton pressed && pressed.isDefaultButton();
     }
 
     private static boolean isOnToolBar(AbstractButton button) {

@@ -68,6 +68,8 @@ final class FlatDefaults {
         table.put("Spinner.editorBorderPainted", false);
         table.put("Spinner.arrowButtonInsets", new InsetsUIResource(2, 0, 2, 2));
         table.put("ComboBox.border", new BorderUIResource(new FieldBorder(2, 2)));
+        table.put("ComboBox.disabledForeground", colours.muted());
+        table.put("ComboBox.disabledBackground", colours.field());
         table.put("ComboBox.selectionBackground", colours.accent());
         table.put("ComboBox.selectionForeground", colours.onAccent());
         // Arrows in an open list only move in it; Enter chooses.
