@@ -107,7 +107,7 @@ final class BatchForm extends JPanel {
                 .withName(key)
                 .withColumns(COLUMNS)
                 .keepInvalidText();
-        spinner.passEnterOn();
+        spinner.passKeysOn();
         return spinner;
     }
 

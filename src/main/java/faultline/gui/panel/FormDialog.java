@@ -27,6 +27,7 @@ public final class FormDialog {
                 first.requestFocusInWindow();
             }
         };
+        NumberSpinner.findIn(form).forEach(NumberSpinner::passKeysOn);
         JDialog dialog = pane.createDialog(parent, title);
         dialog.setVisible(true);
         dialog.dispose();

@@ -157,9 +157,10 @@ public final class NumberSpinner extends JSpinner {
         return this;
     }
 
-    /** Lets Enter press the default button of a dialog, which commits the text. */
-    public void passEnterOn() {
+    /** Lets Enter press the default button of a dialog, which commits the text, and lets Escape close the dialog. */
+    public void passKeysOn() {
         textField().getInputMap().put(KeyStroke.getKeyStroke("ENTER"), "none");
+        textField().getInputMap().put(KeyStroke.getKeyStroke("ESCAPE"), "none");
     }
 
     /** Commits the text and returns true, or returns false if it is invalid. */

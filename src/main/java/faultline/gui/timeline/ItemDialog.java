@@ -68,7 +68,6 @@ final class ItemDialog {
             ends.addActionListener(event -> until.setEnabled(ends.isSelected()));
         }
         addControllerFields();
-        NumberSpinner.findIn(form).forEach(NumberSpinner::passEnterOn);
     }
 
     /**

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
+import faultline.gui.panel.NumberSpinner;
 import faultline.gui.theme.Theme;
 import java.awt.Component;
 import java.awt.KeyboardFocusManager;
@@ -24,6 +25,7 @@ import javax.swing.JComboBox;
 import javax.swing.JDialog;
 import javax.swing.JList;
 import javax.swing.JTable;
+import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.ToolTipManager;
 import javax.swing.text.JTextComponent;
@@ -102,6 +104,27 @@ class DialogAccessRobotTest {
         driver.robot().pressKeys(KeyEvent.VK_ESCAPE);
         driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
         runOnEdt(() -> tips.setInitialDelay(delay));
+    }
+
+    @Test
+    void escapeClosesAFormAndEnterAcceptsItAlsoWhileANumberIsTyped() {
+        typeDuration(KeyEvent.VK_ESCAPE);
+        assertEquals("office.xml – Faultline", callOnEdt(driver.window()::getTitle));
+        typeDuration(KeyEvent.VK_ENTER);
+        driver.waitForTitle("office.xml*");
+    }
+
+    private void typeDuration(int lastKey) {
+        driver.chooseLater("properties");
+        JDialog dialog = driver.dialog("Scenario properties");
+        JTextField duration = callOnEdt(() ->
+                ComponentFinder.find(dialog, NumberSpinner.class, "Duration, s").textField());
+        driver.click(duration);
+        driver.robot().waitFor("the field has the focus", duration::isFocusOwner);
+        driver.robot().pressKeys(KeyEvent.VK_CONTROL, KeyEvent.VK_A);
+        driver.robot().pressKeys(KeyEvent.VK_9);
+        driver.robot().pressKeys(lastKey);
+        driver.robot().waitFor("the dialog is gone", () -> !dialog.isShowing());
     }
 
     @Test
