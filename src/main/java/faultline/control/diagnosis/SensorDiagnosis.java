@@ -287,32 +287,29 @@ public final class SensorDiagnosis {
     private void testAhead(InspectedSensor sensor) {
         MountedCone cone = sensor.cone();
         if (ApproachTest.applies(cone)) {
-            testFront(cone, ApproachTest.expectedAhead(cone, sensor.claims()), 0);
+            testFront(cone, ApproachTest.expectedAhead(cone, sensor.claims()));
         }
-        if (NearTest.applies(cone) && sensor.isTrusted() && reckoning.v() > DRIVING) {
-            testFront(cone, NearTest.expectedAhead(cone, sensor.claims(), wantedDistance), cone.range());
+        if (NearTest.applies(cone) && verdicts.mayBeRight(sensor) && reckoning.v() > DRIVING) {
+            testFront(cone, NearTest.expectedAhead(cone, sensor.claims(), wantedDistance));
         }
     }
 
     /**
-     * Tests whether the front sensor misses a surface.
+     * Tests whether a front sensor that sees nothing misses a surface.
      *
      * @param by the cone of the sensor that foresees it
      * @param expected how far ahead of that sensor it crosses the path, metres; infinite if there is none
-     * @param beyond a front sensor that sees something nearer than this may be right, metres
      */
-    private void testFront(MountedCone by, double expected, double beyond) {
+    private void testFront(MountedCone by, double expected) {
         if (expected == Reading.NOTHING) {
             return;
         }
         for (InspectedSensor front : sensors) {
             double due = expected + by.x() - front.cone().x();
-            double farthest = due + ForeseenSurface.FARTHER;
-            double reading = lastReadings[front.index()];
             boolean blind = Math.abs(front.cone().bearing()) < front.cone().half()
                     && front.isTrusted()
-                    && reading >= beyond
-                    && farthest < Math.min(front.cone().range(), reading);
+                    && lastReadings[front.index()] >= front.cone().range()
+                    && due + ForeseenSurface.FARTHER < front.cone().range();
             if (blind) {
                 ForeseenSurface surface = ForeseenSurface.ahead(reckoning, front.cone(), due);
                 if (!isRefuted(surface, front)) {

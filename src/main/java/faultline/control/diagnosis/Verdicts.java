@@ -73,6 +73,19 @@ final class Verdicts {
         }
     }
 
+    /** Returns whether a sensor is trusted, or may have been right because only one other contradicts it. */
+    boolean mayBeRight(InspectedSensor sensor) {
+        if (sensor.isTrusted() || sensor.finding() != SensorFinding.CONTRADICTED) {
+            return sensor.isTrusted();
+        }
+        int against = 0;
+        for (InspectedSensor other : sensors) {
+            boolean counts = other.isTrusted() || other == sensor;
+            against += counts && conflicts.pair(sensor.index(), other.index()) > FORGIVEN ? 1 : 0;
+        }
+        return against <= 1;
+    }
+
     /** Returns when a sensor was suspicious last, seconds. */
     double lastSuspicion() {
         return lastSuspicion;
