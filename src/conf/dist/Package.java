@@ -39,6 +39,7 @@ public final class Package {
         deleteTree(DIST);
         Files.createDirectories(INPUT);
         Files.copy(Path.of("target/faultline.jar"), INPUT.resolve("faultline.jar"));
+        copyExamples(INPUT.resolve("doc/examples"));
         Path icon = INPUT.resolve("faultline.png");
         writeIcon(icon);
         makeRuntime();
@@ -87,6 +88,23 @@ public final class Package {
                 .inheritIO()
                 .start();
         require(dump.waitFor() == 0, "java -Xshare:dump failed");
+    }
+
+    /** Copies what a user needs to write a first controller: the Python client, the follower of the page, and rooms. */
+    private static void copyExamples(Path target) throws IOException {
+        copyFiles(Path.of("docs/examples/python"), ".py", target);
+        copyFiles(Path.of("scenarios"), ".xml", target.resolve("scenarios"));
+        Files.copy(Path.of("docs/controllers.md"), target.resolveSibling("controllers.md"));
+    }
+
+    private static void copyFiles(Path folder, String ending, Path target) throws IOException {
+        Files.createDirectories(target);
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file :
+                    files.filter(each -> each.toString().endsWith(ending)).toList()) {
+                Files.copy(file, target.resolve(file.getFileName()));
+            }
+        }
     }
 
     private static void writeIcon(Path file) throws IOException {
