@@ -23,7 +23,7 @@ public final class DifferentialDrive {
     public static Pose advance(Pose from, Velocity velocity, double dt) {
         double turn = velocity.angular() * dt;
         double half = turn / 2;
-        double chord = chord(velocity.linear(), half, dt);
+        double chord = velocity.linear() * dt * chordPerArc(half);
         double direction = from.heading() + half;
         return new Pose(
                 from.x() + chord * StrictTrig.cos(direction),
@@ -32,18 +32,11 @@ public final class DifferentialDrive {
     }
 
     /**
-     * {@return the length of the chord of an arc, metres}
+     * {@return the length of the chord of an arc divided by that of the arc: sin(half) / half}
      *
-     * @param v metres per second
      * @param half half the turn along the arc, radians
-     * @param dt seconds
      */
-    public static double chord(double v, double half, double dt) {
-        return v * dt * sinc(half);
-    }
-
-    /** Returns sin(x) / x, and its limit near 0. */
-    private static double sinc(double x) {
-        return Math.abs(x) < SMALL_ANGLE ? 1 - x * x / 6 : StrictTrig.sin(x) / x;
+    public static double chordPerArc(double half) {
+        return Math.abs(half) < SMALL_ANGLE ? 1 - half * half / 6 : StrictTrig.sin(half) / half;
     }
 }

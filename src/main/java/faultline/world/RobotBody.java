@@ -37,6 +37,11 @@ final class RobotBody {
     private double leftSpeed;
     private double rightSpeed;
 
+    /** Half the turn of the last motion, and the length of its chord in relation to the arc's. */
+    private double lastHalf;
+
+    private double chordPerArc = DifferentialDrive.chordPerArc(0);
+
     private MotorFaults motorFaults = MotorFaults.NONE;
     private MotorSpec leftMotor;
     private MotorSpec rightMotor;
@@ -145,7 +150,11 @@ final class RobotBody {
     void advance(double time) {
         double turn = omega() * time;
         double half = turn / 2;
-        double chord = DifferentialDrive.chord(v(), half, time);
+        if (half != lastHalf) {
+            lastHalf = half;
+            chordPerArc = DifferentialDrive.chordPerArc(half);
+        }
+        double chord = v() * time * chordPerArc;
         double direction = heading + half;
         x += chord * StrictTrig.cos(direction);
         y += chord * StrictTrig.sin(direction);
