@@ -20,16 +20,39 @@ final class ConeCrossing {
     /** The share of the cone's width that a surface crosses at least, because dead reckoning is not exact. */
     private static final double CROSSED = 0.8;
 
-    private final MountedCone cone;
     private final Motion motion;
+    private final Ray axis;
+    private final Ray leftBorder;
+    private final Ray rightBorder;
+    /** The width of the cone at a distance of 1. */
+    private final double width;
+
     private double wayBefore;
     private double headingBefore;
     private int entry;
     private double entryStep;
 
+    /** A direction in the cone: how far its apex is from the robot's centre along it, and its sine. */
+    private record Ray(double apex, double sin) {
+
+        static Ray of(MountedCone cone, double offset) {
+            double sin = StrictMath.sin(cone.bearing() + offset);
+            double cos = StrictMath.cos(cone.bearing() + offset);
+            return new Ray(cone.x() * cos + cone.y() * sin, sin);
+        }
+
+        /** Returns how far a point at some distance moves to the left. */
+        double sideways(double distance, double roll, double turn) {
+            return turn * (distance + apex) - roll * sin;
+        }
+    }
+
     ConeCrossing(MountedCone cone, Motion motion) {
-        this.cone = cone;
         this.motion = motion;
+        this.axis = Ray.of(cone, 0);
+        this.leftBorder = Ray.of(cone, cone.half());
+        this.rightBorder = Ray.of(cone, -cone.half());
+        this.width = 2 * StrictMath.sin(cone.half());
     }
 
     /** Records that a surface has come into view at some distance. */
@@ -43,15 +66,15 @@ final class ConeCrossing {
     /** Returns whether the surface that came into view last can have left it at some distance. */
     boolean canDisappear(double distance) {
         int exit = borders(distance, -1);
-        double swept = Math.abs(sideways(0, distance, motion.way() - wayBefore, motion.heading() - headingBefore));
+        double swept = Math.abs(axis.sideways(distance, motion.way() - wayBefore, motion.heading() - headingBefore));
         boolean back = (entry & exit) != 0 && swept <= entryStep + step(distance);
-        boolean across = (entry & swapped(exit)) != 0 && swept > CROSSED * 2 * distance * StrictMath.sin(cone.half());
+        boolean across = (entry & swapped(exit)) != 0 && swept > CROSSED * distance * width;
         return back || across;
     }
 
     /** Returns how far a point on the axis has moved sideways in the last step. */
     private double step(double distance) {
-        return Math.abs(sideways(0, distance, motion.rolled(), motion.turned()));
+        return Math.abs(axis.sideways(distance, motion.rolled(), motion.turned()));
     }
 
     private static int swapped(int borders) {
@@ -60,22 +83,15 @@ final class ConeCrossing {
 
     /** Returns the borders that move outwards, for a sign of 1, or inwards, for -1. */
     private int borders(double distance, int sign) {
-        boolean left = moves(cone.half(), distance, sign);
-        boolean right = moves(-cone.half(), distance, -sign);
+        boolean left = moves(leftBorder, distance, sign);
+        boolean right = moves(rightBorder, distance, -sign);
         return (left ? LEFT : 0) | (right ? RIGHT : 0);
     }
 
-    private boolean moves(double offset, double distance, int sign) {
-        double rolling = sideways(offset, distance, motion.rolled(), 0);
-        double turning = sideways(offset, distance, 0, motion.turned());
+    private boolean moves(Ray border, double distance, int sign) {
+        double rolling = border.sideways(distance, motion.rolled(), 0);
+        double turning = border.sideways(distance, 0, motion.turned());
         return sign * (rolling + turning) > -UNSURE * (Math.abs(rolling) + Math.abs(turning))
                 && (rolling != 0 || turning != 0);
-    }
-
-    /** Returns how far a point at some distance in the cone moves to its left. */
-    private double sideways(double offset, double distance, double roll, double turn) {
-        double sin = StrictMath.sin(cone.bearing() + offset);
-        double cos = StrictMath.cos(cone.bearing() + offset);
-        return turn * (distance + cone.x() * cos + cone.y() * sin) - roll * sin;
     }
 }

@@ -70,7 +70,7 @@ public final class EvidenceGrid {
      * @return column or row, not wrapped
      */
     public static int cellOf(double coordinate) {
-        return (int) Math.floor(coordinate / CELL);
+        return (int) Math.floor(coordinate * CELLS_PER_METRE);
     }
 
     private static int cell(int column, int row) {

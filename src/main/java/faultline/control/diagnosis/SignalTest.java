@@ -78,21 +78,22 @@ final class SignalTest {
 
     /** Processes a reading after some motion. */
     SensorFinding test(double reading) {
-        boolean usual = quiet && reading == Reading.NOTHING || continues(reading);
-        return usual ? SensorFinding.NONE : testAll(reading);
+        if (quiet && reading == Reading.NOTHING) {
+            return SensorFinding.NONE;
+        }
+        if (continues(reading)) {
+            return unremarkable ? SensorFinding.NONE : fade();
+        }
+        return testAll(reading);
     }
 
-    /**
-     * Returns whether nothing is remembered and a reading continues the last ones smoothly, so that it can be no
-     * finding; if so, takes note of it.
-     */
+    /** Returns whether a reading continues the last ones smoothly; if so, takes note of it. */
     private boolean continues(double reading) {
         double newFirst = reading - before;
         double newSecond = newFirst - first;
         // False for differences that are not numbers.
         jumped = Math.abs(newSecond) > JUMP && Math.abs(newSecond) < Reading.NOTHING;
-        boolean smooth = unremarkable
-                && newFirst != 0
+        boolean smooth = newFirst != 0
                 && Math.abs(first) <= SPIKE
                 && Math.abs(newFirst) <= SPIKE
                 && Math.abs(newSecond - second) <= SCATTER;
@@ -124,10 +125,21 @@ final class SignalTest {
         learnFlips(reading);
         before = reading;
         quiet = isQuiet();
+        SensorFinding remembered = remembered();
+        return stuck ? SensorFinding.STUCK : remembered;
+    }
+
+    /** Does what the tests do with a reading that continues the last ones smoothly. */
+    private SensorFinding fade() {
+        spikes -= spikes * SPIKE_STEP;
+        scatter -= scatter * SCATTER_STEP;
+        flips -= flips * FLIP_STEP;
+        return remembered();
+    }
+
+    /** Returns the finding for what is remembered of earlier readings. */
+    private SensorFinding remembered() {
         unremarkable = scatter < NEGLIGIBLE && spikes < NEGLIGIBLE && flips < NEGLIGIBLE;
-        if (stuck) {
-            return SensorFinding.STUCK;
-        }
         if (scatter > MAX_SCATTER || spikes > MAX_SPIKES) {
             return SensorFinding.NOISY;
         }
