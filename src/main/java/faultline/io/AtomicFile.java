@@ -3,7 +3,6 @@ package faultline.io;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileSystemException;
@@ -57,7 +56,7 @@ public final class AtomicFile implements AutoCloseable {
             }
             TemporaryFile temporary = TemporaryFile.create(target);
             FileChannel channel = temporary.open();
-            OutputStream stream = new BufferedOutputStream(Channels.newOutputStream(channel), BUFFER);
+            OutputStream stream = new BufferedOutputStream(new SteadyStream(channel), BUFFER);
             return new AtomicFile(target, temporary, new FailureReportingStream(file, stream));
         } catch (FileSystemException e) {
             throw new MessageException(MessageText.oneLine(file.toString()), WriteProblem.CANNOT_WRITE.with(), e);

@@ -14,6 +14,7 @@ import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -48,6 +49,36 @@ class AtomicFileTest {
         write(file, "new", true);
         assertEquals("new", Files.readString(file));
         assertEquals(List.of(file), files());
+    }
+
+    /** Long enough to be forced to the disk while it is written. */
+    @Test
+    void aLongFileIsWholeAfterItsCommit() throws IOException {
+        Path file = folder.resolve("long.bin");
+        byte[] block = new byte[1 << 20];
+        try (AtomicFile out = AtomicFile.create(file)) {
+            for (int i = 0; i < 50; i++) {
+                Arrays.fill(block, (byte) i);
+                out.stream().write(block);
+            }
+            out.stream().write(77);
+            out.commit();
+        }
+        byte[] content = Files.readAllBytes(file);
+        assertEquals(50 * block.length + 1, content.length);
+        for (int i = 0; i < content.length - 1; i += 4093) {
+            assertEquals(i / block.length, content[i]);
+        }
+        assertEquals(77, content[content.length - 1]);
+        assertEquals(List.of(file), files());
+    }
+
+    @Test
+    void aLongFileThatIsNotCommittedLeavesNothing() throws IOException {
+        try (AtomicFile out = AtomicFile.create(folder.resolve("long.bin"))) {
+            out.stream().write(new byte[40 << 20]);
+        }
+        assertEquals(List.of(), files());
     }
 
     @Test
