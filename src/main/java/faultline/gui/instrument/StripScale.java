@@ -18,7 +18,7 @@ import java.util.stream.DoubleStream;
 record StripScale(SignalGroup signal, StripData data, Plot plot, List<String> sensors) {
 
     static final int LEFT_MARGIN = 46;
-    static final int RIGHT_MARGIN = 14;
+    static final int RIGHT_MARGIN = 20;
     private static final int TOP_MARGIN = 24;
     private static final int BOTTOM_MARGIN = 20;
 

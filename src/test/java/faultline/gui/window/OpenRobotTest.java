@@ -23,6 +23,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import javax.swing.JCheckBox;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
@@ -71,6 +72,21 @@ class OpenRobotTest {
         driver.type(KeyEvent.VK_CONTROL, KeyEvent.VK_O);
         driver.enterFile("Open scenario", square);
         driver.waitForTitle("square.xml");
+    }
+
+    @Test
+    void aSensorThatTheTimelineSwitchesOffAtTimeZeroIsOffBeforeTheFirstTick() throws IOException {
+        Path off = Files.writeString(
+                folder.resolve("off.xml"),
+                Files.readString(square)
+                        .replaceFirst(
+                                "(?s)<timeline>.*</timeline>",
+                                "<timeline><switch at=\"0\" sensor=\"left\" on=\"false\"/></timeline>"));
+        runOnEdt(() -> driver.window().open(off));
+        driver.waitForTitle("off.xml");
+        JCheckBox left = ComponentFinder.find(driver.window(), JCheckBox.class, "Turn left on or off");
+        driver.robot().waitFor("the switch is off", () -> !left.isSelected());
+        assertEquals(0, driver.frame().snapshot().tick());
     }
 
     @Test
