@@ -2,6 +2,7 @@ package faultline.gui.window;
 
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.EdtChecker;
@@ -50,7 +51,9 @@ class WindowSoakRobotTest {
             for (int i = 0; i < SAMPLES; i++) {
                 runFor(driver, TimeUnit.MINUTES.toNanos(1) * MINUTES / SAMPLES);
                 live.add(liveBytes());
-                ticks = driver.frame().snapshot().tick();
+                long reached = driver.frame().snapshot().tick();
+                assertNotEquals(ticks, reached, "the run has stopped");
+                ticks = reached;
                 System.out.println(String.format(
                         Locale.ROOT,
                         "window after %.1f minutes and %d ticks: %.1f MB",

@@ -1,0 +1,84 @@
+package faultline.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.JavaProcess;
+import faultline.control.Controller;
+import faultline.control.ControllerState;
+import faultline.control.Decision;
+import faultline.control.Telemetry;
+import faultline.robot.RobotSpec;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+
+/** A machine that stands still is no fault of the controller. */
+class StoppedProcessTest {
+
+    private static final double PATIENCE = 1;
+    private static final int STOPS = 4;
+
+    /** What one decision takes, so that most stops fall into one. */
+    private static final long WORK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+
+    /** Exchanges observations and decisions until its standard input ends. */
+    static final class Exchange {
+
+        private Exchange() {}
+
+        public static void main(String[] args) throws Exception {
+            Decision answer = new Decision(1, 2, Telemetry.ofState(ControllerState.of("TEST")));
+            double[] readings = new double[8];
+            Controller busy = observation -> {
+                ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+                long begun = threads.getCurrentThreadCpuTime();
+                while (threads.getCurrentThreadCpuTime() - begun < WORK_NANOS) {
+                    Thread.onSpinWait();
+                }
+                return answer;
+            };
+            try (ControllerHost host = new ThreadedHost(busy, PATIENCE)) {
+                System.out.print('s');
+                System.out.flush();
+                for (long tick = 0; System.in.available() == 0; tick++) {
+                    host.submit(tick, 0.01, RobotSpec.DEFAULT, readings);
+                    host.await();
+                }
+            }
+            System.out.print('e');
+        }
+    }
+
+    @Test
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "has no signals")
+    void aRunSurvivesThatItsProcessIsStoppedForLongerThanTheControllerMayTake() throws Exception {
+        Process exchange = JavaProcess.builder(Exchange.class.getName(), List.of())
+                .redirectErrorStream(true)
+                .start();
+        assertEquals('s', exchange.getInputStream().read());
+        for (int i = 0; i < STOPS; i++) {
+            signal("-STOP", exchange);
+            TimeUnit.MILLISECONDS.sleep((long) (1200 * PATIENCE));
+            signal("-CONT", exchange);
+            TimeUnit.MILLISECONDS.sleep(50);
+        }
+        exchange.getOutputStream().write('.');
+        exchange.getOutputStream().close();
+        assertTrue(exchange.waitFor(60, TimeUnit.SECONDS));
+        assertEquals("e", new String(exchange.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+    }
+
+    private static void signal(String signal, Process process) throws Exception {
+        assertEquals(
+                0,
+                new ProcessBuilder("kill", signal, Long.toString(process.pid()))
+                        .start()
+                        .waitFor());
+    }
+}
