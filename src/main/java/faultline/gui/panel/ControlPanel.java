@@ -50,10 +50,6 @@ public final class ControlPanel extends JPanel {
 
     private static final int MIN_WIDTH = 240;
 
-    /** The default robot where none of its sensors sees anything. */
-    private static final Snapshot DEFAULT_WORLD =
-            new World(new WorldSpec(1, 1, false, 0, List.of()), RobotSpec.DEFAULT, new Pose(0, 0, 0), 1, 0).snapshot();
-
     private final RobotPanel robot;
     private final SensorsPanel sensors;
     private final SensorDetailsPanel sensorDetails;

@@ -22,6 +22,9 @@ import org.xml.sax.SAXParseException;
  */
 public final class XmlParser {
 
+    /** Where a file names its encoding, if it does. */
+    private static final SourceLocation XML_DECLARATION = new SourceLocation(1, 1);
+
     private static final int EXCERPT_LENGTH = 40;
 
     private final byte[] bytes;
@@ -56,7 +59,9 @@ public final class XmlParser {
                     e.problem());
         } catch (SAXParseException e) {
             problems.add(new SourceLocation(e.getLineNumber(), e.getColumnNumber()), describe(e));
-        } catch (CharConversionException | UnsupportedEncodingException e) {
+        } catch (UnsupportedEncodingException e) {
+            problems.add(XML_DECLARATION, ProblemKind.ENCODING.with());
+        } catch (CharConversionException e) {
             problems.add(SourceLocation.NONE, ProblemKind.ENCODING.with());
         } catch (SAXException | IOException e) {
             problems.add(SourceLocation.NONE, ProblemKind.UNREADABLE_XML.with());

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SimulationSetup.TimedCommand;
-import faultline.gui.ComponentFinder;
 import faultline.geometry.Pose;
+import faultline.gui.ComponentFinder;
 import faultline.gui.EdtChecker;
 import faultline.gui.panel.NumberSpinner;
 import faultline.gui.theme.Theme;

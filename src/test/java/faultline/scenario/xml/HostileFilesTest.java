@@ -62,7 +62,7 @@ class HostileFilesTest {
                         + "\"...lns=\"urn:faultline:scenario:1\"><world></\", inside <world> of line 1",
                 problemIn(OPEN + "<world></robot></scenario>"));
         assertEquals(
-                "file.xml: the bytes are not text in the encoding that the file names; expected UTF-8",
+                "file.xml:1:1: the bytes are not text in the encoding that the file names; expected UTF-8",
                 problemIn("<?xml version=\"1.0\" encoding=\"klingon\"?><scenario/>"));
         assertEquals(
                 "file.xml:1:17: the bytes are not text in the encoding that the file names; expected UTF-8",
