@@ -4,6 +4,8 @@ import java.awt.Font;
 import java.awt.RenderingHints;
 import java.awt.Toolkit;
 import java.util.List;
+import javax.swing.InputMap;
+import javax.swing.KeyStroke;
 import javax.swing.UIDefaults;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
@@ -46,6 +48,7 @@ final class FlatLook {
         defaults.put("CheckBoxMenuItemUI", FlatMenuItemUI.class.getName());
         FlatDefaults.table(theme.colours()).forEach(defaults::put);
         enableTextAntialiasing(defaults);
+        leaveGalleryKey(defaults);
     }
 
     /**
@@ -54,6 +57,15 @@ final class FlatLook {
     private static void register(UIDefaults defaults, Class<?> delegate) {
         defaults.put(delegate.getSimpleName().substring("Flat".length()), delegate.getName());
         defaults.put(delegate.getName(), delegate);
+    }
+
+    /** Leaves Ctrl+Shift+O, by which Metal turns the direction of a text, to the menu. */
+    private static void leaveGalleryKey(UIDefaults defaults) {
+        for (String field : List.of("TextField", "FormattedTextField", "TextArea")) {
+            if (defaults.get(field + ".focusInputMap") instanceof InputMap keys) {
+                keys.remove(KeyStroke.getKeyStroke("control shift O"));
+            }
+        }
     }
 
     /** Enables text antialiasing if the desktop does not specify it. */

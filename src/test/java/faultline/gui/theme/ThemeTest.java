@@ -3,6 +3,7 @@ package faultline.gui.theme;
 import static faultline.gui.GuiRobot.callOnEdt;
 import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
@@ -10,6 +11,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -19,9 +21,12 @@ import javax.swing.JPanel;
 import javax.swing.JScrollBar;
 import javax.swing.JSlider;
 import javax.swing.JSpinner;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -55,6 +60,20 @@ class ThemeTest {
     void theThemeThatIsInstalledIsTheCurrentOne() {
         runOnEdt(Theme.DARK::install);
         assertEquals(Theme.DARK, callOnEdt(Theme::current));
+    }
+
+    @Test
+    void textFieldsLeaveTheKeyOfTheGalleryToTheMenu() {
+        runOnEdt(Theme.LIGHT::install);
+        KeyStroke gallery = KeyStroke.getKeyStroke("control shift O");
+        for (JTextComponent field : callOnEdt(() -> List.of(
+                new JTextField(),
+                new JTextArea(),
+                ((JSpinner.DefaultEditor) new JSpinner().getEditor()).getTextField()))) {
+            assertNull(
+                    callOnEdt(() -> field.getInputMap().get(gallery)),
+                    field.getClass().getName());
+        }
     }
 
     private static JPanel everyControl() {
