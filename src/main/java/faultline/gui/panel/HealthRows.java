@@ -17,7 +17,12 @@ final class HealthRows extends JPanel {
 
     private static final double PERCENT = 100;
 
-    private record Row(JLabel name, ValueLabel finding, ValueLabel evidence, ValueLabel since) {}
+    private record Row(JLabel name, ValueLabel finding, ValueLabel evidence, ValueLabel since) {
+
+        void clear() {
+            Stream.of(finding, evidence, since).forEach(value -> value.setValue(ValueLabel.NONE));
+        }
+    }
 
     private final transient List<Row> rows = new ArrayList<>();
     /** Null before the first run. */
@@ -43,12 +48,16 @@ final class HealthRows extends JPanel {
             sensors = now;
             rebuild();
         }
+        if (health.isEmpty()) {
+            rows.forEach(Row::clear);
+        }
         for (int i = 0; i < health.size(); i++) {
             SensorHealth sensor = health.get(i);
             Row row = rows.get(i);
             row.finding.setValue(name(sensor.finding()));
-            row.evidence.setValue(sensor.evidence() > 0 ? format("%.0f %%", PERCENT * sensor.evidence()) : "–");
-            row.since.setValue(sensor.isTrusted() ? "–" : format("%.2f s", sensor.sinceTick() * dt));
+            row.evidence.setValue(
+                    sensor.evidence() > 0 ? format("%.0f %%", PERCENT * sensor.evidence()) : ValueLabel.NONE);
+            row.since.setValue(sensor.isTrusted() ? ValueLabel.NONE : format("%.2f s", sensor.sinceTick() * dt));
         }
     }
 

@@ -11,7 +11,8 @@ import javax.swing.SwingConstants;
 final class ValueLabel extends JLabel {
 
     private static final int MARGIN = 2;
-    private static final String NONE = "–";
+    /** Shown where there is no value. */
+    static final String NONE = "–";
 
     private transient List<String> widest = List.of();
 

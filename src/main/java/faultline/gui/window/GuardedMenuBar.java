@@ -9,7 +9,7 @@ import javax.swing.KeyStroke;
 /**
  * A menu bar whose accelerators do not act on keys that are being typed into a text component; otherwise a space in a
  * field would start the run. Accelerators that are shown in the menu but bound elsewhere are not handled here either,
- * because they would act twice.
+ * because they would act twice. A character that is typed while Ctrl is held is not taken for the character alone.
  */
 final class GuardedMenuBar extends JMenuBar {
 
@@ -18,7 +18,16 @@ final class GuardedMenuBar extends JMenuBar {
         boolean typed = Keystrokes.isTypedInto(
                 KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner(), stroke);
         return !typed
+                && !isShortcut(event)
                 && !Keystrokes.isMenuCharacter(stroke)
                 && super.processKeyBinding(stroke, event, condition, pressed);
+    }
+
+    /**
+     * Returns whether a character comes with a key that makes it a shortcut; AltGr is Ctrl and Alt on some keyboards.
+     */
+    private static boolean isShortcut(KeyEvent event) {
+        boolean ctrl = event.isControlDown() && !event.isAltDown() && !event.isAltGraphDown();
+        return event.getID() == KeyEvent.KEY_TYPED && (ctrl || event.isMetaDown());
     }
 }

@@ -91,6 +91,15 @@ class RunPanelTest {
     }
 
     @Test
+    void aRunThatBeginsAgainShowsNoFindingOfTheOneBefore() {
+        show(scenario.setup().duration());
+        show(0);
+        for (String column : List.of("Finding", "Evidence", "Since")) {
+            assertEquals("–", value("left: " + column));
+        }
+    }
+
+    @Test
     void nothingMovesWhileTheRunGoesOn() {
         show(0);
         List<Rectangle> before = places();
