@@ -26,7 +26,7 @@ record SignalGroup(String name, String unit, List<ChartLine> lines) {
     /** Returns all groups for a robot with the given sensors. */
     static List<SignalGroup> allOf(List<SensorSnapshot> sensors) {
         List<SignalGroup> signals = new ArrayList<>();
-        signals.add(distance(sensors));
+        signals.add(distance());
         signals.add(pair("terms", "rad/s", TraceChannels.PROPORTIONAL, TraceChannels.DERIVATIVE));
         signals.add(pair("volts", "V", TraceChannels.LEFT_VOLTS, TraceChannels.RIGHT_VOLTS));
         for (int i = 0; i < sensors.size(); i++) {
@@ -61,19 +61,21 @@ record SignalGroup(String name, String unit, List<ChartLine> lines) {
         return 2;
     }
 
-    private static SignalGroup distance(List<SensorSnapshot> sensors) {
-        int followed = followedSensor(sensors);
-        ChartLine reading = new ChartLine(
+    /**
+     * Returns the distance that the controller goes by, which is a reading or that of its local map, and its target.
+     */
+    private static SignalGroup distance() {
+        ChartLine measured = new ChartLine(
                 Messages.get("signal.distance.first"),
                 TraceChannels.MEASURED_DISTANCE,
-                theme -> theme.palette().sensorColours(followed).outline(),
+                theme -> theme.palette().robot(),
                 DashPattern.SOLID);
         ChartLine target = new ChartLine(
                 Messages.get("signal.distance.second"),
                 TraceChannels.WANTED_DISTANCE,
                 theme -> theme.palette().text(),
                 DashPattern.DASHED);
-        return new SignalGroup(Messages.get("signal.distance"), "m", List.of(target, reading));
+        return new SignalGroup(Messages.get("signal.distance"), "m", List.of(target, measured));
     }
 
     private static SignalGroup pair(String key, String unit, int first, int second) {

@@ -166,6 +166,7 @@ public final class StripChart extends JPanel {
 
     /** Shows the lines of a reference run beside those of the run, null for none. */
     void setReference(ReferenceRun run) {
+        legend.setReferenceShown(run != null);
         view.setReference(run);
     }
 

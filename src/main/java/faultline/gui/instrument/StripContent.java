@@ -10,6 +10,7 @@ import faultline.paint.surface.SvgSurface;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * All that a strip chart shows. Immutable, so that it can be exported on any thread.
@@ -38,18 +39,20 @@ public record StripContent(
         items = List.copyOf(items);
     }
 
-    /** Returns the scale of a picture; width and height in pixels. */
-    StripScale scale(int width, int height) {
-        return StripScale.of(frame, signal, span, range, width, height);
+    /** Returns the values of the reference run, for a plot of the given width; empty if there is none. */
+    Optional<StripData> referenceData(int pixels) {
+        return Optional.ofNullable(reference)
+                .map(run -> StripData.of(run.recording().trace(), run.setup().dt(), span, pixels));
     }
 
-    /** Paints the chart, with the names of its lines if they are not shown elsewhere. */
-    void paint(Surface surface, Theme theme, StripScale scale, boolean legend) {
-        StripPainter painter = new StripPainter(surface, theme, scale, this);
-        painter.paint();
-        if (legend) {
-            painter.paintLegend();
-        }
+    /** Returns the scale of a picture, pixels, with a legend above the plot or without. */
+    StripScale scale(int width, int height, boolean legend) {
+        return StripScale.of(this, legend, width, height);
+    }
+
+    /** Paints the chart. */
+    void paint(Surface surface, Theme theme, StripScale scale) {
+        new StripPainter(surface, theme, scale, this).paint();
     }
 
     /** Returns an image for a file; {@code scale} pixels of it are one pixel of the screen. */
@@ -59,7 +62,7 @@ public record StripContent(
         g.setColor(theme.palette().canvas());
         g.fillRect(0, 0, image.getWidth(), image.getHeight());
         g.scale(scale, scale);
-        paint(new GraphicsSurface(g), theme, scale(WIDTH, HEIGHT), true);
+        paint(new GraphicsSurface(g), theme, scale(WIDTH, HEIGHT, true));
         g.dispose();
         return image;
     }
@@ -67,7 +70,7 @@ public record StripContent(
     /** Returns the text of an SVG file. */
     public String toSvg(Theme theme) {
         SvgSurface surface = new SvgSurface(WIDTH, HEIGHT, theme.palette().canvas());
-        paint(surface, theme, scale(WIDTH, HEIGHT), true);
+        paint(surface, theme, scale(WIDTH, HEIGHT, true));
         return surface.toSvg();
     }
 

@@ -45,12 +45,24 @@ record StripData(TraceLevel level, long from, long to, double dt) {
 
     /** Returns the bucket nearest to a time, or -1 if there is none. */
     long bucketAt(double time) {
-        long wanted = Math.round(time / dt) / level.ticksPerBucket();
-        return from < to ? Math.max(from, Math.min(to - 1, wanted)) : -1;
+        return from < to ? Math.max(from, Math.min(to - 1, bucketOf(time))) : -1;
+    }
+
+    /** Returns the index of a time, whether there is a bucket or not. */
+    long bucketOf(double time) {
+        return Math.floorDiv(Math.round(time / dt), level.ticksPerBucket());
+    }
+
+    /** Returns whether a line is recorded; another robot may have fewer sensors. */
+    boolean contains(ChartLine line) {
+        return line.channel() < level.channelCount();
     }
 
     /** Returns all values of a line without gaps. */
     DoubleStream values(ChartLine curve) {
+        if (!contains(curve)) {
+            return DoubleStream.empty();
+        }
         return LongStream.range(from, to)
                 .mapToObj(bucket ->
                         DoubleStream.of(level.min(curve.channel(), bucket), level.max(curve.channel(), bucket)))

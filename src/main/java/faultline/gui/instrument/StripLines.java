@@ -1,11 +1,9 @@
 package faultline.gui.instrument;
 
 import faultline.engine.recording.TraceLevel;
-import faultline.engine.session.ReferenceRun;
 import faultline.geometry.Vector2;
 import faultline.gui.theme.Theme;
 import faultline.paint.chart.PlotPainter;
-import faultline.paint.surface.DashPattern;
 import faultline.paint.surface.LineStyle;
 import faultline.paint.surface.Palette;
 import java.util.ArrayList;
@@ -18,7 +16,6 @@ import java.util.List;
 final class StripLines {
 
     private static final int BAND_ALPHA = 80;
-    private static final double REFERENCE_WIDTH = 1.4;
 
     private final PlotPainter painter;
     private final Theme theme;
@@ -36,15 +33,10 @@ final class StripLines {
 
     /** Paints the same lines of the reference run. */
     void paintReference(StripContent content) {
-        ReferenceRun run = content.reference();
-        if (run != null) {
-            int width = (int) scale.plot().area().width();
-            StripData data = StripData.of(run.recording().trace(), run.setup().dt(), content.span(), width);
-            LineStyle style = new LineStyle(theme.palette().reference(), REFERENCE_WIDTH, DashPattern.DASHED);
-            scale.signal().lines().stream()
-                    .filter(line -> line.channel() < data.level().channelCount())
-                    .forEach(line -> paint(data, line.channel(), style));
-        }
+        int width = (int) scale.plot().area().width();
+        content.referenceData(width).ifPresent(data -> scale.signal().lines().stream()
+                .filter(data::contains)
+                .forEach(line -> paint(data, line.channel(), LegendEntry.referenceStyle(theme))));
     }
 
     private void paint(StripData data, int channel, LineStyle style) {

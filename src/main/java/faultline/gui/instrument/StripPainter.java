@@ -29,16 +29,22 @@ import java.util.List;
 final class StripPainter {
 
     private static final int RIBBON_GAP = 2;
+    /** From the upper edge of the ribbon down to the baseline of its texts, pixels. */
+    private static final int RIBBON_BASELINE = 12;
+
     private static final int RIBBON_HEIGHT = 15;
     private static final int STATE_COLOUR_HEIGHT = 3;
     private static final int FAULT_ALPHA = 45;
-    private static final double LEGEND_SAMPLE = 26;
+    private static final int LEGEND_GAP = 3;
 
     private final Surface surface;
     private final Theme theme;
     private final StripScale scale;
     private final StripContent content;
     private final PixelRectangle area;
+    /** The y coordinate of the upper edge of the ribbon, pixels. */
+    private final double ribbonTop;
+
     private final TextStyle textStyle;
     private final TextStyle mutedStyle;
 
@@ -48,17 +54,26 @@ final class StripPainter {
         this.scale = scale;
         this.content = content;
         this.area = scale.plot().area();
-        textStyle = TextStyle.plain(11, theme.palette().text());
-        mutedStyle = TextStyle.plain(11, theme.palette().muted());
+        ribbonTop = area.y() - StripScale.TOP_MARGIN + RIBBON_GAP;
+        textStyle = TextStyle.plain(StripScale.FONT_SIZE, theme.palette().text());
+        mutedStyle = TextStyle.plain(StripScale.FONT_SIZE, theme.palette().muted());
     }
 
     void paint() {
+        scale.legend()
+                .paint(
+                        surface,
+                        theme,
+                        textStyle,
+                        textStyle::estimateWidth,
+                        new Vector2(area.x(), LEGEND_GAP),
+                        StripScale.LEGEND_ROW_HEIGHT);
         StateIntervals.within(content.frame(), content.span()).forEach(this::paintState);
         content.items().forEach(this::paintItem);
         PlotPainter painter = new PlotPainter(surface, scale.plot());
         painter.paintGrid(LineStyle.solid(theme.palette().gridMajor(), 1));
         painter.paintTicks(new TickStyle(mutedStyle, 0, 6, 15, " s"));
-        surface.drawText(scale.signal().unit(), new Vector2(4, RIBBON_GAP + 12), mutedStyle);
+        surface.drawText(scale.signal().unit(), new Vector2(4, ribbonTop + RIBBON_BASELINE), mutedStyle);
         StripLines lines = new StripLines(painter, theme, scale);
         lines.paintReference(content);
         scale.signal().lines().forEach(lines::paint);
@@ -79,17 +94,20 @@ final class StripPainter {
             return;
         }
         surface.fill(
-                new Rectangle2D.Double(from, RIBBON_GAP, to - from, RIBBON_HEIGHT),
+                new Rectangle2D.Double(from, ribbonTop, to - from, RIBBON_HEIGHT),
                 theme.colours().hover());
         surface.fill(
-                new Rectangle2D.Double(from, RIBBON_GAP, 1.5, RIBBON_HEIGHT),
+                new Rectangle2D.Double(from, ribbonTop, 1.5, RIBBON_HEIGHT),
                 theme.palette().muted());
         surface.fill(
-                new Rectangle2D.Double(from, RIBBON_GAP + RIBBON_HEIGHT, to - from, STATE_COLOUR_HEIGHT),
+                new Rectangle2D.Double(from, ribbonTop + RIBBON_HEIGHT, to - from, STATE_COLOUR_HEIGHT),
                 PathStyle.stateColour(theme.palette().dark(), PathTag.stateIndex(PathTag.of(interval.state(), false))));
         String name = StateText.name(interval.state());
         if (to - from - textStyle.estimateWidth(name) > 8) {
-            surface.drawText(name, new Vector2((from + to) / 2, RIBBON_GAP + 12), textStyle.withAnchor(Anchor.MIDDLE));
+            surface.drawText(
+                    name,
+                    new Vector2((from + to) / 2, ribbonTop + RIBBON_BASELINE),
+                    textStyle.withAnchor(Anchor.MIDDLE));
         }
     }
 
@@ -134,21 +152,6 @@ final class StripPainter {
             } else if (log.get(i) instanceof RunEvent.Collided collided) {
                 paintMoment(collided.time(), theme.palette().collision(), DashPattern.SOLID);
             }
-        }
-    }
-
-    /** Paints the names of the lines into the upper right corner of the plot, where nothing else names them. */
-    void paintLegend() {
-        double y = area.y() + 14;
-        for (int i = scale.signal().lines().size() - 1; i >= 0; i--) {
-            ChartLine line = scale.signal().lines().get(i);
-            double right = area.x() + area.width() - 8;
-            double left = right - textStyle.estimateWidth(line.name()) - LEGEND_SAMPLE - 6;
-            surface.draw(
-                    Shapes.polyline(List.of(new Vector2(left, y - 4), new Vector2(left + LEGEND_SAMPLE, y - 4))),
-                    line.style(theme));
-            surface.drawText(line.name(), new Vector2(left + LEGEND_SAMPLE + 6, y), textStyle);
-            y += 15;
         }
     }
 }

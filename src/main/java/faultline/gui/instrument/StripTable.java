@@ -1,43 +1,72 @@
 package faultline.gui.instrument;
 
-import faultline.engine.recording.TraceLevel;
+import faultline.gui.text.Messages;
 import faultline.io.DecimalText;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 
 /** Formats the values of a strip chart as comma-separated text, at the finest resolution that is recorded. */
 final class StripTable {
 
+    private static final double STEPS_PER_SECOND = 1e9;
+
     private StripTable() {}
 
-    /** Returns the table: the time, then the least and the greatest value of each line; empty where there is none. */
+    /**
+     * A line of a run.
+     *
+     * @param name its name in the header
+     * @param line the line
+     * @param run the run
+     */
+    private record Column(String name, ChartLine line, StripData run) {
+
+        private boolean isSingle() {
+            return run.level().ticksPerBucket() == 1;
+        }
+
+        /** Returns one quoted name, or two where a bucket has several ticks. */
+        String header(String unit) {
+            List<String> suffixes = isSingle() ? List.of("") : List.of(" min", " max");
+            return suffixes.stream()
+                    .map(suffix -> "\"" + name.replace("\"", "\"\"") + suffix + " (" + unit + ")\"")
+                    .collect(Collectors.joining(","));
+        }
+
+        /** Returns the least and the greatest value at a time, seconds, as cells that are empty if there is none. */
+        String cells(double time) {
+            long bucket = run.bucketOf(time);
+            boolean inside = bucket >= run.from() && bucket < run.to();
+            String low = inside ? cell(run.level().min(line.channel(), bucket)) : "";
+            String high = inside ? cell(run.level().max(line.channel(), bucket)) : "";
+            return isSingle() ? low : low + "," + high;
+        }
+
+        private static String cell(float value) {
+            return Float.isFinite(value) ? Float.toString(value) : "";
+        }
+    }
+
+    /** Returns the table: the time, then the values of each line, and those of the reference run if there is one. */
     static String format(StripContent content) {
-        List<ChartLine> lines = content.signal().lines();
         StripData data = StripData.of(content.frame(), content.span(), Integer.MAX_VALUE / 4);
-        boolean single = data.level().ticksPerBucket() == 1;
-        StringBuilder out = new StringBuilder("t");
-        lines.forEach(line -> out.append(single ? column(line, "") : column(line, " min") + column(line, " max")));
+        List<Column> columns = new ArrayList<>();
+        content.signal().lines().forEach(line -> columns.add(new Column(line.name(), line, data)));
+        content.referenceData(Integer.MAX_VALUE / 4).ifPresent(reference -> content.signal().lines().stream()
+                .filter(reference::contains)
+                .forEach(line -> columns.add(
+                        new Column(Messages.get("signal.reference") + ", " + line.name(), line, reference))));
+        StringBuilder out = new StringBuilder("t (s)");
+        columns.forEach(
+                column -> out.append(',').append(column.header(content.signal().unit())));
         out.append('\n');
         for (long bucket = data.from(); bucket < data.to(); bucket++) {
-            out.append(DecimalText.format(data.timeOf(bucket)));
-            for (ChartLine line : lines) {
-                appendValues(out, data.level(), line, bucket, single);
-            }
+            double time = Math.rint(data.timeOf(bucket) * STEPS_PER_SECOND) / STEPS_PER_SECOND;
+            out.append(DecimalText.format(time));
+            columns.forEach(column -> out.append(',').append(column.cells(time)));
             out.append('\n');
         }
         return out.toString();
-    }
-
-    private static String column(ChartLine line, String suffix) {
-        return ",\"" + line.name().replace("\"", "\"\"") + suffix + '"';
-    }
-
-    private static void appendValues(StringBuilder out, TraceLevel level, ChartLine line, long bucket, boolean single) {
-        List<Float> values = single
-                ? List.of(level.min(line.channel(), bucket))
-                : List.of(level.min(line.channel(), bucket), level.max(line.channel(), bucket));
-        out.append(values.stream()
-                .map(value -> Float.isFinite(value) ? "," + value : ",")
-                .collect(Collectors.joining()));
     }
 }

@@ -167,14 +167,15 @@ final class StripView extends AccessibleComponent {
                 : Optional.of(new StripContent(frame, signal, span, range, items, reference));
     }
 
-    private Optional<StripScale> scale() {
+    /** Returns the scale of what is shown; empty before the first frame. */
+    Optional<StripScale> scale() {
         int width = (int) (getWidth() / imageScale());
         int height = (int) (getHeight() / imageScale());
-        return content().map(shown -> shown.scale(width, height));
+        return content().map(shown -> shown.scale(width, height, !named.getAsBoolean()));
     }
 
     private void paint(Graphics2D g, StripScale scale) {
-        content().orElseThrow().paint(new GraphicsSurface(g), Theme.current(), scale, !named.getAsBoolean());
+        content().orElseThrow().paint(new GraphicsSurface(g), Theme.current(), scale);
         tooltip(scale).ifPresent(out -> out.paint(g, Theme.current()));
     }
 

@@ -8,10 +8,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.control.ControllerSpec;
+import faultline.engine.Journal;
 import faultline.engine.SimulationSetup;
 import faultline.engine.recording.TraceChannels;
+import faultline.engine.session.ReferenceRun;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.ComponentFinder;
+import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.world.Command;
 import java.awt.event.MouseEvent;
@@ -21,6 +24,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.BeforeEach;
@@ -76,9 +80,9 @@ class StripChartTest {
     void everyLineIsNamedHoweverNarrowTheChart() {
         assertTrue(isLegendComplete(WIDTH), "in one row");
         assertTrue(isLegendComplete(420), "in two rows");
-        assertFalse(isNamedInPlot(420));
+        assertEquals(List.of(), namesAbovePlot());
         assertFalse(isLegendComplete(330));
-        assertTrue(isNamedInPlot(330));
+        assertEquals(List.of("distance used", "target"), namesAbovePlot());
     }
 
     private boolean isLegendComplete(int width) {
@@ -89,14 +93,68 @@ class StripChartTest {
                 .isComplete());
     }
 
-    /** Returns whether there is text in the upper right corner of the plot, where there is no line. */
-    private boolean isNamedInPlot(int width) {
-        BufferedImage picture = callOnEdt(() -> SampleRuns.render(chart, width, HEIGHT));
-        int top = callOnEdt(() -> chart.view().getY()) + 32;
-        return SampleRuns.count(
-                        picture.getSubimage(width - 60, top, 40, 30),
-                        Theme.current().palette().text())
-                > 5;
+    /** Returns the names above the plot of the chart in its present size. */
+    private List<String> namesAbovePlot() {
+        return callOnEdt(() -> chart.view().scale().orElseThrow().legend().rows().stream()
+                .flatMap(row -> row.stream().map(LegendEntry::name))
+                .toList());
+    }
+
+    @ParameterizedTest
+    @EnumSource(TextSize.class)
+    void namesLieAbovePlotAndRibbonOfAChartOfAnySize(TextSize size) {
+        runOnEdt(size::install);
+        addSensors(4);
+        for (int width : new int[] {240, 330, 480, 700, 1200}) {
+            for (int height : new int[] {140, 200, 400}) {
+                runOnEdt(() -> SampleRuns.render(chart, width, height));
+                StripScale scale = callOnEdt(() -> chart.view().scale().orElseThrow());
+                int rows = scale.legend().rows().size();
+                assertEquals(
+                        StripScale.TOP_MARGIN + rows * StripScale.LEGEND_ROW_HEIGHT,
+                        scale.plot().area().y());
+                assertTrue(
+                        rows <= 1 || scale.plot().area().height() >= 45,
+                        width + "x" + height + " leaves " + scale.plot().area().height());
+                assertTrue(height < 400 || rows == 0 || namesAbovePlot().size() == 6, "all of " + namesAbovePlot());
+            }
+        }
+        runOnEdt(TextSize.NORMAL::install);
+    }
+
+    /** Adds the first lines that can be shown beside the distance. */
+    private void addSensors(int count) {
+        for (int i = 0; i < count; i++) {
+            int item = i;
+            runOnEdt(() -> ((AbstractButton) chart.createAdditionsMenu().getComponent(item)).doClick());
+        }
+    }
+
+    @Test
+    void theGhostIsNamedWhileThereIsOne() {
+        ReferenceRun ghost = ReferenceRun.replay(new Journal(SampleRuns.ROOM_SETUP, List.of(), 100));
+        runOnEdt(() -> chart.setReference(ghost));
+        isLegendComplete(330);
+        assertEquals(List.of("distance used", "target", "ghost"), namesAbovePlot());
+        BufferedImage with = bar(ghost);
+        BufferedImage without = bar(null);
+        long changed = IntStream.range(0, with.getHeight())
+                .mapToLong(y -> IntStream.range(0, with.getWidth())
+                        .filter(x -> with.getRGB(x, y) != without.getRGB(x, y))
+                        .count())
+                .sum();
+        assertTrue(changed > 30, "beside the controls: " + changed + " pixels");
+    }
+
+    /** Returns an image of the controls with the legend beside them. */
+    private BufferedImage bar(ReferenceRun ghost) {
+        return callOnEdt(() -> {
+            StripChart fresh = new StripChart();
+            fresh.setFrame(FRAME);
+            fresh.setReference(ghost);
+            BufferedImage image = SampleRuns.render(fresh, 700, HEIGHT);
+            return image.getSubimage(0, 0, 700, fresh.view().getY());
+        });
     }
 
     @Test
@@ -120,7 +178,7 @@ class StripChartTest {
     void pointingReadsOutTheMomentAndTheValues() {
         String measured = String.format(
                 Locale.ROOT,
-                "left reading %.3f m",
+                "distance used %.3f m",
                 FRAME.recording().trace().finestLevel().min(TraceChannels.MEASURED_DISTANCE, 1500));
         assertEquals(List.of("t 15.000 s", measured, "target 0.250 m"), readOut(15));
     }
@@ -165,7 +223,7 @@ class StripChartTest {
     void zoomedOutOverTheWholeRunItReadsOutRanges() {
         runOnEdt(() -> chart.view().setSpan(new TimeSpan(0, 400)));
         assertTrue(
-                readOut(10).get(1).matches("left reading 0\\.\\d{3}( … 0\\.\\d{3})? m"),
+                readOut(10).get(1).matches("distance used 0\\.\\d{3}( … 0\\.\\d{3})? m"),
                 readOut(10).get(1));
     }
 
@@ -223,15 +281,18 @@ class StripChartTest {
 
     @Test
     void whereNothingIsMeasuredTheAxisStillHasAScale() {
-        StripScale scale = StripScale.of(
-                SampleRuns.frame(SampleRuns.setup(new ControllerSpec.None()), 100),
-                SignalGroup.allOf(FRAME.snapshot().sensors()).get(0),
-                TimeSpan.DEFAULT,
-                ValueRange.FROM_ZERO,
-                WIDTH,
-                HEIGHT);
+        StripScale scale = content(
+                        SampleRuns.frame(SampleRuns.setup(new ControllerSpec.None()), 100),
+                        TimeSpan.DEFAULT,
+                        ValueRange.FROM_ZERO)
+                .scale(WIDTH, HEIGHT, false);
         assertTrue(scale.isEmpty());
         assertEquals(1, scale.plot().vertical().high());
+    }
+
+    private static StripContent content(SessionFrame frame, TimeSpan span, ValueRange range) {
+        SignalGroup distance = SignalGroup.allOf(FRAME.snapshot().sensors()).get(0);
+        return new StripContent(frame, distance, span, range, List.of(), null);
     }
 
     @Test
@@ -246,10 +307,9 @@ class StripChartTest {
 
     @Test
     void theVerticalAxisFitsTheValuesOnRequest() {
-        SignalGroup distance = SignalGroup.allOf(FRAME.snapshot().sensors()).get(0);
         TimeSpan span = TimeSpan.DEFAULT.endingAt(FRAME.snapshot().time());
-        StripScale fromZero = StripScale.of(FRAME, distance, span, ValueRange.FROM_ZERO, 400, 200);
-        StripScale fitted = StripScale.of(FRAME, distance, span, ValueRange.FITTED, 400, 200);
+        StripScale fromZero = content(FRAME, span, ValueRange.FROM_ZERO).scale(400, 200, false);
+        StripScale fitted = content(FRAME, span, ValueRange.FITTED).scale(400, 200, false);
         assertEquals(0, fromZero.plot().vertical().low());
         assertTrue(fitted.plot().vertical().low() > 0.1);
     }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import faultline.control.ControllerSpec;
 import faultline.engine.Journal;
 import faultline.engine.recording.TraceChannels;
 import faultline.engine.session.ReferenceRun;
@@ -22,6 +23,7 @@ import java.awt.Color;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.math.BigDecimal;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JCheckBoxMenuItem;
@@ -52,7 +54,7 @@ class StripContentTest {
     }
 
     private static int rgb(StripContent content, double time, double value) {
-        StripScale scale = content.scale(900, 420);
+        StripScale scale = content.scale(900, 420, true);
         return content.toImage(Theme.LIGHT, 1)
                         .getRGB((int) scale.plot().x(time), (int) scale.plot().y(value))
                 & 0xFFFFFF;
@@ -120,9 +122,6 @@ class StripContentTest {
         Palette palette = Theme.LIGHT.palette();
         assertEquals(
                 palette.sensorColours(2).outline(),
-                GROUPS.get(0).lines().get(1).colour().apply(Theme.LIGHT));
-        assertEquals(
-                palette.sensorColours(2).outline(),
                 GROUPS.get(5).lines().get(0).colour().apply(Theme.LIGHT));
     }
 
@@ -131,7 +130,7 @@ class StripContentTest {
         Axis before = verticalAxis();
         double value = before.valueAt(0.25);
         runOnEdt(() -> {
-            StripScale scale = chart.content().orElseThrow().scale(width(), height());
+            StripScale scale = chart.content().orElseThrow().scale(width(), height(), false);
             int y = (int) Math.round(scale.plot().y(value));
             chart.view()
                     .dispatchEvent(new MouseWheelEvent(
@@ -164,8 +163,11 @@ class StripContentTest {
     }
 
     private Axis verticalAxis() {
-        return callOnEdt(() ->
-                chart.content().orElseThrow().scale(width(), height()).plot().vertical());
+        return callOnEdt(() -> chart.content()
+                .orElseThrow()
+                .scale(width(), height(), false)
+                .plot()
+                .vertical());
     }
 
     @Test
@@ -174,16 +176,58 @@ class StripContentTest {
                         new StripContent(FRAME, GROUPS.get(3 + 5), SPAN, ValueRange.FITTED, List.of(), null).toCsv())
                 .lines()
                 .toList();
-        assertEquals("t,\"reported\",\"true\"", rows.get(0));
+        assertEquals("t (s),\"reported (m)\",\"true (m)\"", rows.get(0));
         assertTrue(rows.get(1).matches("10,0\\.4,(\\d\\.\\d+)?"), rows.get(1));
         assertEquals(1 + 1001, rows.size());
         assertTrue(rows.get(1001).startsWith("20,"), rows.get(1001));
     }
 
     @Test
+    void timesOfATableAreDecimalsWithoutTheErrorsOfMultiplication() {
+        List<String> rows =
+                content(new TimeSpan(0, 20), List.of(), null).toCsv().lines().toList();
+        for (int tick = 0; tick <= 2000; tick++) {
+            String time = BigDecimal.valueOf(tick, 2).stripTrailingZeros().toPlainString();
+            assertEquals(time, rows.get(tick + 1).split(",", -1)[0]);
+        }
+    }
+
+    @Test
+    void aTableHasColumnsForTheReferenceRunAsFarAsItGoes() {
+        Journal journal = new Journal(SampleRuns.ROOM_SETUP.withStart(new Pose(2, 1.3, 0.1)), List.of(), 1500);
+        ReferenceRun other = ReferenceRun.replay(journal);
+        List<String> rows = content(SPAN, List.of(), other).toCsv().lines().toList();
+        assertEquals(
+                "t (s),\"target (m)\",\"distance used (m)\",\"ghost, target (m)\",\"ghost, distance used (m)\"",
+                rows.get(0));
+        float expected = other.recording().trace().finestLevel().min(TraceChannels.MEASURED_DISTANCE, 1499);
+        assertEquals(Float.toString(expected), rows.get(500).split(",", -1)[4]);
+        assertTrue(rows.get(502).startsWith("15.01,") && rows.get(502).endsWith(",,"), rows.get(502));
+    }
+
+    @Test
+    void theAxisCoversTheReferenceRun() {
+        ReferenceRun close = ReferenceRun.replay(new Journal(
+                SampleRuns.ROOM_SETUP.withController(ControllerSpec.WallFollowing.DEFAULT.withDistance(0.45)),
+                List.of(),
+                2000));
+        double alone = content(SPAN, List.of(), null)
+                .scale(500, 200, false)
+                .plot()
+                .vertical()
+                .high();
+        double both = content(SPAN, List.of(), close)
+                .scale(500, 200, false)
+                .plot()
+                .vertical()
+                .high();
+        assertTrue(alone < 0.45 && both >= 0.45, alone + ", " + both);
+    }
+
+    @Test
     void theDrawingNamesItsLines() {
         String svg = content(SPAN, List.of(), null).toSvg(Theme.LIGHT);
-        assertTrue(svg.contains("left reading") && svg.contains("target"), svg);
+        assertTrue(svg.contains("distance used") && svg.contains("target"), svg);
         assertFalse(svg.contains("NaN"));
     }
 }
