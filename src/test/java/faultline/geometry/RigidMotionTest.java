@@ -66,6 +66,16 @@ class RigidMotionTest {
         assertNear(local, pose.toLocal(pose.toParent(local)), 1e-15);
     }
 
+    @Test
+    void aProductMapsAPointAsItsFactorsDoOneAfterTheOther() {
+        RigidMotion first = RigidMotion.of(new Pose(0.3, -1.2, 0.8));
+        RigidMotion second = RigidMotion.of(new Pose(-2, 0.7, 2.1));
+        Vector2 point = new Vector2(0.6, 1.9);
+        assertNear(second.toParent(first.toParent(point)), second.after(first).toParent(point), 1e-14);
+        assertNear(second.toParent(first.position()), second.after(first).position(), 1e-14);
+        assertEquals(1, second.after(first).axis().length(), 1e-15);
+    }
+
     private static void assertNear(Vector2 expected, Vector2 actual, double tolerance) {
         assertEquals(0, expected.distanceTo(actual), tolerance, () -> expected + " " + actual);
     }

@@ -1,6 +1,7 @@
 package faultline.geometry;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.SplittableRandom;
@@ -63,6 +64,41 @@ class SpecularDistanceTest {
                     2e-3,
                     "case " + i);
         }
+    }
+
+    @Test
+    void itIsTheSameWhereverSensorAndSurfaceStand() {
+        SplittableRandom random = new SplittableRandom(402);
+        int seen = 0;
+        for (int i = 0; i < 300; i++) {
+            double bearing = random.nextDouble(6.3);
+            Segment segment = new Segment(
+                    random.nextDouble(-2, 2),
+                    random.nextDouble(-2, 2),
+                    random.nextDouble(-2, 2),
+                    random.nextDouble(-2, 2));
+            double incidence = random.nextDouble(0.3, 1.5);
+            Vector2 place = new Vector2(random.nextDouble(-9, 9), random.nextDouble(-9, 9));
+            double expected = SpecularDistance.nearest(Sector.of(Vector2.ZERO, bearing, 2, 3), segment, incidence);
+            double moved = SpecularDistance.nearest(
+                    Sector.of(place, bearing, 2, 3), segment.translated(place.x(), place.y()), incidence);
+            assertEquals(expected, moved, 1e-9, "case " + i);
+            seen += expected < Double.POSITIVE_INFINITY ? 1 : 0;
+        }
+        assertTrue(seen > 50, seen + " surfaces seen");
+    }
+
+    @Test
+    void aSpeckReflectsInEveryDirection() {
+        Sector sector = Sector.of(Vector2.ZERO, Math.toRadians(90), CONE, 5);
+        Segment speck = new Segment(0.1, 1, 0.1, 1);
+        assertEquals(Math.sqrt(1.01), SpecularDistance.nearest(sector, speck, 0.01), 1e-12);
+    }
+
+    @Test
+    void aSurfaceThatReflectsAsAWholeWithinTheConeHasNoCircles() {
+        Sector sector = Sector.of(Vector2.ZERO, Math.toRadians(90), CONE, 5);
+        assertEquals(List.of(), SpecularDistance.intersections(sector, new Segment(-0.05, 1, 0.05, 1), 0.2));
     }
 
     private static List<Vector2> intersections(double bearing, double incidence) {
