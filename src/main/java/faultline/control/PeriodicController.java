@@ -1,10 +1,23 @@
 package faultline.control;
 
-/** Lets a controller decide once a period; between its decisions the last one holds. Closes it if it can be closed. */
+import faultline.control.ControllerSpec.BuiltIn;
+import faultline.control.ControllerSpec.WallFollowing;
+import java.util.function.Function;
+
+/**
+ * Lets a controller decide once a period; between its decisions the last one holds. Closes it if it can be closed.
+ *
+ * <p>One of the program takes other settings between two decisions. It keeps its state if it can; otherwise a new
+ * controller in its initial state takes its place.
+ */
 public final class PeriodicController implements Controller, AutoCloseable {
 
-    private final Controller delegate;
-    private final double period;
+    /** Creates a controller from other settings; null if the controller is never replaced. */
+    private final Function<BuiltIn, Controller> factory;
+
+    private BuiltIn settings;
+    private Controller delegate;
+    private double period;
     private Decision lastDecision;
 
     /**
@@ -14,17 +27,47 @@ public final class PeriodicController implements Controller, AutoCloseable {
      * @param period the period, in seconds, not negative
      */
     public PeriodicController(Controller inner, double period) {
+        this.factory = null;
         this.delegate = inner;
         this.period = period;
     }
 
+    /**
+     * Creates a controller of the program, which asks another at the period of its settings.
+     *
+     * @param settings the settings
+     * @param factory creates a controller from settings
+     */
+    public PeriodicController(BuiltIn settings, Function<BuiltIn, Controller> factory) {
+        this.factory = factory;
+        replace(settings);
+    }
+
+    private void replace(BuiltIn newSettings) {
+        settings = newSettings;
+        delegate = factory.apply(newSettings);
+        // Constant voltages are decided once.
+        period = newSettings instanceof WallFollowing ? newSettings.period() : Double.POSITIVE_INFINITY;
+        lastDecision = null;
+    }
+
     @Override
     public Decision decide(Observation observation) {
-        long every = ticksPerPeriod(period, observation.dt());
-        if (lastDecision == null || observation.tick() % every == 0) {
+        Decision held = heldDecision(observation.tick(), observation.dt());
+        if (held == null) {
             lastDecision = delegate.decide(observation);
         }
         return lastDecision;
+    }
+
+    /**
+     * {@return the last decision if it holds at a tick too, otherwise null}
+     *
+     * @param tick the number of ticks that have passed
+     * @param dt the length of a tick, in seconds, positive
+     */
+    public Decision heldDecision(long tick, double dt) {
+        return tick % ticksPerPeriod(period, dt) == 0 ? null : lastDecision;
     }
 
     @Override
@@ -39,8 +82,17 @@ public final class PeriodicController implements Controller, AutoCloseable {
     }
 
     @Override
-    public void configure(ControllerSpec.BuiltIn settings) {
-        delegate.configure(settings);
+    public void configure(BuiltIn newSettings) {
+        if (factory == null) {
+            delegate.configure(newSettings);
+        } else if (settings instanceof WallFollowing old
+                && newSettings instanceof WallFollowing follower
+                && old.canContinueWith(follower)) {
+            delegate.configure(follower);
+            settings = follower;
+        } else {
+            replace(newSettings);
+        }
     }
 
     /**

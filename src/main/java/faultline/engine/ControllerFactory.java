@@ -13,7 +13,6 @@ import faultline.control.ladder.FaultTolerantFollower;
 import faultline.control.wallfollower.WallFollower;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 
 /** Creates controllers from their specifications. */
@@ -56,7 +55,7 @@ public final class ControllerFactory {
      */
     public static Controller create(ControllerSpec spec) {
         if (spec instanceof ControllerSpec.BuiltIn builtIn) {
-            return new ConfigurableController(builtIn);
+            return new PeriodicController(builtIn, ControllerFactory::createDelegate);
         }
         if (spec instanceof ControllerSpec.Provided provided) {
             Controller controller = ControllerProviders.create(provided.name(), provided.settings());
@@ -71,26 +70,16 @@ public final class ControllerFactory {
         };
     }
 
-    /** Returns a new controller of one kind in its initial state. */
-    static Controller createFixed(ControllerSpec.BuiltIn spec) {
+    /** Returns a new controller in its initial state that decides on every observation. */
+    private static Controller createDelegate(ControllerSpec.BuiltIn spec) {
         if (spec instanceof ControllerSpec.WallFollowing wall) {
-            Controller follower = wall.diagnosis() ? new FaultTolerantFollower(wall) : new WallFollower(wall);
-            return new PeriodicController(follower, wall.period());
-        }
-        Decision constant = constantDecision(spec).orElseThrow();
-        return observation -> constant;
-    }
-
-    /** Returns the decision of a controller that uses no observation; empty for others. */
-    static Optional<Decision> constantDecision(ControllerSpec.BuiltIn spec) {
-        if (spec instanceof ControllerSpec.WallFollowing) {
-            return Optional.empty();
+            return wall.diagnosis() ? new FaultTolerantFollower(wall) : new WallFollower(wall);
         }
         Telemetry telemetry = Telemetry.ofState(initialState(spec));
-        return Optional.of(
-                spec instanceof ControllerSpec.Drive drive
-                        ? new Decision(drive.leftVolts(), drive.rightVolts(), telemetry)
-                        : new Decision(0, 0, telemetry));
+        Decision constant = spec instanceof ControllerSpec.Drive drive
+                ? new Decision(drive.leftVolts(), drive.rightVolts(), telemetry)
+                : new Decision(0, 0, telemetry);
+        return observation -> constant;
     }
 
     /**

@@ -3,14 +3,15 @@ package faultline.engine;
 import faultline.control.Controller;
 import faultline.control.Decision;
 import faultline.control.Observation;
+import faultline.control.PeriodicController;
 import faultline.robot.RobotSpec;
 
 /** Calls the controller on the world's own thread. */
 final class DirectHost implements ControllerHost {
 
     private final Controller controller;
-    /** The controller if it is part of the program, otherwise null. */
-    private final ConfigurableController builtIn;
+    /** The controller if its decisions hold for some ticks, otherwise null. */
+    private final PeriodicController periodic;
 
     private long tick;
     private double dt;
@@ -19,7 +20,7 @@ final class DirectHost implements ControllerHost {
 
     DirectHost(Controller controller) {
         this.controller = controller;
-        builtIn = controller instanceof ConfigurableController own ? own : null;
+        periodic = controller instanceof PeriodicController holding ? holding : null;
     }
 
     @Override
@@ -32,10 +33,10 @@ final class DirectHost implements ControllerHost {
 
     @Override
     public Decision await() {
-        Decision constant = builtIn == null ? null : builtIn.constantDecision();
-        if (constant != null) {
+        Decision held = periodic == null ? null : periodic.heldDecision(tick, dt);
+        if (held != null) {
             // Without an observation, for which the virtual machine does not always avoid an object.
-            return constant;
+            return held;
         }
         try {
             return controller.decide(new Observation(tick, dt, robot, readings));

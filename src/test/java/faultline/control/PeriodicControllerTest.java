@@ -1,6 +1,7 @@
 package faultline.control;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 
 import faultline.control.wallfollower.Observations;
 import java.util.ArrayList;
@@ -38,6 +39,58 @@ class PeriodicControllerTest {
     void betweenItsDecisionsTheLastOneHolds() {
         assertEquals(List.of(3.0, 3.0, 5.0, 5.0, 5.0, 5.0, 5.0, 10.0, 10.0, 10.0), decide(0.05));
         assertEquals(List.of(3L, 5L, 10L), decisionTicks);
+    }
+
+    @Test
+    void aDecisionIsHeldOnlyBetweenTwoThatAreDue() {
+        Decision decision = new Decision(1, 2, Telemetry.ofState(ControllerState.of("TEST")));
+        PeriodicController periodic = new PeriodicController(observation -> decision, 0.05);
+        assertNull(periodic.heldDecision(3, 0.01), "before the first");
+        periodic.decide(Observations.observation(3, Map.of()));
+        assertEquals(decision, periodic.heldDecision(4, 0.01));
+        assertNull(periodic.heldDecision(5, 0.01), "the next one is due");
+    }
+
+    @Test
+    void constantVoltagesAreDecidedOnce() {
+        PeriodicController periodic =
+                new PeriodicController(new ControllerSpec.Drive(1, 2), settings -> observation -> {
+                    decisionTicks.add(observation.tick());
+                    return new Decision(1, 2, Telemetry.ofState(ControllerState.of("DRIVE")));
+                });
+        for (long tick = 3; tick <= 1000; tick++) {
+            assertEquals(
+                    2, periodic.decide(Observations.observation(tick, Map.of())).rightVolts());
+        }
+        assertEquals(List.of(3L), decisionTicks);
+        periodic.configure(new ControllerSpec.Drive(1, 2));
+        assertNull(periodic.heldDecision(1001, 0.01), "the new controller has not decided");
+    }
+
+    @Test
+    void settingsWithWhichAFollowerCanContinueDoNotReplaceIt() {
+        List<ControllerSpec> created = new ArrayList<>();
+        List<ControllerSpec> taken = new ArrayList<>();
+        ControllerSpec.WallFollowing initial = ControllerSpec.WallFollowing.DEFAULT;
+        PeriodicController periodic = new PeriodicController(initial, settings -> {
+            created.add(settings);
+            return new Controller() {
+                @Override
+                public Decision decide(Observation observation) {
+                    return new Decision(0, 0, Telemetry.ofState(ControllerState.of("TEST")));
+                }
+
+                @Override
+                public void configure(ControllerSpec.BuiltIn other) {
+                    taken.add(other);
+                }
+            };
+        });
+        periodic.configure(initial.withDistance(0.4));
+        periodic.configure(initial.withDistance(0.4).withPeriod(0.05));
+        periodic.configure(new ControllerSpec.None());
+        assertEquals(List.of(initial.withDistance(0.4)), taken);
+        assertEquals(List.of(initial, initial.withDistance(0.4).withPeriod(0.05), new ControllerSpec.None()), created);
     }
 
     @ParameterizedTest

@@ -158,7 +158,7 @@ final class AlignmentManoeuvre {
     }
 
     private SensorView left() {
-        return estimate.views().left();
+        return estimate.left();
     }
 
     /**

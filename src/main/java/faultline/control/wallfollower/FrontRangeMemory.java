@@ -67,14 +67,6 @@ final class FrontRangeMemory {
 
     /** Returns the front sensor with the remembered reading if it sees nothing. */
     SensorView withRememberedRange(SensorView front) {
-        return front.detects()
-                ? front
-                : new SensorView(
-                        front.mountPosition(),
-                        front.bearing(),
-                        front.halfCone(),
-                        front.range(),
-                        latestTarget.distance,
-                        front.present());
+        return front.detects() ? front : front.withReading(latestTarget.distance);
     }
 }

@@ -6,8 +6,12 @@ package faultline.control.wallfollower;
  * <p>One front reading fits walls of all angles: the more slanted the wall, the nearer its foot. A sensor that looks
  * aside decides, because a wall slanted to that side would give a reading there. The estimate is the most slanted wall
  * that contradicts no sensor; without such a sensor, the wall is taken to be square.
+ *
+ * @param front looks ahead
+ * @param left looks ahead to the left
+ * @param right looks ahead to the right
  */
-final class FrontWallEstimator {
+record FrontWallEstimator(SensorView front, SensorView left, SensorView right) {
 
     /**
      * Along a wall, walls ahead are taken to be slanted by no more than this: inner corners from 35 to 155 degrees are
@@ -22,31 +26,27 @@ final class FrontWallEstimator {
 
     private static final int BISECTION_STEPS = 12;
 
-    private FrontWallEstimator() {}
-
     /**
      * Returns whether the wall ahead will be within a distance of the robot's centre after some more motion.
      *
      * @param distance metres
      * @param rolled how far it rolls on, metres
-     * @param views the sensors
      * @param mostLeft how far the wall may be slanted with its foot to the left, radians
      * @param mostRight how far it may be slanted with its foot to the right, radians
      * @return whether it will be; false if the front sensor sees nothing
      */
-    static boolean isWithin(double distance, double rolled, SensorViews views, double mostLeft, double mostRight) {
-        return views.front().detects()
-                && (isWithin(distance, rolled, views.front(), views.frontLeft(), mostLeft)
-                        || isWithin(distance, rolled, views.front(), views.frontRight(), -mostRight));
+    boolean isWithin(double distance, double rolled, double mostLeft, double mostRight) {
+        return front.detects()
+                && (isWithin(distance, rolled, left, mostLeft) || isWithin(distance, rolled, right, -mostRight));
     }
 
     /** Checks the nearest wall that the front reading allows first, which decides in most cases. */
-    private static boolean isWithin(double distance, double rolled, SensorView front, SensorView side, double limit) {
-        return distanceAfter(rolled, front, limit) <= distance
-                && distanceAfter(rolled, front, maxPossibleSlant(front, side, limit)) <= distance;
+    private boolean isWithin(double distance, double rolled, SensorView side, double limit) {
+        return distanceAfter(rolled, limit) <= distance
+                && distanceAfter(rolled, maxPossibleSlant(side, limit)) <= distance;
     }
 
-    private static double distanceAfter(double rolled, SensorView front, double bearing) {
+    private double distanceAfter(double rolled, double bearing) {
         return front.wallDistance(bearing) - rolled * StrictMath.cos(bearing);
     }
 
@@ -54,18 +54,18 @@ final class FrontWallEstimator {
      * Returns the bearing of the foot of the most slanted wall, between square and a limit, that the side sensor does
      * not contradict.
      */
-    private static double maxPossibleSlant(SensorView front, SensorView side, double limit) {
-        if (!side.present() || contradicts(side, front, 0)) {
+    private double maxPossibleSlant(SensorView side, double limit) {
+        if (!side.present() || contradicts(side, 0)) {
             return 0;
         }
-        if (!contradicts(side, front, limit)) {
+        if (!contradicts(side, limit)) {
             return limit;
         }
         double possible = 0;
         double beyond = limit;
         for (int i = 0; i < BISECTION_STEPS; i++) {
             double middle = (possible + beyond) / 2;
-            if (contradicts(side, front, middle)) {
+            if (contradicts(side, middle)) {
                 beyond = middle;
             } else {
                 possible = middle;
@@ -78,7 +78,7 @@ final class FrontWallEstimator {
      * Returns whether a wall at this bearing that gives the front reading would be nearer to the side sensor than
      * anything that it sees.
      */
-    private static boolean contradicts(SensorView side, SensorView front, double bearing) {
+    private boolean contradicts(SensorView side, double bearing) {
         return front.wallDistance(bearing) < side.wallDistance(bearing);
     }
 }

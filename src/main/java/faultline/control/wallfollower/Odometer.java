@@ -1,16 +1,13 @@
 package faultline.control.wallfollower;
 
-import faultline.control.Decision;
-import faultline.control.Telemetry;
-import faultline.control.WallSide;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
 import faultline.robot.Velocity;
 import faultline.robot.WheelSpeeds;
 
 /**
- * Holds the commanded motion, and computes from it and the model of the motors how far the robot has rolled and turned.
- * Works in the follower's frame, in which the wall is on the left.
+ * Computes from the commanded velocity and the model of the motors how far the robot has rolled and turned. Works in
+ * the follower's frame, in which the wall is on the left.
  */
 final class Odometer {
 
@@ -20,14 +17,9 @@ final class Odometer {
     private double deltaDistance;
     private double deltaHeading;
 
-    /** Commands velocities until the next decision, metres per second ahead and radians per second to the left. */
-    void command(double newV, double newOmega) {
-        command = new Velocity(newV, newOmega);
-    }
-
-    /** Returns the voltages that command the motion, with the follower's telemetry. */
-    Decision decision(RobotSpec robot, WallSide side, Telemetry telemetry) {
-        return Decision.ofVelocity(robot, side, command, telemetry);
+    /** Sets the velocity that is commanded until the next decision. */
+    void setCommand(Velocity velocity) {
+        command = velocity;
     }
 
     /** Updates the estimate: the command has acted for some ticks. */

@@ -1,5 +1,7 @@
 package faultline.control.wallfollower;
 
+import faultline.robot.Velocity;
+
 /** SEARCH: drives straight ahead until the robot meets a wall. */
 final class SearchState implements StateBehaviour {
 
@@ -15,21 +17,20 @@ final class SearchState implements StateBehaviour {
     }
 
     @Override
-    public void command() {
-        estimate.odometer().command(estimate.robot().speed(), 0);
+    public Velocity velocity() {
+        return new Velocity(estimate.robot().speed(), 0);
     }
 
     boolean isWallMet() {
-        SensorViews views = estimate.views();
         double radius = estimate.wantedCentreDistance();
         double ahead = estimate.aheadDistance();
         double near = ahead + estimate.stoppingDistance();
         return estimate.isWallAheadWhileSearching()
                 || estimate.isFrontTargetWithinTurningCircle()
                 || estimate.isLastSeenPointWithin(ahead)
-                || views.frontLeft().detectsWithin(near)
-                || views.frontRight().detectsWithin(near)
-                || views.left().detectsWithin(radius)
-                || views.right().detectsWithin(radius);
+                || estimate.frontLeft().detectsWithin(near)
+                || estimate.frontRight().detectsWithin(near)
+                || estimate.left().detectsWithin(radius)
+                || estimate.right().detectsWithin(radius);
     }
 }

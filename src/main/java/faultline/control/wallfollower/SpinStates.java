@@ -3,6 +3,7 @@ package faultline.control.wallfollower;
 import faultline.control.FollowerState;
 import faultline.control.Threshold;
 import faultline.geometry.Angles;
+import faultline.robot.Velocity;
 
 /** TURN, MEASURE and ALIGN: the three parts of the alignment manoeuvre. */
 final class SpinStates {
@@ -32,8 +33,8 @@ final class SpinStates {
             }
 
             @Override
-            public void command() {
-                estimate.odometer().command(0, alignment.turnRate());
+            public Velocity velocity() {
+                return new Velocity(0, alignment.turnRate());
             }
         };
     }
@@ -47,8 +48,8 @@ final class SpinStates {
             }
 
             @Override
-            public void command() {
-                estimate.odometer().command(0, -estimate.turnRate());
+            public Velocity velocity() {
+                return new Velocity(0, -estimate.turnRate());
             }
         };
     }
@@ -62,8 +63,8 @@ final class SpinStates {
             }
 
             @Override
-            public void command() {
-                estimate.odometer().command(0, alignment.alignTurnRate());
+            public Velocity velocity() {
+                return new Velocity(0, alignment.alignTurnRate());
             }
         };
     }

@@ -1,6 +1,7 @@
 package faultline.control.wallfollower;
 
 import faultline.control.FollowerState;
+import faultline.robot.Velocity;
 
 /** The behaviour of the follower in one of its states. */
 interface StateBehaviour {
@@ -11,6 +12,6 @@ interface StateBehaviour {
     /** Processes the reading of a decision, before the transitions are checked. */
     default void processReading() {}
 
-    /** Commands the motion of the state. */
-    void command();
+    /** Returns the velocity that the state commands until the next decision. */
+    Velocity velocity();
 }

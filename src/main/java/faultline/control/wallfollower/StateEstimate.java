@@ -34,8 +34,14 @@ final class StateEstimate {
     private final NoiseEstimator frontNoise = new NoiseEstimator();
     private final double controlPeriod;
     private Observation current;
-    private SensorViews views;
+    private SensorView left;
+    /** The front sensor with what it remembers. */
+    private SensorView front;
+
     private SensorView currentFront = SensorView.NONE;
+    private SensorView frontLeft;
+    private SensorView frontRight;
+    private SensorView right;
     private long lastTick;
 
     StateEstimate(ControllerSpec.WallFollowing spec) {
@@ -59,12 +65,15 @@ final class StateEstimate {
         odometer.advance(observation.robot(), observation.dt(), observation.tick() - lastTick);
         lastTick = observation.tick();
         current = observation;
-        SensorViews fresh = SensorViews.of(observation, side);
-        leftNoise.update(fresh.left().reading());
-        frontNoise.update(fresh.front().reading());
-        currentFront = fresh.front();
+        left = SensorView.facing(QUARTER_TURN, observation, side);
+        currentFront = SensorView.facing(0, observation, side);
+        frontLeft = SensorView.facing(QUARTER_TURN / 2, observation, side);
+        frontRight = SensorView.facing(-QUARTER_TURN / 2, observation, side);
+        right = SensorView.facing(-QUARTER_TURN, observation, side);
+        leftNoise.update(left.reading());
+        frontNoise.update(currentFront.reading());
         frontMemory.update(currentFront, odometer.deltaDistance(), odometer.deltaHeading(), robot().width() / 2);
-        views = fresh.withFront(frontMemory.withRememberedRange(currentFront));
+        front = frontMemory.withRememberedRange(currentFront);
     }
 
     /**
@@ -72,7 +81,7 @@ final class StateEstimate {
      * centre when the robot has stopped.
      */
     boolean isFrontTargetWithinTurningCircle() {
-        return frontMemory.nearest() + views.front().mountPosition().x() - stoppingDistance() <= guardedRadius();
+        return frontMemory.nearest() + front.mountPosition().x() - stoppingDistance() <= guardedRadius();
     }
 
     /** Returns the radius about the robot's centre in which nothing may be when it turns, metres. */
@@ -83,8 +92,8 @@ final class StateEstimate {
     /** Remembers what the sensors that look ahead see during straight motion. */
     void updateLastSeenPoints() {
         lastSeenFront.update(currentFront, odometer.deltaDistance());
-        lastSeenFrontLeft.update(views.frontLeft(), odometer.deltaDistance());
-        lastSeenFrontRight.update(views.frontRight(), odometer.deltaDistance());
+        lastSeenFrontLeft.update(frontLeft, odometer.deltaDistance());
+        lastSeenFrontRight.update(frontRight, odometer.deltaDistance());
     }
 
     /**
@@ -114,8 +123,24 @@ final class StateEstimate {
         return odometer;
     }
 
-    SensorViews views() {
-        return views;
+    /** Returns the sensor that faces the wall; this and the front sensor follow most walls. */
+    SensorView left() {
+        return left;
+    }
+
+    /** Returns the sensor that distinguishes an obtuse corner ahead from a square one. */
+    SensorView frontLeft() {
+        return frontLeft;
+    }
+
+    /** Returns the sensor that an acute inner corner needs. */
+    SensorView frontRight() {
+        return frontRight;
+    }
+
+    /** Returns the sensor that is used only in a search. */
+    SensorView right() {
+        return right;
     }
 
     RobotSpec robot() {
@@ -165,7 +190,12 @@ final class StateEstimate {
      * Returns the distance from the robot's centre to the mounting position of the sensor that faces the wall, metres.
      */
     double sideMountOffset() {
-        return views.left().present() ? views.left().mountPosition().y() : robot().width() / 2;
+        return left.present() ? left.mountPosition().y() : robot().width() / 2;
+    }
+
+    /** Returns the distance from the robot's centre to the followed wall, or the corner, at a reading, metres. */
+    double centreDistance(double reading) {
+        return Math.max(robot().width() / 2, reading + sideMountOffset());
     }
 
     /** Returns the distance from the robot's centre to the wall if the reading is as wanted, metres. */
@@ -185,12 +215,12 @@ final class StateEstimate {
 
     /** Returns whether a wall ahead, at any slant, will be at its distance when the robot has stopped. */
     boolean isWallAheadWhileSearching() {
-        return FrontWallEstimator.isWithin(
-                aheadDistance(),
-                stoppingDistance(),
-                views,
-                FrontWallEstimator.MAX_SEARCH_SLANT,
-                FrontWallEstimator.MAX_SEARCH_SLANT);
+        return new FrontWallEstimator(front, frontLeft, frontRight)
+                .isWithin(
+                        aheadDistance(),
+                        stoppingDistance(),
+                        FrontWallEstimator.MAX_SEARCH_SLANT,
+                        FrontWallEstimator.MAX_SEARCH_SLANT);
     }
 
     /**
@@ -199,16 +229,14 @@ final class StateEstimate {
      * wall has that wall ahead, too.
      */
     boolean isWallAheadWhileFollowing(boolean atWantedDistance) {
-        boolean seesTheWall = views.left().detects()
-                && views.frontLeft().wallDistance(QUARTER_TURN)
-                        >= views.left().perpendicularDistance() - SAME_WALL_TOLERANCE;
+        boolean seesTheWall = left.detects()
+                && frontLeft.wallDistance(QUARTER_TURN) >= left.perpendicularDistance() - SAME_WALL_TOLERANCE;
         double margin = thresholds.get(Threshold.AHEAD_MARGIN);
-        SensorViews ahead = seesTheWall ? views.withFrontLeft(SensorView.NONE) : views;
-        return FrontWallEstimator.isWithin(
-                wantedCentreDistance() + (atWantedDistance ? margin : Math.min(0, margin)),
-                stoppingDistance(),
-                ahead,
-                FrontWallEstimator.MAX_LEFT_SLANT,
-                FrontWallEstimator.MAX_RIGHT_SLANT);
+        return new FrontWallEstimator(front, seesTheWall ? SensorView.NONE : frontLeft, frontRight)
+                .isWithin(
+                        wantedCentreDistance() + (atWantedDistance ? margin : Math.min(0, margin)),
+                        stoppingDistance(),
+                        FrontWallEstimator.MAX_LEFT_SLANT,
+                        FrontWallEstimator.MAX_RIGHT_SLANT);
     }
 }

@@ -14,6 +14,7 @@ import faultline.control.FollowerState;
 import faultline.control.Observation;
 import faultline.control.Telemetry;
 import faultline.control.Threshold;
+import faultline.robot.Velocity;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -46,7 +47,7 @@ public final class WallFollower implements Controller {
                     ROUND,
                     SEARCH,
                     "turned all round",
-                    follower -> follower.wall.isWallLost() && follower.turnedAllRound()));
+                    follower -> !follower.wall.isWallInSight() && follower.turnedAllRound()));
 
     /** The state in which the follower starts. */
     static final FollowerState INITIAL_STATE = SEARCH;
@@ -54,7 +55,6 @@ public final class WallFollower implements Controller {
     private ControllerSpec.WallFollowing spec;
     private final StateEstimate estimate;
     private final AlignmentManoeuvre alignment;
-    private final WallSteering steering;
     private final SearchState search;
     private final WallStates wall;
     private final Map<FollowerState, StateBehaviour> behaviours = new EnumMap<>(FollowerState.class);
@@ -86,10 +86,9 @@ public final class WallFollower implements Controller {
         this.spec = spec;
         estimate = new StateEstimate(spec);
         alignment = new AlignmentManoeuvre(estimate, spec.timingRule(), realClock);
-        steering = new WallSteering(estimate, spec.distance(), spec.gainRule());
         search = new SearchState(estimate);
         SpinStates spin = new SpinStates(estimate, alignment);
-        wall = new WallStates(estimate, steering, spin);
+        wall = new WallStates(estimate, spin, spec.distance(), spec.gainRule());
         behaviours.put(SEARCH, search);
         behaviours.put(TURN, spin.turn());
         behaviours.put(MEASURE, spin.measure());
@@ -120,8 +119,9 @@ public final class WallFollower implements Controller {
                 break;
             }
         }
-        behaviour.command();
-        return estimate.odometer().decision(estimate.robot(), spec.side(), telemetry(diagnosis));
+        Velocity velocity = behaviour.velocity();
+        estimate.odometer().setCommand(velocity);
+        return Decision.ofVelocity(estimate.robot(), spec.side(), velocity, telemetry(diagnosis));
     }
 
     @Override
@@ -129,7 +129,7 @@ public final class WallFollower implements Controller {
         spec = (ControllerSpec.WallFollowing) settings;
         estimate.configure(spec);
         alignment.setRule(spec.timingRule());
-        steering.configure(spec.distance(), spec.gainRule());
+        wall.configure(spec.distance(), spec.gainRule());
     }
 
     private void enter(Transition transition) {
@@ -155,10 +155,7 @@ public final class WallFollower implements Controller {
                 sinceTick,
                 transitions,
                 new Telemetry.WallControl(
-                        spec.distance(),
-                        estimate.views().left().reading(),
-                        steering.proportional(),
-                        steering.derivative()),
+                        spec.distance(), estimate.left().reading(), wall.proportional(), wall.derivative()),
                 new Telemetry.EdgeTimes(timing.tF3(), timing.tF4(), timing.tP()),
                 diagnosis);
     }

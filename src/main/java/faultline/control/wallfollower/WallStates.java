@@ -1,23 +1,49 @@
 package faultline.control.wallfollower;
 
 import faultline.control.FollowerState;
+import faultline.control.GainRule;
+import faultline.control.PdGains;
 import faultline.control.Threshold;
+import faultline.robot.Velocity;
 
-/** FOLLOW and ROUND: along a wall and around its outer corners, by the left sensor. */
+/**
+ * FOLLOW and ROUND: along a wall and around its outer corners, by the left sensor. The PD distance controller steers:
+ * omega = kp e + kd e', where e is the distance error, positive if the wall is too far; see {@link PdGains}.
+ */
 final class WallStates {
 
     /** A bend too tight for the turn rate slows the robot down, but not below this share of its speed. */
     private static final double MIN_SPEED_SHARE = 0.3;
 
-    private final StateEstimate estimate;
-    private final WallSteering steering;
-    private final SpinStates spin;
-    private double remainingSteerThrough;
+    /** A robot that is this much farther away than wanted is on its way to the wall, metres. */
+    private static final double DISTANCE_TOLERANCE = 0.02;
 
-    WallStates(StateEstimate estimate, WallSteering steering, SpinStates spin) {
+    /** A slant below this moves the sensor's mounting by less than 0.2 mm, radians. */
+    private static final double PARALLEL = StrictMath.toRadians(3);
+
+    private final StateEstimate estimate;
+    private final SpinStates spin;
+    private final WallTracker tracker = new WallTracker();
+    private final BendDetector bends;
+    private double wantedDistance;
+    private GainRule gainRule;
+    private boolean approaching;
+    private double remainingSteerThrough;
+    private double proportional = Double.NaN;
+    private double derivative = Double.NaN;
+
+    WallStates(StateEstimate estimate, SpinStates spin, double wanted, GainRule gainRule) {
         this.estimate = estimate;
-        this.steering = steering;
         this.spin = spin;
+        this.bends = new BendDetector(estimate, tracker);
+        configure(wanted, gainRule);
+    }
+
+    /** Sets the wanted distance, metres, and the choice of gains. */
+    final void configure(double wanted, GainRule newGainRule) {
+        approaching |= wantedDistance != 0 && wanted != wantedDistance;
+        wantedDistance = wanted;
+        gainRule = newGainRule;
     }
 
     /** Returns FOLLOW: holds the distance to the wall. */
@@ -26,9 +52,10 @@ final class WallStates {
             @Override
             public void enter(FollowerState from) {
                 if (from == FollowerState.ROUND) {
-                    steering.switchToWall();
+                    // The corner continues into this wall.
+                    tracker.turnHeading(bends.angle());
                 } else {
-                    steering.begin();
+                    begin();
                     remainingSteerThrough =
                             spin.foundSameWall() ? estimate.thresholds().get(Threshold.STEER_THROUGH) : 0;
                 }
@@ -36,13 +63,13 @@ final class WallStates {
 
             @Override
             public void processReading() {
-                steering.trackWall();
+                trackWall();
                 remainingSteerThrough -= estimate.odometer().deltaDistance();
             }
 
             @Override
-            public void command() {
-                steer(steering.wallTurnRate());
+            public Velocity velocity() {
+                return alongBend(correctingTurnRate());
             }
         };
     }
@@ -52,50 +79,143 @@ final class WallStates {
         return new StateBehaviour() {
             @Override
             public void enter(FollowerState from) {
-                steering.switchToCorner();
+                switchToCorner();
             }
 
             @Override
             public void processReading() {
-                steering.trackCorner();
+                trackCorner();
             }
 
             @Override
-            public void command() {
-                if (steering.isWallInSight()) {
-                    steer(steering.cornerTurnRate());
-                } else {
-                    estimate.odometer().command(estimate.robot().speed() / 2, estimate.turnRate());
-                }
+            public Velocity velocity() {
+                return isWallInSight()
+                        ? alongBend(cornerTurnRate())
+                        : new Velocity(estimate.robot().speed() / 2, estimate.turnRate());
             }
         };
     }
 
+    /** Starts along a wall that the robot has been aligned with. */
+    void begin() {
+        tracker.start(left().detects() ? left().reading() : wantedDistance);
+    }
+
+    /** Tracks the corner, because the wall bends away. */
+    void switchToCorner() {
+        tracker.turnHeading(-bends.angle());
+    }
+
+    /** Processes the reading of a decision along a straight wall. */
+    void trackWall() {
+        tracker.predict(rolled(), estimate.odometer().deltaHeading(), 0);
+        if (isWallInSight()) {
+            // If the robot is slanted to a straight wall by more than half the cone, the reading is at the cone's edge
+            // and not the foot.
+            double off = Math.max(0, Math.abs(tracker.heading()) - left().halfCone());
+            double foot = left().reading() * StrictMath.cos(off);
+            if (approaching) {
+                approach(foot, off > 0);
+            } else {
+                tracker.correct(foot, rolled(), radius());
+            }
+        }
+    }
+
     /**
-     * Drives along a bend at the robot's speed; if the bend is too tight for the turn rate, more slowly, so that the
-     * bend stays the same.
+     * Corrects the tracker on the way to a new wanted distance, which is more slanted than any other part of FOLLOW:
+     * the sensor's mounting swings away from the wall. Beyond the cone the reading depends on the slant itself, so the
+     * heading is that of dead reckoning.
      */
-    private void steer(double rate) {
+    private void approach(double foot, boolean beyondCone) {
+        double swing = estimate.sideMountOffset() * (1 - StrictMath.cos(tracker.heading()));
+        if (beyondCone) {
+            tracker.correctDistance(foot - swing, rolled(), radius());
+        } else {
+            tracker.correct(foot - swing, rolled(), radius());
+        }
+        approaching = Math.abs(tracker.heading()) > PARALLEL
+                || Math.abs(tracker.distance() - wantedDistance) > DISTANCE_TOLERANCE;
+        if (!approaching) {
+            // What the front sensor saw on the slanted way was this wall.
+            estimate.clearFrontMemory();
+        }
+    }
+
+    /** Processes the reading of a decision around an outer corner. */
+    void trackCorner() {
+        tracker.predict(rolled(), estimate.odometer().deltaHeading(), 1 / radius());
+        if (isWallInSight()) {
+            tracker.correct(left().reading(), rolled(), radius());
+        }
+    }
+
+    /** Returns the turn rate of the PD controller, radians per second; along a straight wall there is no other. */
+    double correctingTurnRate() {
+        double speed = estimate.robot().speed();
+        double lag = estimate.robot().motor().timeConstant() + estimate.period();
+        PdGains gains = gainRule.gains(speed, lag);
+        proportional = gains.proportionalTerm(tracker.distance() - wantedDistance);
+        derivative = gains.derivativeTerm(-speed * StrictMath.sin(tracker.heading()));
+        return proportional + derivative;
+    }
+
+    /** Returns the turn rate around a corner, radians per second: that of the circle about it, corrected. */
+    double cornerTurnRate() {
+        return estimate.robot().speed() / radius() + correctingTurnRate();
+    }
+
+    /**
+     * Returns the velocity along a bend: at the robot's speed, or, if the bend is too tight for the turn rate, more
+     * slowly, so that the bend stays the same.
+     */
+    private Velocity alongBend(double rate) {
         double most = estimate.turnRate();
         double share = Math.max(MIN_SPEED_SHARE, Math.min(1, most / Math.abs(rate)));
-        estimate.odometer().command(share * estimate.robot().speed(), Math.max(-most, Math.min(most, rate)));
+        return new Velocity(share * estimate.robot().speed(), Math.max(-most, Math.min(most, rate)));
     }
 
     boolean isWallAhead() {
-        return remainingSteerThrough <= 0 && estimate.isWallAheadWhileFollowing(steering.isAtWantedDistance())
+        boolean atWantedDistance = tracker.distance() <= wantedDistance + DISTANCE_TOLERANCE;
+        return remainingSteerThrough <= 0 && estimate.isWallAheadWhileFollowing(atWantedDistance)
                 || estimate.isFrontTargetWithinTurningCircle()
-                || estimate.views().frontRight().detectsWithin(estimate.guardedRadius());
+                || estimate.frontRight().detectsWithin(estimate.guardedRadius());
+    }
+
+    boolean isWallInSight() {
+        return left().reading()
+                <= Math.max(tracker.distance(), wantedDistance)
+                        + estimate.thresholds().get(Threshold.LOST_MARGIN);
     }
 
     boolean isWallEnded() {
-        return !steering.isWallInSight() || steering.bendsAway();
+        return !isWallInSight() || bends.isAway();
     }
 
     boolean isWallSeenAgain() {
-        return steering.isWallInSight() && steering.bendsBack();
+        return isWallInSight() && bends.isBack();
     }
 
-    boolean isWallLost() {
-        return !steering.isWallInSight();
+    /** Returns the distance rolled since the last decision, metres. */
+    private double rolled() {
+        return estimate.odometer().deltaDistance();
+    }
+
+    private double radius() {
+        return estimate.centreDistance(tracker.distance());
+    }
+
+    private SensorView left() {
+        return estimate.left();
+    }
+
+    /** Returns the P term of the last decision, radians per second; not a number before the first. */
+    double proportional() {
+        return proportional;
+    }
+
+    /** Returns the D term of the last decision, radians per second; not a number before the first. */
+    double derivative() {
+        return derivative;
     }
 }

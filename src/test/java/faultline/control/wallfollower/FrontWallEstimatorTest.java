@@ -24,13 +24,8 @@ class FrontWallEstimatorTest {
     }
 
     /** Sees a wall one metre off the centre, whose foot is at a bearing. */
-    private static SensorViews wallAt(double foot) {
-        return new SensorViews(
-                SensorView.NONE,
-                viewOfWall(0, foot),
-                viewOfWall(DIAGONAL, foot),
-                viewOfWall(-DIAGONAL, foot),
-                SensorView.NONE);
+    private static FrontWallEstimator wallAt(double foot) {
+        return new FrontWallEstimator(viewOfWall(0, foot), viewOfWall(DIAGONAL, foot), viewOfWall(-DIAGONAL, foot));
     }
 
     private static SensorView viewOfWall(double bearing, double foot) {
@@ -39,9 +34,10 @@ class FrontWallEstimatorTest {
     }
 
     /** The least distance, to a tenth of a millimetre, that the wall will be within. */
-    private static double distanceAfter(double rolled, SensorViews views, double mostLeft, double mostRight) {
+    private static double distanceAfter(
+            double rolled, FrontWallEstimator estimator, double mostLeft, double mostRight) {
         double least = 0;
-        while (least < 3 && !FrontWallEstimator.isWithin(least, rolled, views, mostLeft, mostRight)) {
+        while (least < 3 && !estimator.isWithin(least, rolled, mostLeft, mostRight)) {
             least += 0.0001;
         }
         return least;
@@ -69,8 +65,7 @@ class FrontWallEstimatorTest {
 
     @Test
     void withoutFurtherReadingsTheWallIsTakenAsSquare() {
-        SensorViews frontOnly =
-                new SensorViews(SensorView.NONE, view(0, 1.5), SensorView.NONE, SensorView.NONE, SensorView.NONE);
+        FrontWallEstimator frontOnly = new FrontWallEstimator(view(0, 1.5), SensorView.NONE, SensorView.NONE);
         assertEquals(1.5, distanceAfter(0, frontOnly, MAX_SLANT, MAX_SLANT), 0.002);
     }
 
@@ -84,8 +79,8 @@ class FrontWallEstimatorTest {
 
     @Test
     void whereTheFrontSensorSeesNothingNothingIsAhead() {
-        SensorViews aside = new SensorViews(
-                SensorView.NONE, view(0, Reading.NOTHING), view(DIAGONAL, 0.1), view(-DIAGONAL, 0.1), SensorView.NONE);
-        assertFalse(FrontWallEstimator.isWithin(100, 0, aside, MAX_SLANT, MAX_SLANT));
+        FrontWallEstimator aside =
+                new FrontWallEstimator(view(0, Reading.NOTHING), view(DIAGONAL, 0.1), view(-DIAGONAL, 0.1));
+        assertFalse(aside.isWithin(100, 0, MAX_SLANT, MAX_SLANT));
     }
 }

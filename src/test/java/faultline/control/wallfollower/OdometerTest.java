@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import faultline.robot.DriveScale;
 import faultline.robot.MotorSpec;
 import faultline.robot.RobotSpec;
+import faultline.robot.Velocity;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -24,7 +25,7 @@ class OdometerTest {
 
     @Test
     void aSecondAt30CentimetresPerSecondIs30Centimetres() {
-        odometer.command(0.3, 0);
+        odometer.setCommand(new Velocity(0.3, 0));
         odometer.advance(LAG_FREE, DT, 100);
         assertEquals(0.3, odometer.deltaDistance(), EXACT);
         assertEquals(0, odometer.deltaHeading());
@@ -32,9 +33,9 @@ class OdometerTest {
 
     @Test
     void headingAddsUpAndTheLastTurnDoesNot() {
-        odometer.command(0, 2);
+        odometer.setCommand(new Velocity(0, 2));
         odometer.advance(LAG_FREE, DT, 50);
-        odometer.command(0, -0.5);
+        odometer.setCommand(new Velocity(0, -0.5));
         odometer.advance(LAG_FREE, DT, 100);
         assertEquals(-0.5, odometer.deltaHeading(), EXACT);
         assertEquals(0.5, odometer.heading(), EXACT);
@@ -43,14 +44,14 @@ class OdometerTest {
 
     @Test
     void wheelsGoNoFasterThanTheSupplyAllows() {
-        odometer.command(5, 0);
+        odometer.setCommand(new Velocity(5, 0));
         odometer.advance(LAG_FREE, DT, 100);
         assertEquals(0.6, odometer.deltaDistance(), EXACT);
     }
 
     @Test
     void beforeAnyTickNothingHasMoved() {
-        odometer.command(0.3, 1);
+        odometer.setCommand(new Velocity(0.3, 1));
         odometer.advance(LAGGING, DT, 0);
         assertEquals(0, odometer.deltaDistance());
         assertEquals(0, odometer.heading());
@@ -68,10 +69,10 @@ class OdometerTest {
 
     @Test
     void aSpinNoLongerCommandedGoesOnForTheLag() {
-        odometer.command(0, 1);
+        odometer.setCommand(new Velocity(0, 1));
         odometer.advance(LAGGING, DT, 1000);
         assertEquals(1, odometer.omega(LAGGING), 1e-9);
-        odometer.command(0, 0);
+        odometer.setCommand(new Velocity(0, 0));
         odometer.advance(LAGGING, DT, 1000);
         assertEquals(Odometer.motorLag(LAGGING, DT), odometer.deltaHeading(), 1e-9);
         assertTrue(odometer.deltaHeading() > 0.09, "about 1 rad/s for 0.1 s");

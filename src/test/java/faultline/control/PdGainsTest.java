@@ -1,51 +1,42 @@
-package faultline.control.wallfollower;
+package faultline.control;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import faultline.control.PdGains;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class PdControllerTest {
+class PdGainsTest {
 
     private static final double DT = 0.001;
 
     @Test
-    void parallelAtTheWantedDistanceItGoesStraight() {
-        assertEquals(0, new PdController(0.3, PdGains.forSpeed(0.3, 0.05)).turnRate(0, 0));
+    void withoutAnErrorThereIsNothingToCorrect() {
+        PdGains gains = PdGains.forSpeed(0.3, 0.05);
+        assertEquals(0, gains.proportionalTerm(0));
+        assertEquals(0, gains.derivativeTerm(0));
     }
 
     @Test
-    void tooFarItTurnsToTheWallAndTooNearAwayFromIt() {
-        PdController law = new PdController(0.3, PdGains.forSpeed(0.3, 0.05));
-        assertTrue(law.turnRate(0.01, 0) > 0);
-        assertEquals(-law.turnRate(0.01, 0), law.turnRate(-0.01, 0), 1e-12);
-    }
-
-    @Test
-    void headingForTheWallItTurnsAway() {
-        assertTrue(new PdController(0.3, PdGains.forSpeed(0.3, 0.05)).turnRate(0, 0.1) < 0);
-    }
-
-    @Test
-    void theTurnRateIsThePTermAndTheDTerm() {
-        PdController law = new PdController(0.3, PdGains.forSpeed(0.3, 0.05));
-        double rate = law.turnRate(0.02, 0.1);
-        assertEquals(rate, law.proportional() + law.derivative(), 1e-12);
-        assertTrue(law.proportional() > 0 && law.derivative() < 0);
+    void bothTermsAreOddInTheirError() {
+        PdGains gains = PdGains.forSpeed(0.3, 0.05);
+        assertTrue(gains.proportionalTerm(0.01) > 0);
+        assertEquals(-gains.proportionalTerm(0.01), gains.proportionalTerm(-0.01), 1e-12);
+        assertTrue(gains.derivativeTerm(-0.03) < 0, "on the way to the wall it turns away");
+        assertEquals(-gains.derivativeTerm(0.03), gains.derivativeTerm(-0.03), 1e-12);
     }
 
     /**
      * Drives an ideal robot for 2 m beside a wall and returns the least error, the last error and the steepest heading.
      */
     private static double[] drive(double speed, double lag, double error) {
-        PdController law = new PdController(speed, PdGains.forSpeed(speed, lag));
+        PdGains gains = PdGains.forSpeed(speed, lag);
         double[] seen = {error, error, 0};
         double heading = 0;
         for (double way = 0; way < 2; way += speed * DT) {
-            heading += law.turnRate(seen[1], heading) * DT;
+            double rate = -speed * Math.sin(heading);
+            heading += (gains.proportionalTerm(seen[1]) + gains.derivativeTerm(rate)) * DT;
             seen[1] -= speed * Math.sin(heading) * DT;
             seen[0] = Math.min(seen[0], seen[1]);
             seen[2] = Math.max(seen[2], heading);
