@@ -64,6 +64,15 @@ public final class JavaProcess {
         return process;
     }
 
+    /** Sends a signal to a process, such as {@code -STOP}; not on Windows. */
+    public static void signal(String signal, ProcessHandle process) throws IOException, InterruptedException {
+        Assertions.assertEquals(
+                0,
+                new ProcessBuilder("kill", signal, Long.toString(process.pid()))
+                        .start()
+                        .waitFor());
+    }
+
     /** Kills a process after a random time, unless it has ended by then. Returns whether it was killed. */
     public static boolean killWithin(long millis, Process process) throws InterruptedException {
         if (process.waitFor(RANDOM.nextLong(millis), TimeUnit.MILLISECONDS)) {

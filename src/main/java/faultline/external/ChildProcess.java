@@ -21,10 +21,17 @@ import java.util.function.Consumer;
 final class ChildProcess implements AutoCloseable {
 
     private static final double NANOS_PER_SECOND = 1e9;
+    private static final double MILLIS_PER_SECOND = 1e3;
     /** A child that answers within this time is waited for without sleeping, nanoseconds. */
     private static final long SPIN = 300_000;
 
     private static final long LONGEST_SLEEP = 1_000_000;
+    /** What a look at the child counts at most: if the next is later, the machine was busy, nanoseconds. */
+    private static final long LONGEST_WAIT = 10_000_000;
+
+    /** Milliseconds. */
+    private static final long WRITE_CHECK_PERIOD = 200;
+
     private static final int KEPT_LINES = 20;
     private static final int MAX_KEPT_LENGTH = 400;
     private static final long GRACE_SECONDS = 2;
@@ -102,15 +109,20 @@ final class ChildProcess implements AutoCloseable {
         errors.accept(line);
     }
 
+    /** Each check counts the same, however late it is, so that time in which the program is kept waiting does not. */
     private void guardWrites(double seconds) {
+        long seen = Long.MAX_VALUE;
+        int checks = 0;
         while (process.isAlive()) {
             long start = writeStart;
-            if (start != Long.MAX_VALUE && System.nanoTime() - start > seconds * NANOS_PER_SECOND) {
+            checks = start != Long.MAX_VALUE && start == seen ? checks + 1 : 0;
+            seen = start;
+            if (checks * WRITE_CHECK_PERIOD > seconds * MILLIS_PER_SECOND) {
                 endedByGuard = true;
                 killTree();
             }
             try {
-                process.waitFor(200, TimeUnit.MILLISECONDS);
+                process.waitFor(WRITE_CHECK_PERIOD, TimeUnit.MILLISECONDS);
             } catch (InterruptedException closed) {
                 return;
             }
@@ -152,14 +164,14 @@ final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Waits for a line.
+     * Waits for a line. Time in which other programs keep this one from running does not count.
      *
      * @param seconds how long to wait; infinity waits without end
      * @return the line without its break
      * @throws ProtocolException if none came in time, it is too long, or the child has ended
      */
     String receive(double seconds) throws IOException, ProtocolException {
-        long start = System.nanoTime();
+        long waited = 0;
         for (String line = lines.next(); ; line = lines.next()) {
             if (line != null) {
                 return line;
@@ -167,13 +179,14 @@ final class ChildProcess implements AutoCloseable {
             if (output.available() > 0) {
                 lines.fill(output);
             } else {
-                awaitOutput(start, seconds);
+                long start = System.nanoTime();
+                awaitOutput(waited, seconds);
+                waited += Math.min(LONGEST_WAIT, System.nanoTime() - start);
             }
         }
     }
 
-    private void awaitOutput(long start, double seconds) throws IOException, ProtocolException {
-        long waited = System.nanoTime() - start;
+    private void awaitOutput(long waited, double seconds) throws IOException, ProtocolException {
         if (waited < SPIN) {
             Thread.yield();
             return;

@@ -63,22 +63,14 @@ class StoppedProcessTest {
                 .start();
         assertEquals('s', exchange.getInputStream().read());
         for (int i = 0; i < STOPS; i++) {
-            signal("-STOP", exchange);
+            JavaProcess.signal("-STOP", exchange.toHandle());
             TimeUnit.MILLISECONDS.sleep((long) (1200 * PATIENCE));
-            signal("-CONT", exchange);
+            JavaProcess.signal("-CONT", exchange.toHandle());
             TimeUnit.MILLISECONDS.sleep(50);
         }
         exchange.getOutputStream().write('.');
         exchange.getOutputStream().close();
         assertTrue(exchange.waitFor(60, TimeUnit.SECONDS));
         assertEquals("e", new String(exchange.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
-    }
-
-    private static void signal(String signal, Process process) throws Exception {
-        assertEquals(
-                0,
-                new ProcessBuilder("kill", signal, Long.toString(process.pid()))
-                        .start()
-                        .waitFor());
     }
 }
