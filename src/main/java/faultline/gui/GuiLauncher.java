@@ -1,6 +1,7 @@
 package faultline.gui;
 
 import faultline.gui.dialog.UncaughtExceptionDialog;
+import faultline.gui.document.BackgroundTasks;
 import faultline.gui.document.ControllerSelection;
 import faultline.gui.document.RecoveryStore;
 import faultline.gui.settings.WindowPreferences;
@@ -9,9 +10,13 @@ import faultline.gui.text.SwingMessages;
 import faultline.gui.window.MainWindow;
 import faultline.scenario.Scenario;
 import java.awt.EventQueue;
+import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 
 /** Opens the window. */
 public final class GuiLauncher {
@@ -89,12 +94,28 @@ public final class GuiLauncher {
         });
     }
 
+    /**
+     * Ends the program, which otherwise takes another second or two to find that no window is left. An open window,
+     * such as a message about what went wrong last, keeps it alive until it is closed.
+     */
+    private static void exitUnlessWindowsAreOpen() {
+        if (Stream.of(Window.getWindows()).noneMatch(Window::isShowing)) {
+            System.exit(0);
+        }
+    }
+
     private static MainWindow createWindow(WindowPreferences preferences, Consumer<MainWindow> scenario) {
         Messages.setLanguage(preferences.language());
         SwingMessages.install();
         preferences.textSize().install();
         preferences.themeChoice().theme().install();
         MainWindow window = new MainWindow(preferences);
+        window.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent event) {
+                BackgroundTasks.runAfterAll(GuiLauncher::exitUnlessWindowsAreOpen);
+            }
+        });
         // The scenario is read while the window is laid out and painted for the first time.
         scenario.accept(window);
         window.setVisible(true);

@@ -8,17 +8,22 @@ import faultline.gui.theme.UiText;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import javax.swing.BorderFactory;
+import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.RowFilter;
 import javax.swing.SwingConstants;
 import javax.swing.border.Border;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
 import javax.swing.table.TableRowSorter;
 
@@ -27,19 +32,38 @@ final class ResultTable extends RowTable {
 
     private static final int ROW_HEIGHT = 22;
     private static final int MAX_SAMPLED_ROWS = 40;
-    private static final int CELL_PADDING = 18;
+    private static final int CELL_PADDING = 6;
     private static final int MAX_COLUMN_WIDTH = 260;
+
+    /** The columns of what does not happen in every batch. They take no room before. */
+    private static final Set<String> OCCASIONAL = Set.of("collision_time_s", "detection_delay_s", "failure");
 
     private final Model model;
     private final transient TableRowSorter<Model> sorter;
+    /** The columns of what has not happened. */
+    private final transient List<TableColumn> hidden = new ArrayList<>();
 
     /** The rows of a table; they are only added and replaced. */
     private static final class Model extends AbstractTableModel {
         private final List<String> columns;
         private final List<List<ResultCell>> rows = new ArrayList<>();
+        /** The columns that have a text, and those that have a text or a number. */
+        private final BitSet textual = new BitSet();
+
+        private final BitSet filled = new BitSet();
 
         Model(List<String> columns) {
             this.columns = List.copyOf(columns);
+        }
+
+        void examine(List<ResultCell> row) {
+            for (int column = 0; column < row.size(); column++) {
+                ResultCell cell = row.get(column);
+                if (!cell.text().isEmpty()) {
+                    filled.set(column);
+                    textual.set(column, textual.get(column) || !isTrailing(cell));
+                }
+            }
         }
 
         @Override
@@ -86,7 +110,31 @@ final class ResultTable extends RowTable {
         setIntercellSpacing(new Dimension(0, 1));
         setAutoResizeMode(AUTO_RESIZE_OFF);
         onOpen(row -> onOpen.accept(convertRowIndexToModel(row)));
+        setHeadingRenderers();
+        for (int column = 0; column < columns.size(); column++) {
+            if (OCCASIONAL.contains(columns.get(column))) {
+                hidden.add(getColumnModel().getColumn(column));
+            }
+        }
+        hidden.forEach(this::removeColumn);
         RefreshSteps.add(this, ResultTable::refresh);
+    }
+
+    /** Headings of numbers stand at the end of their column, as the numbers do. */
+    private void setHeadingRenderers() {
+        TableCellRenderer headings = (table, value, selected, focused, row, column) -> {
+            Component heading = getTableHeader()
+                    .getDefaultRenderer()
+                    .getTableCellRendererComponent(table, value, selected, focused, row, column);
+            if (heading instanceof JLabel label) {
+                boolean textual = model.textual.get(convertColumnIndexToModel(column));
+                label.setHorizontalAlignment(textual ? SwingConstants.LEADING : SwingConstants.TRAILING);
+            }
+            return heading;
+        };
+        for (int column = 0; column < getColumnCount(); column++) {
+            getColumnModel().getColumn(column).setHeaderRenderer(headings);
+        }
     }
 
     private void refresh() {
@@ -114,9 +162,26 @@ final class ResultTable extends RowTable {
     void addRows(List<List<ResultCell>> rows) {
         if (!rows.isEmpty()) {
             int first = model.rows.size();
+            rows.forEach(model::examine);
             model.rows.addAll(rows);
+            showFilledColumns();
             model.fireTableRowsInserted(first, model.rows.size() - 1);
             if (first < MAX_SAMPLED_ROWS) {
+                fitColumns();
+            }
+        }
+    }
+
+    private void showFilledColumns() {
+        for (TableColumn column : List.copyOf(hidden)) {
+            if (model.filled.get(column.getModelIndex())) {
+                hidden.remove(column);
+                column.setHeaderValue(model.getColumnName(column.getModelIndex()));
+                long before = IntStream.range(0, getColumnCount())
+                        .filter(shown -> convertColumnIndexToModel(shown) < column.getModelIndex())
+                        .count();
+                addColumn(column);
+                moveColumn(getColumnCount() - 1, (int) before);
                 fitColumns();
             }
         }
@@ -125,6 +190,7 @@ final class ResultTable extends RowTable {
     /** Replaces the rows by as many or more; the selection stays. */
     void setRows(List<List<ResultCell>> rows) {
         int known = model.rows.size();
+        rows.forEach(model::examine);
         for (int i = 0; i < known; i++) {
             model.rows.set(i, rows.get(i));
         }
@@ -152,7 +218,13 @@ final class ResultTable extends RowTable {
                     .getTableCellRendererComponent(this, getColumnName(column), false, false, -1, column));
             for (int row = 0; row < Math.min(MAX_SAMPLED_ROWS, model.getRowCount()); row++) {
                 Component cell = getDefaultRenderer(ResultCell.class)
-                        .getTableCellRendererComponent(this, model.getValueAt(row, column), false, false, row, column);
+                        .getTableCellRendererComponent(
+                                this,
+                                model.getValueAt(row, convertColumnIndexToModel(column)),
+                                false,
+                                false,
+                                row,
+                                column);
                 width = Math.max(width, width(cell));
             }
             getColumnModel().getColumn(column).setPreferredWidth(Math.min(TextSize.scaled(MAX_COLUMN_WIDTH), width));
@@ -169,6 +241,10 @@ final class ResultTable extends RowTable {
         return getPreferredSize().width < getParent().getWidth();
     }
 
+    private static boolean isTrailing(ResultCell cell) {
+        return cell.isNumber() || cell.text().equals(ResultCell.NONE);
+    }
+
     /** Numbers stand at the end of their column. */
     private static final class Renderer extends DefaultTableCellRenderer {
         private static final Border PADDING = BorderFactory.createEmptyBorder(0, 6, 0, 6);
@@ -178,9 +254,8 @@ final class ResultTable extends RowTable {
                 JTable table, Object value, boolean selected, boolean focused, int row, int column) {
             super.getTableCellRendererComponent(table, value, selected, focused, row, column);
             ResultCell cell = (ResultCell) value;
-            boolean trailing = cell.isNumber() || cell.text().equals(ResultCell.NONE);
             setBorder(PADDING);
-            setHorizontalAlignment(trailing ? SwingConstants.TRAILING : SwingConstants.LEADING);
+            setHorizontalAlignment(isTrailing(cell) ? SwingConstants.TRAILING : SwingConstants.LEADING);
             return this;
         }
     }

@@ -1,11 +1,16 @@
 package faultline.gui.document;
 
 import java.awt.EventQueue;
+import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 
 /** Runs slow work on threads of its own and passes the outcome to the event dispatch thread. */
 public final class BackgroundTasks {
+
+    /** The threads that keep the program from exiting. */
+    private static final Set<Thread> BEFORE_EXIT = ConcurrentHashMap.newKeySet();
 
     private BackgroundTasks() {}
 
@@ -26,7 +31,33 @@ public final class BackgroundTasks {
         assert EventQueue.isDispatchThread();
         Thread thread = new Thread(() -> perform(work, onDone, onFailed), "faultline-background");
         thread.setDaemon(daemon);
+        if (!daemon) {
+            BEFORE_EXIT.removeIf(other -> !other.isAlive());
+        }
         thread.start();
+        if (!daemon) {
+            BEFORE_EXIT.add(thread);
+        }
+    }
+
+    /**
+     * Runs a task on the event dispatch thread when all work that keeps the program from exiting has ended and its
+     * results have been passed on.
+     */
+    public static void runAfterAll(Runnable task) {
+        Thread waiting = new Thread(
+                () -> {
+                    try {
+                        for (Thread thread : BEFORE_EXIT) {
+                            thread.join();
+                        }
+                        EventQueue.invokeLater(task);
+                    } catch (InterruptedException e) {
+                        Thread.currentThread().interrupt();
+                    }
+                },
+                "faultline-exit");
+        waiting.start();
     }
 
     private static <T> void perform(Callable<T> work, Consumer<T> onDone, Consumer<Throwable> onFailed) {

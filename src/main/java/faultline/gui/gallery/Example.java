@@ -64,7 +64,8 @@ record Example(String file, String title, String description, BufferedImage thum
     }
 
     private static BufferedImage thumbnail(Frame frame, Palette palette) {
-        Camera camera = FrameRenderer.fitCamera(frame.snapshot(), WIDTH * RESOLUTION_SCALE, HEIGHT * RESOLUTION_SCALE);
+        Camera camera =
+                FrameRenderer.fitCameraWithCones(frame.snapshot(), WIDTH * RESOLUTION_SCALE, HEIGHT * RESOLUTION_SCALE);
         return new RenderRequest(
                         frame, camera, palette, new ScenePainter(LAYERS, LocalizedLabels.create(FONT)), List.of())
                 .toImage(1);

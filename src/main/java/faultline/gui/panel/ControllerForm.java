@@ -189,6 +189,20 @@ public final class ControllerForm {
         for (JComponent field : new JComponent[] {distance, side, timing, period, diagnosis}) {
             field.setEnabled(follows);
         }
+        thresholds.values().forEach(field -> field.setEnabled(follows));
+        gains.setApplicable(follows);
+        showFollower(robot, dt);
+        defaultThresholds.setEnabled(shown instanceof WallFollowing follower
+                && !follower.thresholds().equals(Thresholds.DEFAULT));
+        boolean drives = shown instanceof ControllerSpec.Drive;
+        left.setEnabled(drives);
+        right.setEnabled(drives);
+        left.setWorldValue(drives ? drive().leftVolts() : Double.NaN);
+        right.setWorldValue(drives ? drive().rightVolts() : Double.NaN);
+    }
+
+    /** Shows the settings of a follower, or nothing in its fields. */
+    private void showFollower(RobotSpec robot, double dt) {
         if (shown instanceof WallFollowing follower) {
             distance.setWorldValue(follower.distance());
             side.setValue(follower.side());
@@ -198,14 +212,14 @@ public final class ControllerForm {
             gains.setGains(follower, robot, dt);
             thresholds.forEach((threshold, field) ->
                     field.setWorldValue(follower.thresholds().get(threshold)));
+        } else {
+            side.setValue(null);
+            timing.setValue(null);
+            distance.setWorldValue(Double.NaN);
+            period.setWorldValue(Double.NaN);
+            diagnosis.setSelected(false);
+            gains.clear();
+            thresholds.values().forEach(field -> field.setWorldValue(Double.NaN));
         }
-        gains.setApplicable(follows);
-        thresholds.values().forEach(field -> field.setEnabled(follows));
-        defaultThresholds.setEnabled(shown instanceof WallFollowing follower
-                && !follower.thresholds().equals(Thresholds.DEFAULT));
-        left.setEnabled(Kind.of(shown) == Kind.DRIVE);
-        right.setEnabled(left.isEnabled());
-        left.setWorldValue(drive().leftVolts());
-        right.setWorldValue(drive().rightVolts());
     }
 }

@@ -50,8 +50,9 @@ final class DecimalFormatter extends DefaultFormatter {
         return value instanceof Number number ? format(number.doubleValue()) : "";
     }
 
+    /** Returns the text of a number; that of no number is empty. */
     String format(double value) {
-        return format.format(value);
+        return Double.isNaN(value) ? "" : format.format(value);
     }
 
     /** Returns a text that states the limits. */

@@ -2,10 +2,12 @@ package faultline.gui.panel;
 
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
+import faultline.gui.text.ReadingText;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
 import faultline.gui.theme.RefreshSteps;
 import faultline.gui.theme.UiText;
+import faultline.io.DecimalText;
 import faultline.robot.MotorFault;
 import faultline.robot.MotorFaultKind;
 import faultline.sensor.Fault;
@@ -39,6 +41,8 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     private final MutedLabel lengthUnit = new MutedLabel("s");
     private final JLabel problem =
             new JLabel(" ", new GlyphIcon(Glyph.WARNING, 14, colours -> colours.warning()), JLabel.LEADING);
+
+    private double range = Double.POSITIVE_INFINITY;
 
     private FaultFields(K[] kinds, K initial, Function<K, String> names) {
         this.kind = new JComboBox<>(kinds);
@@ -74,8 +78,9 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     }
 
     private void configure(NumberSpinner spinner, String key) {
-        spinner.withName(key).withColumns(COLUMNS).keepInvalidText();
+        spinner.withName(key).withColumns(COLUMNS).keepInvalidText().withoutNote();
         spinner.textField().addPropertyChangeListener("editValid", event -> updateProblem());
+        spinner.addChangeListener(event -> updateProblem());
     }
 
     /**
@@ -103,12 +108,16 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
 
     private void updateKind() {
         value.setEnabled(selected().takesValue());
-        value.setLimits(selected().minValue(), selected().maxValue(), selected().defaultValue());
+        showValue(selected().defaultValue());
         length.setLimits(FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, FaultKind.DEFAULT_LENGTH);
         for (JComponent part : new JComponent[] {lengthLabel, length, lengthUnit}) {
             part.setVisible(selected().takesLength());
         }
         updateTexts();
+    }
+
+    private void showValue(double number) {
+        value.setLimits(selected().minValue(), selected().maxValue(), selected().takesValue() ? number : Double.NaN);
     }
 
     private void updateTexts() {
@@ -120,7 +129,7 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
     /** Shows a fault; {@code newLength} is used only if its kind has a length. */
     public void setFault(K newKind, double newValue, double newLength) {
         kind.setSelectedItem(newKind);
-        value.setLimits(selected().minValue(), selected().maxValue(), newValue);
+        showValue(newValue);
         if (selected().takesLength()) {
             length.setLimits(FaultKind.MIN_LENGTH, FaultKind.MAX_LENGTH, newLength);
         }
@@ -148,7 +157,25 @@ public final class FaultFields<K extends FaultDescriptor<F>, F> {
         boolean wrongLength = selected().takesLength() && !length.textField().isEditValid();
         if (wrongValue || wrongLength) {
             problem.setText(Messages.get("faults.invalid", (wrongValue ? value : length).limitsText()));
+        } else if (isBeyondRange()) {
+            problem.setText(Messages.get("faults.beyondRange", DecimalText.format(range)));
         }
-        problem.setVisible(wrongValue || wrongLength);
+        problem.setVisible(wrongValue || wrongLength || isBeyondRange());
+        value.textField()
+                .getAccessibleContext()
+                .setAccessibleDescription(problem.isVisible() ? problem.getText() : null);
+    }
+
+    /** Returns whether a distance that the sensor reports, or up to which it sees, is more than its range. */
+    private boolean isBeyondRange() {
+        return (selected() == FaultKind.STUCK || selected() == FaultKind.SHORT_RANGE) && value.doubleValue() > range;
+    }
+
+    /** Warns of distances beyond the range of a sensor, metres. They are allowed. */
+    public void setRange(double metres) {
+        if (metres != range) {
+            range = metres;
+            updateProblem();
+        }
     }
 }

@@ -2,6 +2,7 @@ package faultline.gui.panel;
 
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Messages;
+import faultline.gui.text.ReadingText;
 import faultline.gui.theme.Glyph;
 import faultline.gui.theme.GlyphIcon;
 import faultline.gui.theme.RefreshSteps;

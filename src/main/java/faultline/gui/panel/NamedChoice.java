@@ -1,6 +1,7 @@
 package faultline.gui.panel;
 
 import java.awt.Component;
+import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.DefaultListCellRenderer;
@@ -48,9 +49,9 @@ public final class NamedChoice<T> extends JComboBox<T> {
         return getItemAt(getSelectedIndex());
     }
 
-    /** Shows a value, unless the list is open. */
+    /** Shows a value, or nothing if it is null, unless the list is open. */
     public void setValue(T value) {
-        if (!value.equals(getSelectedItem()) && !isPopupVisible()) {
+        if (!Objects.equals(value, getSelectedItem()) && !isPopupVisible()) {
             updating = true;
             setSelectedItem(value);
             updating = false;

@@ -19,8 +19,14 @@ import javax.swing.SpinnerNumberModel;
 import javax.swing.SwingConstants;
 import javax.swing.text.DefaultFormatterFactory;
 
-/** A field for one number, which shows the value of the world unless the user is typing. */
+/**
+ * A field for one number, which shows the value of the world unless the user is typing. It is as wide as its text
+ * needs. A note below it says why a text is refused. It shows nothing for NaN.
+ */
 public final class NumberSpinner extends JSpinner {
+
+    /** The width of the arrows and the margins, pixels. */
+    private static final int PADDING = 32;
 
     private final transient DecimalFormatter formatter;
     private final SpinnerNumberModel model;
@@ -34,7 +40,12 @@ public final class NumberSpinner extends JSpinner {
     /** The width in digits, 0 for any. */
     private int columns;
 
+    /** The width of the text in digits for which the field has been laid out. */
+    private int shownDigits;
+
     private boolean updating;
+    /** Null if another component says why a text is refused. */
+    private transient RefusalNote note;
 
     /**
      * Creates a field.
@@ -52,8 +63,12 @@ public final class NumberSpinner extends JSpinner {
         JSpinner.DefaultEditor editor = new JSpinner.DefaultEditor(this);
         setEditor(editor);
         configureTextField(editor.getTextField());
+        note = new RefusalNote(textField());
         RefreshSteps.add(this, NumberSpinner::refresh);
         addChangeListener(event -> {
+            if (columns > 0 && textDigits() != shownDigits) {
+                updateWidth();
+            }
             if (!updating) {
                 onChange.accept(doubleValue());
             }
@@ -68,10 +83,53 @@ public final class NumberSpinner extends JSpinner {
             @Override
             public void focusGained(FocusEvent event) {
                 EventQueue.invokeLater(text::selectAll);
+                updateNote();
+            }
+
+            @Override
+            public void focusLost(FocusEvent event) {
+                // The field reverts the text after this; a temporary loss leaves it as it is.
+                if (!event.isTemporary() && text.getFocusLostBehavior() == JFormattedTextField.COMMIT_OR_REVERT) {
+                    noteRefusal();
+                }
             }
         });
-        // The outline of the spinner shows whether the text is valid.
-        text.addPropertyChangeListener("editValid", event -> repaint());
+        text.addPropertyChangeListener("editValid", event -> {
+            // The outline of the spinner shows whether the text is valid.
+            repaint();
+            updateNote();
+        });
+    }
+
+    /** Says what is allowed while the user is typing something else. */
+    private void updateNote() {
+        JFormattedTextField text = textField();
+        if (note != null && text.isFocusOwner()) {
+            if (isRefused()) {
+                note.show(Messages.get("faults.invalid", limitsText()));
+            } else {
+                note.hide();
+            }
+        }
+    }
+
+    private boolean isRefused() {
+        return !textField().isEditValid() && !textField().getText().isBlank();
+    }
+
+    /** Says that the text is about to be replaced by the value before it. */
+    private void noteRefusal() {
+        if (note != null && isRefused()) {
+            String sentence = Messages.get(
+                    "number.refused", textField().getText().strip(), limitsText(), formatter.format(doubleValue()));
+            EventQueue.invokeLater(() -> note.showBriefly(sentence));
+        }
+    }
+
+    /** Leaves it to the form to say why a text is refused. */
+    NumberSpinner withoutNote() {
+        note = null;
+        return this;
     }
 
     /** Sets the accessible name to the text of a key with its placeholders, and shows the limits as a tool tip. */
@@ -132,7 +190,7 @@ public final class NumberSpinner extends JSpinner {
         updateAccessibleText();
     }
 
-    /** Shows the value of the world, unless the user is typing; it may be outside the limits. */
+    /** Shows the value of the world, nothing for NaN, unless the user is typing; it may be outside the limits. */
     public void setWorldValue(double truth) {
         assert EventQueue.isDispatchThread();
         if (truth != doubleValue() && !isTyping()) {
@@ -146,6 +204,7 @@ public final class NumberSpinner extends JSpinner {
         try {
             commitEdit();
         } catch (ParseException notAllowed) {
+            noteRefusal();
             textField().setValue(getValue());
         }
         return doubleValue() != before;
@@ -209,11 +268,17 @@ public final class NumberSpinner extends JSpinner {
     private void updateWidth() {
         if (columns > 0) {
             setPreferredSize(null);
+            shownDigits = textDigits();
             int digit = getFontMetrics(getFont()).stringWidth("0");
-            Dimension size = new Dimension(columns * digit + 32, getPreferredSize().height);
-            setPreferredSize(size);
-            setMinimumSize(new Dimension(size.width - digit, size.height));
+            int height = getPreferredSize().height;
+            setPreferredSize(new Dimension(Math.max(columns, shownDigits) * digit + PADDING, height));
+            setMinimumSize(new Dimension(Math.max(columns - 1, shownDigits) * digit + PADDING, height));
+            revalidate();
         }
+    }
+
+    private int textDigits() {
+        return formatter.format(doubleValue()).length();
     }
 
     private void refresh() {

@@ -5,6 +5,7 @@ import faultline.engine.metrics.Expectation;
 import faultline.engine.session.Session;
 import faultline.engine.session.SessionFrame;
 import faultline.gui.text.Messages;
+import faultline.gui.text.ReadingText;
 import faultline.scenario.Scenario;
 import faultline.world.Collision;
 import java.util.List;

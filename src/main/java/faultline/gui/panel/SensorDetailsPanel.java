@@ -103,6 +103,9 @@ public final class SensorDetailsPanel extends JPanel {
             mountFields.setSensor(selectedSensor().orElse(null));
         }
         mountFields.update();
+        sensors.stream()
+                .filter(sensor -> sensor.spec().id().equals(sensorChoice.getSelectedItem()))
+                .forEach(sensor -> fault.setRange(sensor.spec().range()));
         faultList.setSensors(sensors);
     }
 }

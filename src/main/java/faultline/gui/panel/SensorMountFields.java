@@ -104,7 +104,11 @@ final class SensorMountFields {
 
     /** Shows the current settings of the sensor. */
     void update() {
-        spec().ifPresent(spec -> {
+        Optional<SensorSpec> shown = spec();
+        if (shown.isEmpty()) {
+            fields().forEach(field -> field.setWorldValue(Double.NaN));
+        }
+        shown.ifPresent(spec -> {
             bearing.setWorldValue(shownBearing.toDegrees(spec.bearing()));
             noise.setWorldValue(spec.noise());
             forwardOffset.setWorldValue(spec.mountPosition().x());

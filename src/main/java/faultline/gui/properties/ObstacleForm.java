@@ -115,19 +115,21 @@ final class ObstacleForm extends JPanel {
         Stream.of(x, y, heading, waypoints).forEach(field -> field.setEnabled(shown.isPresent()));
         size.setShape(shown.map(Obstacle::shape).orElse(null));
         glossy.setEnabled(shown.filter(now -> now.shape().isFlat()).isPresent());
-        specularAngle.setEnabled(shown.filter(Obstacle::isSpecular).isPresent());
-        speed.setEnabled(shown.filter(Obstacle::isMoving).isPresent());
-        loop.setEnabled(speed.isEnabled());
-        shown.ifPresent(now -> {
-            Pose expected = pose();
-            x.setWorldValue(expected.x());
-            y.setWorldValue(expected.y());
-            heading.setWorldValue(shownHeading.toDegrees(expected.heading()));
-            glossy.setSelected(now.isSpecular());
-            specularAngle.setWorldValue(shownSpecularAngle.toDegrees(now.specularAngle()));
-            speed.setWorldValue(now.motion().speed());
-            loop.setSelected(now.motion().loop());
-            waypoints.setPoints(now.motion().waypoints());
-        });
+        Optional<Obstacle> specular = shown.filter(Obstacle::isSpecular);
+        specularAngle.setEnabled(specular.isPresent());
+        Optional<WaypointPath> motion = shown.filter(Obstacle::isMoving).map(Obstacle::motion);
+        speed.setEnabled(motion.isPresent());
+        loop.setEnabled(motion.isPresent());
+        Optional<Pose> expected = shown.map(now -> pose());
+        x.setWorldValue(expected.map(Pose::x).orElse(Double.NaN));
+        y.setWorldValue(expected.map(Pose::y).orElse(Double.NaN));
+        heading.setWorldValue(
+                expected.map(pose -> shownHeading.toDegrees(pose.heading())).orElse(Double.NaN));
+        glossy.setSelected(specular.isPresent());
+        specularAngle.setWorldValue(specular.map(now -> shownSpecularAngle.toDegrees(now.specularAngle()))
+                .orElse(Double.NaN));
+        speed.setWorldValue(motion.map(WaypointPath::speed).orElse(Double.NaN));
+        loop.setSelected(motion.filter(WaypointPath::loop).isPresent());
+        waypoints.setPoints(shown.map(now -> now.motion().waypoints()).orElse(List.of()));
     }
 }

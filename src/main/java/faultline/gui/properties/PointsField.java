@@ -1,6 +1,8 @@
 package faultline.gui.properties;
 
 import faultline.geometry.Vector2;
+import faultline.gui.panel.RefusalNote;
+import faultline.gui.text.Messages;
 import faultline.gui.theme.UiText;
 import faultline.io.DecimalText;
 import java.awt.event.FocusAdapter;
@@ -12,13 +14,17 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import javax.swing.JTextField;
 
-/** A field for points, written as {@code x,y x,y}. Text that is not allowed is replaced by the old points. */
+/**
+ * A field for points, written as {@code x,y x,y}. Text that is not allowed is replaced by the old points, and a note
+ * below the field says why.
+ */
 final class PointsField extends JTextField {
 
     private static final int MAX_COORDINATE = 100_000;
     private static final int COLUMNS = 16;
 
     private final transient Predicate<List<Vector2>> onChange;
+    private final transient RefusalNote note = new RefusalNote(this);
     private transient List<Vector2> shown = List.of();
 
     /**
@@ -40,9 +46,15 @@ final class PointsField extends JTextField {
     }
 
     private void commit() {
-        List<Vector2> entered = parse(getText()).orElse(shown);
-        if (!entered.equals(shown) && onChange.test(entered)) {
-            shown = entered;
+        Optional<List<Vector2>> entered = parse(getText());
+        if (entered.isEmpty() && !getText().isBlank()) {
+            note.showBriefly(Messages.get("obstacle.points.invalid"));
+        } else if (entered.isPresent() && !entered.get().equals(shown)) {
+            if (onChange.test(entered.get())) {
+                shown = entered.get();
+            } else {
+                note.showBriefly(Messages.get("obstacle.points.refused"));
+            }
         }
         setText(format(shown));
     }

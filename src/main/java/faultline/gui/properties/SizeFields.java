@@ -112,9 +112,7 @@ final class SizeFields implements ObstacleShape.Visitor<SizeFields.Size> {
 
     private static void show(NumberSpinner field, double value) {
         field.setEnabled(!Double.isNaN(value));
-        if (field.isEnabled()) {
-            field.setWorldValue(value);
-        }
+        field.setWorldValue(value);
     }
 
     @Override

@@ -26,6 +26,7 @@ public final class WindowPreferences {
 
     private static final String THEME = "theme";
     private static final String BOUNDS = "bounds";
+    private static final String MAXIMISED = "maximised";
     private static final String DIVIDER = "divider";
     private static final String LANGUAGE = "language";
     private static final String TEXT_SIZE = "textSize";
@@ -159,6 +160,15 @@ public final class WindowPreferences {
 
     public void setBounds(Rectangle bounds) {
         store.put(BOUNDS, bounds.x + " " + bounds.y + " " + bounds.width + " " + bounds.height);
+    }
+
+    /** Returns whether the window fills the screen, false by default. */
+    public boolean isMaximised() {
+        return Boolean.parseBoolean(store.get(MAXIMISED));
+    }
+
+    public void setMaximised(boolean maximised) {
+        store.put(MAXIMISED, Boolean.toString(maximised));
     }
 
     /** Returns the width of the control panel in pixels at the installed text size, or empty if it is not known. */

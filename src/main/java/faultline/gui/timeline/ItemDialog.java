@@ -130,6 +130,8 @@ final class ItemDialog {
         form.add(lane, FormConstraints.fillRow(1, row));
         row++;
         if (item.command() instanceof Command.InjectFault inject) {
+            lane.addActionListener(event -> updateRange());
+            updateRange();
             fault.setFault(
                     inject.fault().kind(),
                     inject.fault().value(),
@@ -140,6 +142,12 @@ final class ItemDialog {
             motorFault.addTo(form, row, 0);
         }
         row += FAULT_ROWS;
+    }
+
+    private void updateRange() {
+        if (lane.getSelectedItem() instanceof Lane.OfSensor sensor) {
+            robot.sensor(sensor.id()).ifPresent(spec -> fault.setRange(spec.range()));
+        }
     }
 
     private void addPoseFields() {

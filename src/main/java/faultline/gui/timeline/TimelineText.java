@@ -1,8 +1,8 @@
 package faultline.gui.timeline;
 
-import faultline.gui.panel.ReadingText;
 import faultline.gui.text.Messages;
 import faultline.gui.text.MotorFaultText;
+import faultline.gui.text.ReadingText;
 import faultline.world.Command;
 import java.util.Locale;
 

@@ -10,7 +10,7 @@ import java.awt.event.ComponentEvent;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 
-/** Restores and stores the bounds of the window and its dividers, within the current screen. */
+/** Restores and stores the bounds and the state of the window, and its dividers, within the current screen. */
 final class WindowBounds {
 
     /** The size on screens that have room for it. */
@@ -28,6 +28,8 @@ final class WindowBounds {
     private final WindowPreferences preferences;
     /** Null until the window manager has reported the bounds. */
     private Rectangle confirmedBounds;
+    /** Whether the window was opened maximised and has not been restored. */
+    private boolean openedMaximised;
 
     WindowBounds(JFrame window, MainPanel area, WindowPreferences preferences) {
         this.window = window;
@@ -40,7 +42,11 @@ final class WindowBounds {
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         window.setMinimumSize(
                 new Dimension(Math.min(MIN_SIZE.width, screen.width), Math.min(MIN_SIZE.height, screen.height)));
-        window.setBounds(preferences.bounds().filter(WindowBounds::isOnScreen).orElseGet(() -> centred(screen)));
+        Rectangle bounds = preferences.bounds().filter(WindowBounds::isOnScreen).orElseGet(() -> centred(screen));
+        window.setBounds(bounds);
+        if (preferences.isMaximised()) {
+            maximise(bounds);
+        }
         window.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentMoved(ComponentEvent event) {
@@ -57,6 +63,21 @@ final class WindowBounds {
         preferences
                 .chartWidth()
                 .ifPresent(width -> mainPanel.instruments().split().place(size -> width));
+    }
+
+    /**
+     * Opens the window maximised. A window manager need not know other bounds of such a window, so they are set when
+     * the user restores it.
+     */
+    private void maximise(Rectangle normalBounds) {
+        window.setExtendedState(Frame.MAXIMIZED_BOTH);
+        openedMaximised = true;
+        window.addWindowStateListener(event -> {
+            if (openedMaximised && event.getNewState() == Frame.NORMAL) {
+                openedMaximised = false;
+                window.setBounds(normalBounds);
+            }
+        });
     }
 
     /**
@@ -85,7 +106,7 @@ final class WindowBounds {
 
     /** Keeps bounds that the window manager has reported for the visible window in its normal state. */
     private void confirm() {
-        if (window.isShowing() && window.getExtendedState() == Frame.NORMAL) {
+        if (!openedMaximised && window.isShowing() && window.getExtendedState() == Frame.NORMAL) {
             confirmedBounds = window.getBounds();
         }
     }
@@ -106,6 +127,7 @@ final class WindowBounds {
         if (confirmedBounds != null) {
             preferences.setBounds(confirmedBounds);
         }
+        preferences.setMaximised((window.getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH);
         preferences.setPanelWidth(mainPanel.panelWidth());
         preferences.setDock(
                 mainPanel.dockHeight(), mainPanel.instruments().split().getDividerLocation());

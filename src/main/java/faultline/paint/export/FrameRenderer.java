@@ -1,12 +1,15 @@
 package faultline.paint.export;
 
 import faultline.engine.Frame;
+import faultline.geometry.Sector;
 import faultline.paint.scene.Layer;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.paint.surface.Camera;
 import faultline.paint.surface.Palette;
 import faultline.world.Obstacle;
+import faultline.world.SensorSnapshot;
 import faultline.world.Snapshot;
+import java.awt.geom.Arc2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 
@@ -36,6 +39,34 @@ public final class FrameRenderer {
     /** Returns the camera that shows a whole world with a margin; width and height in pixels, positive. */
     public static Camera fitCamera(Snapshot world, int width, int height) {
         return Camera.fit(bounds(world), MARGIN, width, height);
+    }
+
+    /**
+     * Returns the camera that shows a whole world and the cones of the robot, which may end beyond its walls, with a
+     * margin; width and height in pixels, positive.
+     */
+    public static Camera fitCameraWithCones(Snapshot world, int width, int height) {
+        Rectangle2D bounds = bounds(world);
+        for (SensorSnapshot sensor : world.sensors()) {
+            bounds = bounds.createUnion(coneBounds(sensor.sector()));
+        }
+        return Camera.fit(bounds, MARGIN, width, height);
+    }
+
+    private static Rectangle2D coneBounds(Sector cone) {
+        double half = Math.toDegrees(Math.atan2(cone.sinHalf(), cone.cosHalf()));
+        double bearing = Math.toDegrees(cone.axis().angle());
+        double radius = cone.range();
+        // The angles of an arc are clockwise where y is upward.
+        return new Arc2D.Double(
+                        cone.apex().x() - radius,
+                        cone.apex().y() - radius,
+                        2 * radius,
+                        2 * radius,
+                        -bearing - half,
+                        2 * half,
+                        Arc2D.PIE)
+                .getBounds2D();
     }
 
     /** Returns the bounds of the world and of everything outside of it. */

@@ -11,7 +11,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
+import javax.swing.JLabel;
 import javax.swing.KeyStroke;
+import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -88,5 +90,31 @@ class ResultTableTest {
         double[] values = {0, 0.05, 0.1, 0.5, 0.95, 1, 1};
         long[] counts = Histogram.counts(Axis.linear("", 0, 1), values);
         assertArrayEquals(new long[] {3, 0, 1, 0, 3}, counts);
+    }
+
+    private int headingAlignment(int column) {
+        return callOnEdt(() -> ((JLabel) table.getColumnModel()
+                        .getColumn(column)
+                        .getHeaderRenderer()
+                        .getTableCellRendererComponent(table, "", false, false, -1, column))
+                .getHorizontalAlignment());
+    }
+
+    @Test
+    void headingsStandWhereTheirColumnsDo() {
+        assertEquals(SwingConstants.LEADING, headingAlignment(0));
+        assertEquals(SwingConstants.TRAILING, headingAlignment(1));
+    }
+
+    @Test
+    void theReasonOfFailureTakesRoomOnlyWhenARunHasFailed() {
+        table = callOnEdt(() -> new ResultTable("batch.tab.runs", List.of("run", "failure"), opened::add));
+        runOnEdt(() -> table.addRows(List.of(List.of(ResultCell.of("run", "0"), ResultCell.of("failure", "")))));
+        assertEquals(1, callOnEdt(table::getColumnCount));
+        runOnEdt(() -> table.addRows(List.of(List.of(ResultCell.of("run", "1"), ResultCell.of("failure", "no file")))));
+        assertEquals(List.of("", "no file"), column(1));
+        assertEquals(
+                "Reason of failure",
+                callOnEdt(() -> table.getColumnModel().getColumn(1).getHeaderValue()));
     }
 }

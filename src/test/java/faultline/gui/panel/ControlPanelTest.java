@@ -14,6 +14,7 @@ import faultline.gui.action.UiAction;
 import faultline.gui.edit.UndoController;
 import faultline.gui.text.Language;
 import faultline.gui.text.Messages;
+import faultline.gui.text.ReadingText;
 import faultline.gui.theme.TextSize;
 import faultline.gui.theme.Theme;
 import faultline.robot.RobotSpec;
@@ -383,5 +384,23 @@ class ControlPanelTest {
 
     private NumberSpinner spinner(String name) {
         return ComponentFinder.find(panel, NumberSpinner.class, name);
+    }
+
+    @Test
+    void aDistanceBeyondTheRangeOfTheSensorIsAllowedWithAWarning() {
+        double range = world.sensors().get(0).spec().range();
+        assertFalse(callOnEdt(this::isRangeWarned));
+        runOnEdt(() -> spinner("Value").setValue(range + 0.1));
+        assertTrue(callOnEdt(this::isRangeWarned));
+        runOnEdt(() -> injectButton().doClick(0));
+        assertEquals(List.of(new Command.InjectFault("front", new Fault.Stuck(range + 0.1))), commands);
+        runOnEdt(() -> spinner("Value").setValue(range));
+        assertFalse(callOnEdt(this::isRangeWarned));
+    }
+
+    private boolean isRangeWarned() {
+        return ComponentFinder.findAll(panel, JLabel.class)
+                .anyMatch(label ->
+                        label.isVisible() && label.getText().startsWith("More than the range of the sensor, "));
     }
 }

@@ -242,4 +242,19 @@ class ControllerPanelTest {
             undo.runRepositioned(tick);
         }
     }
+
+    @Test
+    void fieldsOfAnotherKindOfControllerShowNothing() {
+        assertTrue(Double.isNaN(shown("Left, V")));
+        int drive = 1;
+        choose("Controller", drive);
+        await("the wheels are driven", spec -> spec instanceof ControllerSpec.Drive);
+        assertTrue(Double.isNaN(shown("Distance, m")) && Double.isNaN(shown("Length, m")));
+        assertEquals("", callOnEdt(() -> ComponentFinder.find(panel, JFormattedTextField.class, "Distance, m")
+                .getText()));
+        assertTrue(shown("Left, V") > 0);
+        runOnEdt(undo::undo);
+        await("the follower", spec -> spec instanceof WallFollowing);
+        assertTrue(shown("Distance, m") > 0);
+    }
 }

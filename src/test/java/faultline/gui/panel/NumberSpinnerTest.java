@@ -5,11 +5,14 @@ import static faultline.gui.GuiRobot.runOnEdt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.gui.theme.Theme;
+import java.awt.Dimension;
 import java.text.ParseException;
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -72,6 +75,38 @@ class NumberSpinnerTest {
                 spinner.textField().commitEdit();
             } catch (ParseException refused) {
                 throw new AssertionError(refused);
+            }
+        });
+    }
+
+    @Test
+    void noNumberShowsNothingAndIsNotWrong() {
+        runOnEdt(() -> {
+            spinner.setWorldValue(0.8);
+            spinner.setWorldValue(Double.NaN);
+            assertEquals("", spinner.textField().getText());
+            assertTrue(spinner.textField().isEditValid());
+            spinner.setWorldValue(0.8);
+            assertEquals("0.80", spinner.textField().getText());
+        });
+        assertEquals(List.of(), reported);
+    }
+
+    @Test
+    void theFieldIsAsWideAsItsNumber() {
+        runOnEdt(() -> {
+            spinner.withColumns(5);
+            for (double value : new double[] {0.8, 2.0543, 99.9999, 0.8}) {
+                spinner.setWorldValue(value);
+                for (Dimension size : List.of(spinner.getPreferredSize(), spinner.getMinimumSize())) {
+                    spinner.setSize(size);
+                    spinner.doLayout();
+                    spinner.getEditor().doLayout();
+                    JTextField text = spinner.textField();
+                    int room = text.getWidth() - text.getInsets().left - text.getInsets().right;
+                    int needed = text.getFontMetrics(text.getFont()).stringWidth(text.getText());
+                    assertTrue(needed <= room, text.getText() + " needs " + needed + " pixels and has " + room);
+                }
             }
         });
     }

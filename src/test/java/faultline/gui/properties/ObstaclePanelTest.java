@@ -209,4 +209,29 @@ class ObstaclePanelTest {
             assertEquals(Optional.empty(), PointsField.parse(wrong), wrong);
         }
     }
+
+    private String text(String name) {
+        return callOnEdt(
+                () -> ComponentFinder.find(panel, JTextField.class, name).getText());
+    }
+
+    @Test
+    void fieldsThatDoNotApplyShowNothing() {
+        select("cat");
+        assertEquals(List.of("5.00", "0.20", "0.40"), List.of(text("x, m"), text("Radius x, m"), text("Speed, m/s")));
+        assertTrue(callOnEdt(() -> ComponentFinder.find(panel, JCheckBox.class, "Return to the first waypoint")
+                .isSelected()));
+        select("vase");
+        assertEquals(List.of("4.10", "0.15", ""), List.of(text("x, m"), text("Radius, m"), text("Speed, m/s")));
+        assertFalse(callOnEdt(() -> ComponentFinder.find(panel, JCheckBox.class, "Return to the first waypoint")
+                .isSelected()));
+        select();
+        assertEquals(
+                List.of("", "", "", ""), List.of(text("x, m"), text("y, m"), text("Heading, °"), text("Width, m")));
+        select("crate");
+        assertEquals(
+                List.of("1.30", "2.90", "0", "0.60"),
+                List.of(text("x, m"), text("y, m"), text("Heading, °"), text("Width, m")));
+        assertEquals(List.of(), commands);
+    }
 }

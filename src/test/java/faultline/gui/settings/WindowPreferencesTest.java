@@ -65,4 +65,13 @@ class WindowPreferencesTest {
         assertEquals(ThemeChoice.LIGHT, none.themeChoice());
         assertEquals(Optional.empty(), none.bounds());
     }
+
+    @Test
+    void aMaximisedWindowIsRememberedBesideItsBounds() {
+        assertFalse(preferences.isMaximised());
+        preferences.setBounds(new Rectangle(10, 30, 1200, 800));
+        preferences.setMaximised(true);
+        assertTrue(preferences.isMaximised());
+        assertEquals(Optional.of(new Rectangle(10, 30, 1200, 800)), preferences.bounds());
+    }
 }

@@ -1,7 +1,5 @@
-package faultline.gui.panel;
+package faultline.gui.text;
 
-import faultline.gui.text.Messages;
-import faultline.gui.text.MotorFaultText;
 import faultline.sensor.Fault;
 import faultline.sensor.FaultKind;
 import faultline.sensor.Reading;
@@ -15,7 +13,7 @@ public final class ReadingText {
     private ReadingText() {}
 
     /** Returns the distance in metres, a dash if nothing is in range, or "off". */
-    static String format(Reading reading) {
+    public static String format(Reading reading) {
         if (reading.isOff()) {
             return Messages.get("reading.off");
         }
@@ -27,7 +25,7 @@ public final class ReadingText {
     }
 
     /** Formats the faults of a sensor. */
-    static String format(List<Fault> faults) {
+    public static String format(List<Fault> faults) {
         return faults.stream().map(ReadingText::format).collect(Collectors.joining(", "));
     }
 

@@ -1,0 +1,102 @@
+package faultline.gui.panel;
+
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Window;
+import javax.swing.JComponent;
+import javax.swing.JToolTip;
+import javax.swing.Popup;
+import javax.swing.PopupFactory;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import javax.swing.event.AncestorEvent;
+import javax.swing.event.AncestorListener;
+
+/** A note below a field that says why its text is refused. Screen readers get it as the description of the field. */
+public final class RefusalNote {
+
+    private static final int MIN_MILLIS = 4000;
+    private static final int MILLIS_PER_CHARACTER = 80;
+    private static final int GAP = 2;
+
+    private final JComponent field;
+    private final Timer end = new Timer(MIN_MILLIS, event -> hide());
+    /** Null while nothing is shown. */
+    private Popup popup;
+
+    private String text = "";
+
+    /** Creates the note of a field, not yet visible. */
+    public RefusalNote(JComponent field) {
+        this.field = field;
+        end.setRepeats(false);
+        field.addAncestorListener(new AncestorListener() {
+            @Override
+            public void ancestorAdded(AncestorEvent event) {
+                // Nothing to do.
+            }
+
+            @Override
+            public void ancestorRemoved(AncestorEvent event) {
+                hide();
+            }
+
+            @Override
+            public void ancestorMoved(AncestorEvent event) {
+                hide();
+            }
+        });
+    }
+
+    /** Shows a sentence until it is hidden. */
+    void show(String sentence) {
+        end.stop();
+        if (!sentence.equals(text)) {
+            hide();
+            open(sentence);
+        }
+    }
+
+    /** Shows a sentence for as long as it takes to read. */
+    public void showBriefly(String sentence) {
+        show(sentence);
+        end.setInitialDelay(Math.max(MIN_MILLIS, MILLIS_PER_CHARACTER * sentence.length()));
+        end.restart();
+    }
+
+    private void open(String sentence) {
+        if (!field.isShowing()) {
+            return;
+        }
+        text = sentence;
+        field.getAccessibleContext().setAccessibleDescription(sentence);
+        JToolTip tip = field.createToolTip();
+        tip.setTipText(sentence);
+        Point at = location(tip.getPreferredSize());
+        popup = PopupFactory.getSharedInstance().getPopup(field, tip, at.x, at.y);
+        popup.show();
+    }
+
+    /** Returns the place below the field, or above it at the bottom of the window, within the width of the window. */
+    private Point location(Dimension size) {
+        Window window = SwingUtilities.getWindowAncestor(field);
+        Rectangle bounds = window.getBounds();
+        Point origin = field.getLocationOnScreen();
+        int x = Math.max(bounds.x, Math.min(origin.x, bounds.x + bounds.width - window.getInsets().right - size.width));
+        int below = origin.y + field.getHeight() + GAP;
+        boolean room = below + size.height <= bounds.y + bounds.height - window.getInsets().bottom;
+        return new Point(x, room ? below : origin.y - size.height - GAP);
+    }
+
+    /** Hides the note. */
+    void hide() {
+        end.stop();
+        if (popup != null) {
+            popup.hide();
+            popup = null;
+            text = "";
+            field.getAccessibleContext().setAccessibleDescription(null);
+        }
+    }
+}

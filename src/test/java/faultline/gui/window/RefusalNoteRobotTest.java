@@ -1,0 +1,93 @@
+package faultline.gui.window;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.gui.ComponentFinder;
+import faultline.gui.EdtChecker;
+import faultline.gui.theme.Theme;
+import java.awt.Component;
+import java.awt.Rectangle;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import javax.swing.JTabbedPane;
+import javax.swing.JTextField;
+import javax.swing.JToolTip;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledIf;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** A field that refuses a text says why beside itself and to screen readers. */
+@ExtendWith(EdtChecker.class)
+@DisabledIf(
+        value = "java.awt.GraphicsEnvironment#isHeadless",
+        disabledReason = "drives a real window, which needs a display")
+class RefusalNoteRobotTest {
+
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() {
+        driver = WindowDriver.open(Theme.LIGHT, Path.of("scenarios/yard.xml"));
+    }
+
+    @AfterEach
+    void close() {
+        driver.close();
+    }
+
+    @Test
+    void aSpeedThatTheMotorsCannotReachIsRefusedWithTheReason() {
+        JTextField speed = ComponentFinder.find(driver.window(), JTextField.class, "Linear velocity");
+        String before = callOnEdt(speed::getText);
+        driver.typeInto("Linear velocity", KeyEvent.VK_5, KeyEvent.VK_0);
+        waitForNote(speed, "Invalid value. Allowed: 0.01 to 0.60");
+        driver.robot().pressKeys(KeyEvent.VK_TAB);
+        waitForNote(speed, "50 is not allowed. Allowed: 0.01 to 0.60");
+        assertEquals(before, callOnEdt(speed::getText));
+        driver.typeInto("Linear velocity", KeyEvent.VK_0, KeyEvent.VK_PERIOD, KeyEvent.VK_2, KeyEvent.VK_TAB);
+        driver.robot().waitFor("the note is gone", () -> notes().findAny().isEmpty());
+        driver.waitForFrame("the speed", frame -> frame.snapshot().robot().speed() == 0.2);
+    }
+
+    private void waitForNote(JTextField field, String start) {
+        driver.robot().waitFor("the note says " + start, () -> notes().anyMatch(
+                        note -> note.getTipText().startsWith(start)));
+        assertTrue(callOnEdt(
+                () -> field.getAccessibleContext().getAccessibleDescription().startsWith(start)));
+        Rectangle at = callOnEdt(() -> boundsOnScreen(notes().findAny().orElseThrow()));
+        Rectangle beside = callOnEdt(() -> boundsOnScreen(field));
+        assertTrue(at.intersects(beside.x, beside.y, beside.width, 2.0 * beside.height), at + " beside " + beside);
+        assertTrue(callOnEdt(() -> boundsOnScreen(driver.window())).contains(at), at.toString());
+    }
+
+    private static Rectangle boundsOnScreen(Component part) {
+        return new Rectangle(part.getLocationOnScreen(), part.getSize());
+    }
+
+    private Stream<JToolTip> notes() {
+        return ComponentFinder.findAll(driver.window(), JToolTip.class).filter(Component::isShowing);
+    }
+
+    @Test
+    void pointsThatAreNoneAreRefusedWithTheReason() {
+        JTabbedPane tabs = ComponentFinder.find(driver.window(), JTabbedPane.class, "Control panel");
+        runOnEdt(() -> tabs.setSelectedIndex(tabs.getTabCount() - 1));
+        driver.choose("selectNext");
+        JTextField waypoints = ComponentFinder.find(driver.window(), JTextField.class, "Waypoints, m");
+        driver.robot().waitFor("an obstacle is selected", waypoints::isEnabled);
+        runOnEdt(waypoints::requestFocusInWindow);
+        driver.robot().waitFor("the field has the focus", waypoints::isFocusOwner);
+        String before = callOnEdt(waypoints::getText);
+        driver.robot().pressKeys(KeyEvent.VK_1);
+        driver.robot().pressKeys(KeyEvent.VK_SEMICOLON);
+        driver.robot().pressKeys(KeyEvent.VK_ENTER);
+        waitForNote(waypoints, "These are not points");
+        assertEquals(before, callOnEdt(waypoints::getText));
+    }
+}

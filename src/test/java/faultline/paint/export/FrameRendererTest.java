@@ -1,0 +1,78 @@
+package faultline.paint.export;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import faultline.engine.ControllerMode;
+import faultline.engine.Simulation;
+import faultline.engine.SimulationSetup;
+import faultline.geometry.Pose;
+import faultline.geometry.Sector;
+import faultline.geometry.Vector2;
+import faultline.paint.surface.Camera;
+import faultline.scenario.Scenario;
+import faultline.scenario.ShippedScenarios;
+import faultline.scenario.xml.ScenarioException;
+import faultline.world.SensorSnapshot;
+import faultline.world.Snapshot;
+import java.io.IOException;
+import org.junit.jupiter.api.Test;
+
+/** The cameras of pictures of whole worlds. */
+class FrameRendererTest {
+
+    private static final int WIDTH = 528;
+    private static final int HEIGHT = 344;
+
+    @Test
+    void aCameraWithConesCutsNoneWhereverTheRobotStands() throws ScenarioException {
+        SimulationSetup setup = Scenario.loadShipped("beside-a-wall.xml").setup();
+        Snapshot first = snapshot(setup);
+        double x = first.pose().x();
+        boolean cutWithout = false;
+        for (double y : new double[] {0.2, first.height() / 2, first.height() - 0.2}) {
+            Snapshot world = snapshot(setup.withStart(new Pose(x, y, 1)));
+            assertTrue(showsAllCones(FrameRenderer.fitCameraWithCones(world, WIDTH, HEIGHT), world), "y " + y);
+            cutWithout |= !showsAllCones(FrameRenderer.fitCamera(world, WIDTH, HEIGHT), world);
+        }
+        assertTrue(cutWithout, "the world alone is not always enough");
+    }
+
+    @Test
+    void theCameraOfARobotInTheMiddleIsThatOfTheWorld() throws ScenarioException, IOException {
+        int same = 0;
+        for (String name : ShippedScenarios.names()) {
+            Snapshot world = snapshot(Scenario.loadShipped(name).setup());
+            Camera plain = FrameRenderer.fitCamera(world, WIDTH, HEIGHT);
+            Camera camera = FrameRenderer.fitCameraWithCones(world, WIDTH, HEIGHT);
+            assertFalse(camera.scale() > plain.scale(), name);
+            same += camera.equals(plain) ? 1 : 0;
+        }
+        assertTrue(same > 5, "only " + same);
+    }
+
+    private static Snapshot snapshot(SimulationSetup setup) {
+        try (Simulation simulation = new Simulation(setup, ControllerMode.DIRECT)) {
+            return simulation.frame().snapshot();
+        }
+    }
+
+    private static boolean showsAllCones(Camera camera, Snapshot world) {
+        return world.sensors().stream().map(SensorSnapshot::sector).allMatch(cone -> shows(camera, cone));
+    }
+
+    /** Returns whether points all along the arc are in the picture. */
+    private static boolean shows(Camera camera, Sector cone) {
+        double half = Math.atan2(cone.sinHalf(), cone.cosHalf());
+        for (double share = -1; share <= 1; share += 0.1) {
+            double bearing = cone.axis().angle() + share * half;
+            Vector2 end =
+                    cone.apex().plus(new Vector2(cone.range() * Math.cos(bearing), cone.range() * Math.sin(bearing)));
+            Vector2 pixel = camera.toScreen(end);
+            if (pixel.x() < 0 || pixel.y() < 0 || pixel.x() > WIDTH || pixel.y() > HEIGHT) {
+                return false;
+            }
+        }
+        return true;
+    }
+}
