@@ -43,13 +43,16 @@ public final class ObstacleCopies {
     private static Obstacle moved(Obstacle original, String id, Vector2 by) {
         Pose pose = original.pose();
         return original.withId(id)
-                .withPose(pose.withPosition(Rounding.round(pose.position().plus(by))))
+                .withPose(pose.withPosition(sum(pose.position(), by)))
                 .withMotion(moved(original.motion(), by));
     }
 
+    private static Vector2 sum(Vector2 place, Vector2 by) {
+        return Rounding.round(place, place.plus(by));
+    }
+
     private static WaypointPath moved(WaypointPath path, Vector2 by) {
-        return path.withWaypoints(path.waypoints().stream()
-                .map(point -> Rounding.round(point.plus(by)))
-                .toList());
+        return path.withWaypoints(
+                path.waypoints().stream().map(point -> sum(point, by)).toList());
     }
 }

@@ -134,7 +134,11 @@ public final class ShapeHandles {
             Vector2 middle = obstacle.pose()
                     .toParent(new Vector2(side.x() * (w - shape.width()) / 2, side.y() * (h - shape.height()) / 2));
             return with(
-                    obstacle, new ObstacleShape.Rectangle(w, h), obstacle.pose().withPosition(Rounding.round(middle)));
+                    obstacle,
+                    new ObstacleShape.Rectangle(w, h),
+                    // Finely, so that the opposite side of a rotated rectangle stays.
+                    obstacle.pose()
+                            .withPosition(Rounding.roundFinely(obstacle.pose().position(), middle)));
         }
 
         @Override

@@ -1,6 +1,7 @@
 package faultline.gui.properties;
 
 import faultline.geometry.Pose;
+import faultline.gui.edit.Rounding;
 import faultline.paint.scene.ObstacleOutlines;
 import faultline.world.Command;
 import faultline.world.Obstacle;
@@ -55,7 +56,8 @@ enum ObstacleArrangement {
         for (int i = 0; i < placed.size(); i++) {
             Obstacle obstacle = placed.get(i).obstacle();
             Pose old = obstacle.pose();
-            Pose pose = new Pose(old.x() + shiftX(placed, i, all), old.y() + shiftY(placed, i, all), old.heading());
+            Pose pose = Rounding.round(
+                    old, new Pose(old.x() + shiftX(placed, i, all), old.y() + shiftY(placed, i, all), old.heading()));
             if (!pose.equals(old)) {
                 moves.add(new Command.MoveObstacle(obstacle.id(), pose));
             }

@@ -123,7 +123,7 @@ final class LaneActions {
     /** Adds the copied item at a time, in the selected lane if it can be there. */
     void paste(double start) {
         editor.clipboard()
-                .map(item -> item.startingAt(editor.roundToTick(start)))
+                .map(item -> startingAt(item, editor.roundToTick(start)))
                 .map(item -> item.inLane(view.selectedLane()))
                 .ifPresent(this::addAndSelect);
     }
@@ -131,15 +131,21 @@ final class LaneActions {
     /** Adds a copy of the selected item directly after it. */
     void duplicate() {
         view.selectedItem()
-                .map(item -> item.startingAt(
+                .map(item -> startingAt(
+                        item,
                         editor.roundToTick(item.isOpen() || !item.isInterval() ? item.start() + step() : item.end())))
                 .ifPresent(this::addAndSelect);
+    }
+
+    /** Returns an item of the same length, in ticks, that starts at another time. */
+    private TimelineItem startingAt(TimelineItem item, double start) {
+        return withEnds(item, start, item.end() + start - item.start());
     }
 
     /** Moves the start and the end of the selected item by a number of steps each. */
     void move(int startSteps, int endSteps) {
         view.selectedItem().ifPresent(item -> {
-            double start = editor.roundToTick(item.start() + startSteps * step());
+            double start = startSteps == 0 ? item.start() : editor.roundToTick(item.start() + startSteps * step());
             double end = item.end() + (startSteps == endSteps ? start - item.start() : endSteps * step());
             TimelineItem moved = withEnds(item, start, end);
             editor.replace(view.selection(), moved);
@@ -152,8 +158,10 @@ final class LaneActions {
         double tick = editor.tickLength();
         double latest = item.isInterval() ? Math.max(0, item.end() - tick) : start;
         double newStart = start == item.start() || end != item.end() ? start : Math.min(start, latest);
-        double newEnd = Double.isInfinite(end) ? end : editor.roundToTick(Math.max(end, newStart + tick));
-        return item.withTimes(editor.roundToTick(newStart), newEnd);
+        double newEnd = Math.max(end, newStart + tick);
+        return item.withTimes(
+                newStart == item.start() ? newStart : editor.roundToTick(newStart),
+                newEnd == item.end() || Double.isInfinite(newEnd) ? newEnd : editor.roundToTick(newEnd));
     }
 
     double step() {

@@ -59,11 +59,6 @@ public record TimelineItem(Command command, double start, double end) {
         return new TimelineItem(command, newStart, isInterval() ? newEnd : newStart);
     }
 
-    /** Returns this item moved to start at another time. */
-    TimelineItem startingAt(double newStart) {
-        return withTimes(newStart, newStart + end - start);
-    }
-
     /** Returns this item with another command at its start. */
     TimelineItem withCommand(Command other) {
         return new TimelineItem(other, start, end);

@@ -15,6 +15,7 @@ import faultline.gui.EdtChecker;
 import faultline.gui.canvas.SimulationCanvas;
 import faultline.gui.edit.UndoController;
 import faultline.gui.theme.Theme;
+import faultline.io.DecimalText;
 import faultline.world.Command;
 import faultline.world.Obstacle;
 import faultline.world.ObstacleShape;
@@ -23,6 +24,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JList;
@@ -179,6 +181,32 @@ class ObstaclePanelTest {
         assertEquals("vase", move.obstacle());
         assertEquals((1.3 + 5) / 2, move.pose().x(), 1e-9);
         assertEquals(List.of(), ObstacleArrangement.SPREAD_Y.commands(List.of(CAT, CRATE)));
+    }
+
+    @Test
+    void arrangedPositionsHaveFewDecimals() {
+        List<Obstacle> rotated = Stream.of(CRATE, VASE, FENCE)
+                .map(each -> each.withPose(
+                        new Pose(each.pose().x() / 3, 0.123456789, each.pose().x())))
+                .toList();
+        for (ObstacleArrangement arrangement : ObstacleArrangement.values()) {
+            for (Command command : arrangement.commands(rotated)) {
+                Command.MoveObstacle move = (Command.MoveObstacle) command;
+                Pose before = rotated.stream()
+                        .filter(each -> each.id().equals(move.obstacle()))
+                        .findFirst()
+                        .orElseThrow()
+                        .pose();
+                assertTrue(
+                        DecimalText.format(move.pose().x()).length() <= 8
+                                || move.pose().x() == before.x(),
+                        move + " by " + arrangement);
+                assertTrue(
+                        DecimalText.format(move.pose().y()).length() <= 8
+                                || move.pose().y() == before.y(),
+                        move + " by " + arrangement);
+            }
+        }
     }
 
     @Test

@@ -109,7 +109,7 @@ class TimelineModelTest {
         TimelineItem item = TimelineModel.of(List.of(inject(1, "left", STUCK), clear(3, "left", STUCK)))
                 .items()
                 .get(0);
-        TimelineItem copy = item.inLane(new Lane.OfSensor("rear")).startingAt(10);
+        TimelineItem copy = item.inLane(new Lane.OfSensor("rear")).withTimes(10, 12);
         List<TimedCommand> both = new ArrayList<>(item.commands());
         both.addAll(copy.commands());
         assertEquals(List.of("left 1.0 3.0", "rear 10.0 12.0"), spans(both));

@@ -64,8 +64,8 @@ public final class CanvasKeys {
             mouse.moveKeyPoint(step, pixels);
             return;
         }
-        moveSelected(obstacle -> obstacle.pose()
-                .withPosition(Rounding.round(obstacle.pose().position().plus(step))));
+        moveSelected(obstacle ->
+                obstacle.pose().withPosition(obstacle.pose().position().plus(step)));
     }
 
     private void turn(double turn) {
@@ -80,8 +80,12 @@ public final class CanvasKeys {
     private void moveSelected(Function<Obstacle, Pose> change) {
         editor.send(model.selected().stream()
                 .<Command>map(obstacle -> new Command.MoveObstacle(
-                        obstacle.id(), change.apply(editor.pendingEdits().expected(obstacle))))
+                        obstacle.id(), moved(editor.pendingEdits().expected(obstacle), change)))
                 .toList());
+    }
+
+    private static Pose moved(Obstacle obstacle, Function<Obstacle, Pose> change) {
+        return Rounding.round(obstacle.pose(), change.apply(obstacle));
     }
 
     private void withTool(Consumer<Tool> action) {

@@ -4,6 +4,7 @@ import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
 import faultline.gui.edit.IdGenerator;
 import faultline.gui.edit.PointShapes;
+import faultline.gui.edit.Rounding;
 import faultline.gui.edit.ShapePreset;
 import faultline.gui.edit.SnapSettings;
 import faultline.paint.scene.ObstacleOutlines;
@@ -158,7 +159,7 @@ public final class CanvasTools {
         Camera camera = context.viewport().camera().get();
         Vector2 target = new Vector2(
                 Math.max(0, Math.min(world.width(), camera.x())), Math.max(0, Math.min(world.height(), camera.y())));
-        return inside ? Vector2.ZERO : target.minus(centre);
+        return inside ? Vector2.ZERO : Rounding.round(target.minus(centre));
     }
 
     /** Returns what is at a position on the canvas, so that a menu may suit it. */

@@ -3,6 +3,7 @@ package faultline.gui.canvas.tool;
 import faultline.geometry.Degrees;
 import faultline.geometry.Pose;
 import faultline.geometry.Vector2;
+import faultline.gui.edit.Rounding;
 import faultline.gui.edit.ShapeHandles;
 import faultline.gui.edit.SnapSettings;
 import faultline.gui.text.Messages;
@@ -53,12 +54,16 @@ public sealed interface DragOperation {
         @Override
         public DragPreview preview(Vector2 mouse, SnapSettings snap) {
             Vector2 from = grabbed.pose().position();
-            Vector2 to = snap.point(from.plus(mouse.minus(grabPoint)));
+            Vector2 to = snap.point(from, from.plus(mouse.minus(grabPoint)));
             Vector2 by = to.minus(from);
             List<Obstacle> there = obstacles.stream()
                     .map(obstacle -> obstacle.equals(grabbed)
                             ? movedTo(grabbed, to)
-                            : movedTo(obstacle, obstacle.pose().position().plus(by)))
+                            : movedTo(
+                                    obstacle,
+                                    Rounding.round(
+                                            obstacle.pose().position(),
+                                            obstacle.pose().position().plus(by))))
                     .toList();
             return new DragPreview(
                     moveCommands(there),
@@ -92,7 +97,8 @@ public sealed interface DragOperation {
                     + mouse.minus(middle).angle()
                     - grabPoint.minus(middle).angle());
             List<Obstacle> there = obstacles.stream()
-                    .map(obstacle -> obstacle.withPose(ObstacleOutlines.rotatedPose(obstacle, middle, after - before)))
+                    .map(obstacle -> obstacle.withPose(Rounding.round(
+                            obstacle.pose(), ObstacleOutlines.rotatedPose(obstacle, middle, after - before))))
                     .toList();
             String degrees = String.format(Locale.ROOT, "%.1f", Math.toDegrees(Math.IEEEremainder(after, 2 * Math.PI)));
             return new DragPreview(

@@ -44,7 +44,8 @@ public final class StartPoseGesture implements Gesture {
 
     private Pose movedPose(Vector2 mouse, SnapSettings snap) {
         Vector2 grip = viewport.camera().get().toWorld(pressed);
-        Vector2 place = snap.point(world.pose().position().plus(mouse.minus(grip)));
+        Vector2 place =
+                snap.point(world.pose().position(), world.pose().position().plus(mouse.minus(grip)));
         return new Pose(place.x(), place.y(), world.pose().heading());
     }
 

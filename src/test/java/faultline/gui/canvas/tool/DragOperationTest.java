@@ -1,6 +1,7 @@
 package faultline.gui.canvas.tool;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import faultline.engine.SampleFrames;
 import faultline.geometry.Degrees;
@@ -51,6 +52,31 @@ class DragOperationTest {
                 new DragOperation.Rotate(List.of(BOX), new Vector2(3, 1)).preview(new Vector2(2, 4), SnapSettings.NONE);
         assertEquals(Degrees.toRadians(260), only(preview).pose().heading(), 1e-12);
         assertEquals("heading -100.0\u00b0", preview.valueText());
+    }
+
+    @Test
+    void whatADragMovesHasFewDecimalsAndTheRestKeepsItsBits() {
+        Obstacle odd = BOX.withPose(new Pose(2.123456789, 1.987654321, 0.3));
+        Obstacle pole = new Obstacle("pole", new ObstacleShape.Circle(0.1), new Pose(1.03, 1.23456789, 0));
+        Vector2 grab = new Vector2(2, 1);
+        List<Obstacle> moved = new DragOperation.Move(odd, List.of(odd, pole), grab)
+                .preview(new Vector2(2 + 1.0 / 3, 1), SnapSettings.NONE)
+                .obstacles();
+        assertEquals(new Pose(2.4568, 1.987654321, 0.3), moved.get(0).pose());
+        assertEquals(new Pose(1.36334, 1.23456789, 0), moved.get(1).pose());
+    }
+
+    @Test
+    void headingsAreRoundedInDegrees() {
+        Pose before = new Pose(2.123456789, 1.987654321, Degrees.toRadians(30));
+        Obstacle odd = BOX.withPose(before);
+        DragOperation turn = new DragOperation.Rotate(List.of(odd), new Vector2(3, 2));
+        Pose free = only(turn.preview(new Vector2(2.5, 2.7), SnapSettings.NONE)).pose();
+        assertEquals(before.position(), free.position(), "it turns about its own middle");
+        assertTrue(Degrees.toText(free.heading()).matches("\\d+(\\.\\d)?"), Degrees.toText(free.heading()));
+        SnapSettings steps = new SnapSettings(0, Degrees.toRadians(15));
+        Pose snapped = only(turn.preview(new Vector2(2.5, 2.7), steps)).pose();
+        assertEquals(0, Integer.parseInt(Degrees.toText(snapped.heading())) % 15);
     }
 
     @Test

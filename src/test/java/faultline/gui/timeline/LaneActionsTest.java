@@ -1,0 +1,98 @@
+package faultline.gui.timeline;
+
+import static faultline.gui.GuiRobot.callOnEdt;
+import static faultline.gui.GuiRobot.runOnEdt;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import faultline.engine.SimulationSetup.TimedCommand;
+import faultline.gui.Await;
+import faultline.gui.EdtChecker;
+import faultline.gui.document.DocumentStore;
+import faultline.gui.document.RunController;
+import faultline.gui.document.Workspace;
+import faultline.gui.edit.UndoController;
+import faultline.sensor.Fault;
+import faultline.world.Command;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+
+/** The times of items that are copied and moved, in a scenario with ticks of 0.01 s. */
+@ExtendWith(EdtChecker.class)
+class LaneActionsTest {
+
+    private static final Fault STUCK = new Fault.Stuck(0.3);
+    /** Times of a file, which need not be whole ticks. */
+    private static final double START = 4.1234;
+
+    private static final double END = 9.4567;
+
+    private Workspace workspace;
+    private TimelineEditor editor;
+    private LaneView view;
+    private LaneActions actions;
+
+    @BeforeEach
+    void openWithOneFault() {
+        RunController run = callOnEdt(() -> {
+            workspace = new Workspace();
+            RunController created = new RunController(workspace);
+            new DocumentStore(workspace).open(Path.of("scenarios/mirror.xml"));
+            return created;
+        });
+        Await.until("the scenario", () -> run.frame().isPresent());
+        runOnEdt(() -> {
+            editor = new TimelineEditor(workspace, run, new UndoController(run::send, () -> {}));
+            view = new LaneView(editor);
+            actions = new LaneActions(view, editor);
+            run.change(old -> old.withSetup(old.setup()
+                    .withTimeline(List.of(
+                            new TimedCommand(START, new Command.InjectFault("left", STUCK)),
+                            new TimedCommand(END, new Command.ClearFault("left", STUCK))))));
+            view.update(Stream.<Lane>of(new Lane.OfSensor("left"), Lane.OTHER).toList(), new TimeAxis(0, 800, 60), 0);
+            view.select(0, 0);
+        });
+    }
+
+    @AfterEach
+    void close() {
+        runOnEdt(workspace::close);
+    }
+
+    private List<Double> times() {
+        return callOnEdt(
+                () -> editor.model().commands().stream().map(TimedCommand::time).toList());
+    }
+
+    @Test
+    void aPastedFaultStartsAndEndsAtWholeTicks() {
+        runOnEdt(() -> {
+            actions.copy();
+            actions.paste(13.29);
+        });
+        assertEquals(List.of(START, END, 13.29, 18.62), times());
+    }
+
+    @Test
+    void aDuplicateFollowsAtWholeTicks() {
+        runOnEdt(actions::duplicate);
+        assertEquals(List.of(START, END, 9.46, 14.79), times());
+    }
+
+    @Test
+    void theEndThatIsNotMovedKeepsTheTimeOfTheFile() {
+        runOnEdt(() -> actions.move(0, 1));
+        assertEquals(START, times().get(0));
+        runOnEdt(() -> {
+            editor.replace(0, editor.model().items().get(0).withTimes(START, END));
+            view.update(view.allLanes(), view.axis(), 1);
+            view.select(0, 0);
+            actions.move(-1, 0);
+        });
+        assertEquals(END, times().get(1));
+    }
+}
